@@ -1,0 +1,301 @@
+"""Matrix expressions over named symbols.
+
+An :class:`Expression` is a small immutable tree with a shape.  From the one tree come
+
+* its components, as an object array of sympy scalars (:mod:`screwgen.algebra.components`),
+* its time derivative (:mod:`screwgen.algebra.rate`), and
+* its LaTeX (:mod:`screwgen.algebra.notation`).
+
+So a formula is written once.  The tree keeps the order and the grouping in which it was written:
+what a reader sees is what was derived, and the generated code follows the same grouping.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+Shape = tuple[int, int]
+
+
+class Expression:
+    """A matrix-valued expression; vectors are columns, scalars are 1 x 1."""
+
+    shape: Shape
+
+    def __add__(self, other: Expression) -> Expression:
+        return add(self, other)
+
+    def __sub__(self, other: Expression) -> Expression:
+        return add(self, -other)
+
+    def __neg__(self) -> Expression:
+        return Negative(self) if not is_zero(self) else self
+
+    def __matmul__(self, other: Expression) -> Expression:
+        return product(self, other)
+
+    def __rmul__(self, factor: int | sp.Expr) -> Expression:
+        return product(number(factor), self)
+
+    @property
+    def T(self) -> Expression:
+        return transpose(self)
+
+
+@dataclass(frozen=True)
+class Symbol(Expression):
+    """A named matrix; ``display`` is its LaTeX."""
+
+    name: str
+    shape: Shape
+    display: str
+
+
+@dataclass(frozen=True)
+class Constant(Expression):
+    """A matrix of numbers, row by row, with the LaTeX by which the field knows it."""
+
+    rows: tuple[tuple[sp.Expr, ...], ...]
+    shape: Shape
+    display: str
+
+
+@dataclass(frozen=True)
+class Sum(Expression):
+    """Terms of one shape, in the order in which they were written."""
+
+    terms: tuple[Expression, ...]
+
+    @property
+    def shape(self) -> Shape:
+        return self.terms[0].shape
+
+
+@dataclass(frozen=True)
+class Product(Expression):
+    """A product from left to right; 1 x 1 factors scale."""
+
+    left: Expression
+    right: Expression
+
+    @property
+    def shape(self) -> Shape:
+        if self.left.shape == (1, 1):
+            return self.right.shape
+        return (self.left.shape[0], self.right.shape[1]) if self.right.shape != (1, 1) else self.left.shape
+
+
+@dataclass(frozen=True)
+class Negative(Expression):
+    arg: Expression
+
+    @property
+    def shape(self) -> Shape:
+        return self.arg.shape
+
+
+@dataclass(frozen=True)
+class Transpose(Expression):
+    arg: Expression
+
+    @property
+    def shape(self) -> Shape:
+        return self.arg.shape[::-1]
+
+
+@dataclass(frozen=True)
+class Hat(Expression):
+    """The skew-symmetric matrix of a 3-vector: ``hat(a) b = a x b``."""
+
+    arg: Expression
+    shape: Shape = (3, 3)
+
+
+@dataclass(frozen=True)
+class Trace(Expression):
+    arg: Expression
+    shape: Shape = (1, 1)
+
+
+@dataclass(frozen=True)
+class Diagonal(Expression):
+    """The diagonal matrix of a column."""
+
+    arg: Expression
+
+    @property
+    def shape(self) -> Shape:
+        return (self.arg.shape[0],) * 2
+
+
+@dataclass(frozen=True)
+class Block(Expression):
+    """A matrix put together from blocks, row by row."""
+
+    rows: tuple[tuple[Expression, ...], ...]
+
+    @property
+    def shape(self) -> Shape:
+        return (sum(r[0].shape[0] for r in self.rows), sum(e.shape[1] for e in self.rows[0]))
+
+
+@dataclass(frozen=True)
+class Rotation(Expression):
+    """``exp(hat(axis) angle)`` about a fixed unit axis."""
+
+    axis: tuple[sp.Expr, sp.Expr, sp.Expr]
+    angle: Symbol
+    shape: Shape = (3, 3)
+
+
+@dataclass(frozen=True)
+class Stumpff(Expression):
+    """``c_order(x)`` of a 1 x 1 argument."""
+
+    order: int
+    arg: Expression
+    shape: Shape = (1, 1)
+
+
+@dataclass(frozen=True)
+class Root(Expression):
+    """The square root, entry by entry."""
+
+    arg: Expression
+
+    @property
+    def shape(self) -> Shape:
+        return self.arg.shape
+
+
+@dataclass(frozen=True)
+class Integral(Expression):
+    """``∫ weight · integrand dξ`` along the link; ``rule`` integrates one scalar component."""
+
+    integrand: Expression
+    weight: Symbol | None
+    rule: Callable[[sp.Expr, str | None], sp.Expr]
+
+    @property
+    def shape(self) -> Shape:
+        return self.integrand.shape
+
+
+# ----------------------------------------------------------------------------------------- building
+
+
+def number(value: int | sp.Expr) -> Constant:
+    value = sp.sympify(value)
+    return Constant(((value,),), (1, 1), sp.latex(value))
+
+
+def zeros(rows: int, cols: int = 1) -> Constant:
+    return Constant(tuple((sp.S.Zero,) * cols for _ in range(rows)), (rows, cols), r"\mathbf{0}")
+
+
+def identity(n: int) -> Constant:
+    rows = tuple(tuple(sp.S(int(i == j)) for j in range(n)) for i in range(n))
+    return Constant(rows, (n, n), r"\mathbf{I}" if n != 1 else "1")
+
+
+def unit(axis: int) -> Constant:
+    """The unit 3-vector of an axis: 0, 1, 2 for x, y, z."""
+    rows = tuple((sp.S(int(i == axis)),) for i in range(3))
+    return Constant(rows, (3, 1), rf"\mathbf{{e}}_{'xyz'[axis]}")
+
+
+def vector(values: Sequence[sp.Expr], display: str) -> Constant:
+    return Constant(tuple((sp.sympify(v),) for v in values), (len(values), 1), display)
+
+
+def matrix(rows: Sequence[Sequence[sp.Expr]], shape: Shape, display: str) -> Constant:
+    return Constant(tuple(tuple(sp.sympify(v) for v in row) for row in rows), shape, display)
+
+
+def add(*terms: Expression) -> Expression:
+    """The sum of ``terms``, nested sums opened and zeros dropped."""
+    opened = [t for term in terms for t in (term.terms if isinstance(term, Sum) else (term,))]
+    shapes = {t.shape for t in opened}
+    if len(shapes) != 1:
+        raise ValueError(f"a sum of shapes {sorted(shapes)}")
+    kept = [t for t in opened if not is_zero(t)]
+    if not kept:
+        return opened[0]
+    return kept[0] if len(kept) == 1 else Sum(tuple(kept))
+
+
+def product(left: Expression, right: Expression) -> Expression:
+    scaled = (1, 1) in (left.shape, right.shape)
+    if not scaled and left.shape[1] != right.shape[0]:
+        raise ValueError(f"a product of shapes {left.shape} and {right.shape}")
+    if is_zero(left) or is_zero(right) or left.shape[1] == 0:
+        return zeros(*Product(left, right).shape)
+    if is_identity(left) and (not scaled or left.shape == (1, 1)):
+        return right
+    if is_identity(right) and (not scaled or right.shape == (1, 1)):
+        return left
+    if isinstance(left, Product) and right.shape[1] == 1 and left.shape != (1, 1):
+        return product(left.left, product(left.right, right))
+    if isinstance(left, Hat):
+        right = _without(right, left.arg)
+        if is_zero(right):
+            return right
+    if isinstance(left, Negative):
+        return -product(left.arg, right)
+    if isinstance(right, Negative):
+        return -product(left, right.arg)
+    return Product(left, right)
+
+
+def _without(right: Expression, a: Expression) -> Expression:
+    """What ``a x right`` depends on: a term ``a`` of ``right`` drops out."""
+    if right == a:
+        return zeros(*a.shape)
+    if isinstance(right, Sum):
+        return add(*(zeros(*a.shape) if t == a else t for t in right.terms))
+    return right
+
+
+def transpose(e: Expression) -> Expression:
+    """The transpose, pushed down to the symbols: ``(A B)^T = B^T A^T``, ``hat(a)^T = -hat(a)``."""
+    match e:
+        case Transpose():
+            return e.arg
+        case Negative():
+            return -transpose(e.arg)
+        case Product():
+            return product(transpose(e.right), transpose(e.left))
+        case Sum():
+            return Sum(tuple(transpose(t) for t in e.terms))
+        case Hat():
+            return -e
+        case Block():
+            return block(*([transpose(x) for x in col] for col in zip(*e.rows, strict=True)))
+        case Constant() if is_zero(e):
+            return zeros(*e.shape[::-1])
+        case Constant() if is_identity(e):
+            return e
+    return e if e.shape == (1, 1) else Transpose(e)
+
+
+def hat(a: Expression) -> Expression:
+    return zeros(3, 3) if is_zero(a) else Hat(a)
+
+
+def block(*rows: Sequence[Expression]) -> Expression:
+    return Block(tuple(tuple(r) for r in rows))
+
+
+def stack(*parts: Expression) -> Expression:
+    return block(*([p] for p in parts))
+
+
+def is_zero(e: Expression) -> bool:
+    return isinstance(e, Constant) and not any(v for row in e.rows for v in row)
+
+
+def is_identity(e: Expression) -> bool:
+    return isinstance(e, Constant) and e == identity(e.shape[0]) and e.shape[0] == e.shape[1]

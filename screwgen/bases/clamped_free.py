@@ -1,0 +1,61 @@
+"""`clamped_free`: the vibration modes of a uniform clamped-free Euler-Bernoulli beam."""
+
+from __future__ import annotations
+
+import mpmath
+from mpmath import mpc, mpf
+
+from screwgen.bases.functions import ClosedForm
+from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
+
+FAMILY = Family(
+    name="clamped_free",
+    title="clamped-free beam modes",
+    formula=r"\psi_k(s) = \cosh\lambda_k s - \cos\lambda_k s"
+    r" - \sigma_k(\sinh\lambda_k s - \sin\lambda_k s),\quad "
+    r"\sigma_k = \frac{\sinh\lambda_k - \sin\lambda_k}{\cosh\lambda_k + \cos\lambda_k}",
+    condition=r"\cos\lambda_k\cosh\lambda_k = -1",
+    eigenvalue_symbol=r"\lambda_k",
+    order=2,
+)
+
+
+def clamped_free(count: int) -> Shapes:
+    """The first `count` modes; psi_k(1) = 2, -2, 2, ..., stiffness lambda_k^4."""
+    with mpmath.workdps(working_digits(count)):
+        roots = [_root(k) for k in range(1, count + 1)]
+        return tabulate(FAMILY, [_mode(root) for root in roots], roots, [_latex(root) for root in roots])
+
+
+def _root(k: int) -> mpf:
+    """The k-th root of cos x + 1 / cosh x = 0, by Newton's method from (2k - 1) pi / 2."""
+    x = (2 * k - 1) * mpmath.pi / 2
+    for _ in range(mpmath.mp.prec.bit_length() + 2):  # correct bits double with every iteration
+        x += (mpmath.cos(x) + mpmath.sech(x)) / (mpmath.sin(x) + mpmath.sech(x) * mpmath.tanh(x))
+    return x
+
+
+def _growth(root: mpf) -> mpf:
+    """1 - sigma, in a form without cancellation: it is as small as 2 exp(-lambda)."""
+    cos, sin = mpmath.cos_sin(root)
+    return (cos + sin + mpmath.exp(-root)) / (mpmath.cosh(root) + cos)
+
+
+def _mode(root: mpf) -> ClosedForm:
+    """psi_k in exponentials: all terms stay of order one on [0, 1], so nothing cancels for large lambda."""
+    growth = _growth(root)
+    swing = mpc(-1, growth - 1) / 2
+    return ClosedForm(
+        {
+            root: [growth / 2],
+            -root: [1 - growth / 2],
+            mpc(0, root): [swing],
+            mpc(0, -root): [mpmath.conj(swing)],
+        }
+    )
+
+
+def _latex(root: mpf) -> str:
+    x = latex_number(root) + r"\,s"
+    sigma = latex_number(1 - _growth(root))
+    return rf"\cosh {x} - \cos {x} - {sigma}\,(\sinh {x} - \sin {x})"

@@ -1,0 +1,133 @@
+"""`Shapes`: the constants of one basis, as plain numbers, computed from its functions in closed form.
+
+With the abscissa s = (xi - a) / l in [0, 1] every quantity here is dimensionless. The functions are
+orthonormal on [0, 1] and their stiffness is diagonal, so five numbers per mode describe a basis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import mpmath
+from mpmath import mpf
+
+from screwgen.bases.functions import ClosedForm, inner
+
+Matrix = tuple[tuple[float, ...], ...]
+
+NEGLIGIBLE = mpf("1e-30")
+"""Distance from an integer below which a constant is that integer: orthogonality is an exact zero."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """What the modes of a basis have in common: the words and formulas by which documents define it."""
+
+    name: str
+    """Name in robot files."""
+    title: str
+    """Name in prose."""
+    formula: str
+    r"""LaTeX equation of the k-th function, \psi_k(s) = ..."""
+    condition: str
+    """LaTeX equation that fixes the eigenvalues."""
+    eigenvalue_symbol: str
+    """LaTeX symbol of the k-th eigenvalue."""
+    order: int
+    """Order of the derivative that stores energy: 2 in bending (curvature), 1 in stretching and torsion."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shapes:
+    """The first modes of one basis; every tuple has one entry per mode, all dimensionless."""
+
+    family: Family
+    functions: tuple[ClosedForm, ...]
+    """psi_k, in closed form."""
+    formulas: tuple[str, ...]
+    """LaTeX right-hand side of each psi_k(s) with its numbers rounded to seven digits, for documents."""
+    eigenvalues: tuple[float, ...]
+    """The numbers called `family.eigenvalue_symbol`."""
+    integral: tuple[float, ...]
+    """Integral of psi_k over [0, 1]."""
+    moment: tuple[float, ...]
+    """Integral of s psi_k over [0, 1]."""
+    stiffness: tuple[float, ...]
+    """Integral of the squared derivative of order `family.order` (for k != l the mixed integral is zero)."""
+    tip_value: tuple[float, ...]
+    """psi_k(1)."""
+    tip_slope: tuple[float, ...]
+    """psi_k'(1), derivative with respect to s."""
+
+    @property
+    def count(self) -> int:
+        """Number of modes."""
+        return len(self.functions)
+
+    def evaluate(self, points: Iterable[float], derivative: int = 0) -> Matrix:
+        """The derivatives of that order of all modes at `points` in [0, 1]: count x len(points).
+
+        Computed like the constants and rounded once, so right to the last bit or so for every mode.
+        """
+        points = tuple(points)
+        with mpmath.workdps(working_digits(self.count)):
+            forms = [psi.derivative(derivative) for psi in self.functions]
+            return tuple(rounded(form(mpf(float(s))) for s in points) for form in forms)
+
+
+def working_digits(count: int) -> int:
+    """Decimal digits that leave more than 50 right ones with `count` modes.
+
+    Sums of monomials cancel most: coefficients of the shifted Jacobi polynomial of degree n grow as
+    (3 + 2 sqrt 2)^n, their products as 10^(1.54 n).
+    """
+    return 70 + 2 * count
+
+
+def rounded(values: Iterable[mpf]) -> tuple[float, ...]:
+    """Doubles nearest to `values`; those within `NEGLIGIBLE` of an integer become that integer."""
+    return tuple(_rounded(value) for value in values)
+
+
+def _rounded(value: mpf) -> float:
+    integer = mpmath.nint(value)
+    return float(integer if abs(value - integer) < NEGLIGIBLE else value) + 0.0  # + 0.0: no negative zero
+
+
+def tabulate(
+    family: Family, functions: Sequence[ClosedForm], eigenvalues: Sequence[mpf], formulas: Sequence[str]
+) -> Shapes:
+    """The constants of orthonormal `functions`, at the precision of the caller, who sets `working_digits`."""
+    abscissa = ClosedForm({mpf(0): (mpf(0), mpf(1))})
+    strains = [psi.derivative(family.order) for psi in functions]
+    return Shapes(
+        family=family,
+        functions=tuple(functions),
+        formulas=tuple(formulas),
+        eigenvalues=rounded(eigenvalues),
+        integral=rounded(psi.integral() for psi in functions),
+        moment=rounded(inner(abscissa, psi) for psi in functions),
+        stiffness=rounded(inner(strain, strain) for strain in strains),
+        tip_value=rounded(psi(1) for psi in functions),
+        tip_slope=rounded(psi.derivative()(1) for psi in functions),
+    )
+
+
+@cache
+def products(a: Shapes, b: Shapes) -> Matrix:
+    """The integrals over [0, 1] of psi_k of `a` times psi_l of `b`: a.count x b.count, dimensionless.
+
+    Within one basis this is the identity, exactly.
+    """
+    if a is b:
+        return tuple(tuple(float(k == l) for l in range(a.count)) for k in range(a.count))
+    with mpmath.workdps(working_digits(max(a.count, b.count))):
+        return tuple(rounded(inner(f, g) for g in b.functions) for f in a.functions)
+
+
+def latex_number(value: mpf, digits: int = 7) -> str:
+    """`value` in LaTeX, rounded to that many significant digits."""
+    mantissa, _, exponent = mpmath.nstr(value, digits, min_fixed=-3, max_fixed=7).partition("e")
+    return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")

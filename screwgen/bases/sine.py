@@ -1,0 +1,37 @@
+"""`sine`: the clamped-free modes of a uniform rod, used for stretching and for torsion."""
+
+from __future__ import annotations
+
+import mpmath
+from mpmath import mpc, mpf
+
+from screwgen.bases.functions import ClosedForm
+from screwgen.bases.shapes import Family, Shapes, tabulate, working_digits
+
+FAMILY = Family(
+    name="sine",
+    title="clamped-free rod modes",
+    formula=r"\psi_k(s) = \sqrt{2}\,\sin\lambda_k s",
+    condition=r"\lambda_k = (2k-1)\,\frac{\pi}{2}",
+    eigenvalue_symbol=r"\lambda_k",
+    order=1,
+)
+
+
+def sine(count: int) -> Shapes:
+    """The first `count` modes; psi_k(1) = sqrt 2 times 1, -1, 1, ..., stiffness lambda_k^2."""
+    odd = range(1, 2 * count, 2)
+    with mpmath.workdps(working_digits(count)):
+        frequencies = [n * mpmath.pi / 2 for n in odd]
+        modes = [_mode(frequency) for frequency in frequencies]
+        return tabulate(FAMILY, modes, frequencies, [_latex(n) for n in odd])
+
+
+def _mode(frequency: mpf) -> ClosedForm:
+    """sqrt 2 sin(frequency s)."""
+    half = mpc(0, mpmath.sqrt(2) / 2)
+    return ClosedForm({mpc(0, frequency): [-half], mpc(0, -frequency): [half]})
+
+
+def _latex(n: int) -> str:
+    return rf"\sqrt{{2}}\,\sin\tfrac{{{n if n > 1 else ''}\pi}}{{2}}s"

@@ -1,0 +1,97 @@
+"""The algorithms as lists of phases, and the functions that users call, in terms of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..lower.program import Value
+from . import phases as ph
+from .chain import INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
+
+KINEMATICS = Phase(ph.kinematics, OUTWARD)
+POSES = Phase(ph.poses, OUTWARD)
+
+FORWARD: Algorithm = (KINEMATICS, Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
+INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
+PLACES: Algorithm = (POSES,)
+ENERGY: Algorithm = (KINEMATICS, POSES, Phase(ph.energy, OUTWARD))
+
+IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+
+
+def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
+    """The n + 1 nodes with what is known beforehand: a base at rest, falling up; a tip that carries nothing."""
+    out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
+    out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {"R": IDENTITY, "r": [0.0] * 3}
+    out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6}
+    return out
+
+
+def modal(constants: Sequence[Mapping], eta: Sequence[Mapping], etadot: Sequence[Mapping]) -> list[dict[str, list]]:
+    """Modal inertia and force ``K eta + D etadot`` of every link."""
+    out = []
+    for c, x, xdot in zip(constants, eta, etadot, strict=True):
+        elastic = [k * a + d * b for k, a, d, b in zip(c["K"], x["eta"], c["D"], xdot["etadot"], strict=True)]
+        out.append({"m_eta": list(c["M_eta"]), "f_eta": elastic})
+    return out
+
+
+class Functions:
+    """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
+
+    Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
+    columns ``M_eta``, ``K``, ``D``; ``gravity`` three entries.
+    """
+
+    def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
+        self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
+
+    def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
+        places = nodes(self.chain, self.gravity)
+        links = [dict(c) for c in self.constants]
+        for part in parts:
+            for link, more in zip(links, part, strict=True):
+                link.update(more)
+        return execute(self.chain, algorithm, links, places, self.apply), places
+
+    def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+        position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
+        forces = modal(self.constants, position, velocity)
+        return [a | b | c for a, b, c in zip(position, velocity, forces, strict=True)]
+
+    def _torques(self, tau: Sequence) -> list[dict[str, list]]:
+        offset = self.chain.q_offset
+        return [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
+
+    def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
+        return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
+
+    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
+        """``vdot`` and the joint wrenches, link by link."""
+        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
+        """All generalised forces that a motion needs."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
+        return self.chain.join(links, "force", "force_eta")
+
+    def poses(self, q) -> tuple[list, list]:
+        """Rotation (row by row) and position of every link frame and of every tip section."""
+        links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
+        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+
+    def energy(self, q, v) -> tuple[Value, Value]:
+        """Kinetic and potential energy."""
+        gravity = [{"gravity": list(self.gravity)}] * self.chain.n
+        links, _ = self._run(ENERGY, self._state(q, v), gravity)
+        return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def sum_of(links: Sequence[Mapping[str, list]], name: str) -> Value:
+    total: Value = 0.0
+    for link in links:
+        total = total + link[name][0]
+    return total

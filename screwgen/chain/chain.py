@@ -1,0 +1,172 @@
+"""The chain of links: classes, offsets, traced programs, and the one way in which they are run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from itertools import accumulate
+
+from ..derive.block import Binding
+from ..derive.link_class import LinkClass, link_class
+from ..lower.block import lower
+from ..lower.program import Program, Tracer, Value
+from ..spec.robot import Robot
+from .scope import Layout, Scope, derived
+
+OUTWARD, INWARD = +1, -1
+
+
+@dataclass(frozen=True)
+class Phase:
+    """What every link does on one way along the chain: from base to tip, or from tip to base."""
+
+    work: Callable[[Scope], None]
+    direction: int
+
+    @property
+    def name(self) -> str:
+        return self.work.__name__
+
+
+Algorithm = tuple[Phase, ...]
+
+
+@cache
+def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
+    """The programs of a link class, one per phase of an algorithm; links of a class share them."""
+    layouts: dict[str, Layout] = {}
+    programs = []
+    for phase in algorithm:
+        scope = Scope(key, Tracer(), layouts)
+        phase.work(scope)
+        programs.append(scope.program(phase.name))
+    return tuple(programs)
+
+
+@cache
+def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
+    """The parameter slice of the blocks: constants by label, and ``M_eta``, ``K``, ``D`` of every mode."""
+    tracer = Tracer()
+    scope = Scope(key, tracer, {})
+    blocks = list(derived(key).values())
+    for label in labels:
+        owner = next((b for b in blocks if any(s.name == label for s in b.bindings)), None)
+        scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
+    inputs = _parameters(scope, derived(key)["link"])
+    for name in ("M_eta", "K") + (("D",) if key.damping else ()):
+        values = lower(derived(key)["link"], inputs, (name,), tracer)
+        scope.write(name, values[name])
+    if not key.damping:
+        scope.write("D", [0.0] * key.modes)
+    return scope.program("prepare")
+
+
+def _parameters(scope: Scope, block) -> dict:
+    """The parameters of a block as inputs of its preparation."""
+    out = {}
+    for name, signal in block.inputs.items():
+        if signal.binding == Binding.PARAMETER:
+            entries = [scope.read(f"p.{symbol.name}", 1)[0] for symbol in block.values[name].flat]
+            out[name] = entries
+    return out
+
+
+def _prepared(scope: Scope, block, label: str) -> Value:
+    """One constant: its step and all that the step needs, recorded from the parameters."""
+    symbol = next(s for s in block.bindings if s.name == label)
+    for name, signal in block.inputs.items():
+        if symbol in block.values[name].flat and signal.binding == Binding.PARAMETER:
+            return scope.read(f"p.{label}", 1)[0]
+    step = next(s for s in block.steps.values() if any(symbol == made for made, _ in s.assignments))
+    values = lower(block, _parameters(scope, block), (step.signal.name,), scope.tracer)[step.signal.name]
+    place = next(index for index in step.signal.labels() if block.values[step.signal.name][index[0]] == symbol)
+    return values[place[0]]
+
+
+class Chain:
+    """A robot as the algorithms see it: one class and one set of offsets per link."""
+
+    def __init__(self, robot: Robot):
+        self.robot = robot
+        self.keys = [link_class(link, robot.section_rotation) for link in robot.links]
+        self.classes = list(dict.fromkeys(self.keys))
+        self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
+        self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+
+    @property
+    def n(self) -> int:
+        return len(self.keys)
+
+    @property
+    def n_joints(self) -> int:
+        return self.q_offset[-1]
+
+    @property
+    def n_modes(self) -> int:
+        return self.eta_offset[-1]
+
+    @property
+    def nq(self) -> int:
+        return self.n_joints + self.n_modes
+
+    def labels(self, key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
+        """The constants that programs of a class ask for, sorted."""
+        programs = [p for a in algorithms for p in trace(key, a)]
+        return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
+
+    def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
+        """``[joint coordinates; modal coordinates]`` as one mapping per link."""
+        qs, es, m = self.q_offset, self.eta_offset, self.n_joints
+        return [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+
+    def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
+        """The inverse of :meth:`split`."""
+        return [x for link in links for x in link[joint]] + [x for link in links for x in link[modal]]
+
+    @cached_property
+    def parameter_labels(self) -> list[dict[str, int]]:
+        """For every link: the label of each of its parameters and its place in the parameter vector."""
+        from .parameters import labels
+
+        return labels(self.robot)
+
+
+Apply = Callable[[int, int, Program, Mapping[str, list]], Mapping[str, list]]
+
+
+def execute(
+    chain: Chain,
+    algorithm: Algorithm,
+    links: Sequence[Mapping[str, list]],
+    nodes: Sequence[dict[str, list]],
+    apply: Apply,
+) -> list[dict[str, list]]:
+    """Run an algorithm over the chain: the schedule of every back end.
+
+    ``links`` holds the call's inputs and constants of every link, ``nodes`` the n + 1 nodes with what is
+    known beforehand of base and tip; ``apply(link, phase, program, inputs)`` runs one program on values of
+    any algebra.  Returns, for every link, all signals that it has read or written.
+    """
+    stores = [dict(link) for link in links]
+    for number, phase in enumerate(algorithm):
+        order = range(chain.n) if phase.direction == OUTWARD else reversed(range(chain.n))
+        for i in order:
+            program = trace(chain.keys[i], algorithm)[number]
+            inputs = {name: _fetch(name, stores[i], nodes[i], nodes[i + 1]) for name in program.inputs}
+            for name, values in apply(i, number, program, inputs).items():
+                _store(name, values, stores[i], nodes[i], nodes[i + 1])
+    return stores
+
+
+def _fetch(name: str, link: Mapping, base: Mapping, tip: Mapping) -> list:
+    where, _, what = name.partition(".")
+    return {"base": base, "tip": tip}[where][what] if where in ("base", "tip") else link[name]
+
+
+def _store(name: str, values: list, link: dict, base: dict, tip: dict) -> None:
+    where, _, what = name.partition(".")
+    if where in ("base", "tip"):
+        {"base": base, "tip": tip}[where][what] = values
+    else:
+        link[name] = values

@@ -1,0 +1,40 @@
+"""Where every parameter of the robot file enters the programs of its link."""
+
+from __future__ import annotations
+
+from ..spec.parameters import Parameter, parameters
+from ..spec.robot import Robot
+
+
+def label(parameter: Parameter) -> str:
+    """The label under which the blocks know a parameter of a link."""
+    index = parameter.index
+    match parameter.field:
+        case "damping.ratio":
+            return "damping_ratio"
+        case "joint.mount.xyz" | "joint.mount.rpy":
+            return f"mount_{parameter.field[-3:]}_{_component(parameter)}"
+        case "joint.armature":
+            return f"armature_{index[0] + 1}"
+        case "joint.damping" | "joint.stiffness":
+            return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
+        case "bodies.mass":
+            return f"body{index[0]}_mass"
+        case "bodies.com":
+            return f"body{index[0]}_com_{'xyz'[index[1]]}"
+        case "bodies.inertia":
+            return f"body{index[0]}_inertia_{index[1] + 1}"
+    return parameter.field
+
+
+def _component(parameter: Parameter) -> str:
+    return "xyz"[parameter.index[0]]
+
+
+def labels(robot: Robot) -> list[dict[str, int]]:
+    """For every link, the place of each of its parameters in the parameter vector, by label."""
+    out: list[dict[str, int]] = [{} for _ in robot.links]
+    for place, parameter in enumerate(parameters(robot)):
+        if parameter.link is not None:
+            out[parameter.link][label(parameter)] = place
+    return out

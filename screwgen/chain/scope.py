@@ -1,0 +1,130 @@
+"""What a phase sees of its link: named signals of the link, of its two nodes, and of the call.
+
+A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip of link i.  A phase of
+link i reads and writes signals whose names say where they live:
+
+``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
+``w.*``                the link's own store, kept from one phase to the next
+``c.*``                constants of the link, prepared from its parameters
+anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+
+import numpy as np
+
+from ..derive.block import Block
+from ..derive.energy import energy_block
+from ..derive.joint import joint_block, posture_block
+from ..derive.link import LinkBlock
+from ..derive.link_class import LinkClass
+from ..derive.tip import tip_block, tip_body_block, tip_pose_block
+from ..lower.block import lower
+from ..lower.program import Array, Node, Program, Tracer, Value
+from .matrices import zeros
+
+
+@cache
+def derived(key: LinkClass) -> dict[str, Block]:
+    """The blocks of a link class; derived once, however many links share it."""
+    return {
+        "joint": joint_block(key),
+        "posture": posture_block(key),
+        "link": LinkBlock(key),
+        "tip": tip_block(key),
+        "tip_pose": tip_pose_block(key),
+        "tip_body": tip_body_block(key),
+        "energy": energy_block(key),
+    }
+
+
+@dataclass
+class Layout:
+    """How an array of the link's store is kept: only entries that are computed take a place.
+
+    ``entries`` holds, for every entry, a float, or the sign and place of a stored value, or the sign
+    and label of a constant.
+    """
+
+    shape: tuple[int, ...]
+    entries: list[float | tuple[float, int] | tuple[float, str]]
+    size: int
+
+
+@dataclass
+class Scope:
+    """One link class, one tracer: the world of a phase."""
+
+    key: LinkClass
+    tracer: Tracer
+    layouts: dict[str, Layout]
+    inputs: dict[str, list[Value]] = field(default_factory=dict)
+    outputs: dict[str, list[Value]] = field(default_factory=dict)
+
+    def read(self, name: str, *shape: int) -> Array:
+        """An input signal."""
+        size = int(np.prod(shape))
+        if name not in self.inputs:
+            self.inputs[name] = self.tracer.input(name, size)
+        return np.array([*self.inputs[name]], dtype=object).reshape(shape)
+
+    def write(self, name: str, values: Array | Sequence[Value]) -> None:
+        """An output signal."""
+        self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
+
+    def constant(self, label: str) -> Value:
+        """A constant of the link, by the label of the step that prepares it."""
+        return self.read(f"c.{label}", 1).item()
+
+    def blocks(self) -> dict[str, Block]:
+        return derived(self.key)
+
+    def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
+        """Record a derived block; columns come back flat, matrices as matrices."""
+        owner = self.blocks()[block]
+        values = lower(owner, inputs, outputs, self.tracer, self.constant)
+        flat = [owner.signal(n).shape[1] == 1 and 1 not in owner.signal(n).numbered for n in outputs]
+        return [values[n][:, 0] if column else values[n] for n, column in zip(outputs, flat, strict=True)]
+
+    def keep(self, name: str, values: Array) -> None:
+        """Store an array for later phases of the same link."""
+        slots: dict[int, int] = {}
+        stored: list[Value] = []
+        entries = []
+        for value in np.asarray(values, dtype=object).ravel():
+            sign, node = (-1.0, value.args[0]) if isinstance(value, Node) and value.op == "neg" else (1.0, value)
+            if not isinstance(node, Node):
+                entries.append(float(node))
+            elif node.op == "input" and node.args[0].startswith("c."):
+                entries.append((sign, node.args[0][2:]))
+            else:
+                if node.id not in slots:
+                    slots[node.id] = len(stored)
+                    stored.append(node)
+                entries.append((sign, slots[node.id]))
+        self.layouts[name] = Layout(np.shape(values), entries, len(stored))
+        if stored:
+            self.write(f"w.{name}", stored)
+
+    def kept(self, name: str) -> Array:
+        """An array that an earlier phase stored, its structure included."""
+        layout = self.layouts[name]
+        stored = self.read(f"w.{name}", layout.size) if layout.size else zeros(0)
+        values = [self._entry(e, stored) for e in layout.entries]
+        return np.array([*values, None], dtype=object)[:-1].reshape(layout.shape)
+
+    def _entry(self, entry, stored: Array) -> Value:
+        if isinstance(entry, float):
+            return entry
+        sign, place = entry
+        value = self.constant(place) if isinstance(place, str) else stored[place]
+        return value if sign > 0 else -value
+
+    def program(self, name: str) -> Program:
+        """What was recorded, as a program."""
+        used = {k: len(v) for k, v in self.inputs.items()}
+        return Program(name, used, self.outputs, list(self.tracer.guards), self.tracer.sections)

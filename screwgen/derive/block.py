@@ -1,0 +1,150 @@
+"""Blocks: mathematics with meaning.
+
+A :class:`Block` is a list of named steps.  Each step is *one* matrix expression over the block's
+inputs and earlier steps; its components, its LaTeX and its code all come from that expression.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+import numpy as np
+import sympy as sp
+
+from ..algebra.components import Array, components
+from ..algebra.expression import Expression, Symbol
+
+
+class Binding(IntEnum):
+    """When a quantity is known: at generation, on a change of parameters, or in every call."""
+
+    CONSTANT = 0
+    PARAMETER = 1
+    STATE = 2
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A named quantity: shape, unit, frame of its components, and how the paper writes it."""
+
+    name: str
+    shape: tuple[int, int]
+    display: str
+    unit: str
+    frame: str
+    meaning: str
+    binding: Binding = Binding.STATE
+    numbered: tuple[int, ...] = ()
+
+    def labels(self) -> Iterator[tuple[tuple[int, int], str]]:
+        """The index of every entry with its label: ``S_x``, ``J_xy``, ``eta_2``."""
+        for index in np.ndindex(*self.shape):
+            yield index, self.name + self.suffix(index)
+
+    def suffix(self, index: tuple[int, int]) -> str:
+        """How an entry is told from its matrix: letters along the axes of a frame, numbers elsewhere.
+
+        Quantities without a frame, and the dimensions named in ``numbered``, are numbered.
+        """
+        parts = []
+        for dimension, (i, n) in enumerate(zip(index, self.shape, strict=True)):
+            spatial = n == 3 and self.frame != "-" and dimension not in self.numbered
+            if n != 1 or dimension in self.numbered:
+                parts.append("xyz"[i] if spatial else str(i + 1))
+        separator = "_" if any(n > 9 for n in self.shape) else ""
+        return "_" + separator.join(parts) if parts else ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One equation: ``signal = expression``, with its number in the paper.
+
+    ``assignments`` are its components: pairs of a fresh symbol and a sympy expression over the
+    symbols of inputs and earlier steps.  Entries that are numbers or earlier symbols need none.
+    """
+
+    signal: Signal
+    expression: Expression
+    equation: str
+    assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+
+@dataclass
+class Block:
+    """A named list of steps over named inputs; ``values`` holds the entries of every signal."""
+
+    name: str
+    title: str
+    inputs: dict[str, Signal] = field(default_factory=dict)
+    steps: dict[str, Step] = field(default_factory=dict)
+    values: dict[str, Array] = field(default_factory=dict)
+    bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
+
+    def input(self, name, shape, display, unit, frame, meaning, binding=Binding.STATE) -> Symbol:
+        """Declare an input and return the symbol that stands for it."""
+        signal = Signal(name, shape, display, unit, frame, meaning, binding)
+        self.inputs[name] = signal
+        self.values[name] = np.empty(shape, dtype=object)
+        for index, label in signal.labels():
+            self.values[name][index] = sp.Symbol(label, real=True)
+            self.bindings[self.values[name][index]] = binding
+        return Symbol(name, shape, display)
+
+    def parameter(self, name, shape, display, unit, frame, meaning) -> Symbol:
+        return self.input(name, shape, display, unit, frame, meaning, Binding.PARAMETER)
+
+    def entries(self, symbol: Symbol) -> list[Symbol]:
+        """The entries of a column as 1 x 1 symbols that share its values."""
+        out = []
+        for i, value in enumerate(self.values[symbol.name][:, 0]):
+            alias = Symbol(f"{symbol.name}[{i}]", (1, 1), rf"{{{symbol.display}}}_{{{i + 1}}}")
+            self.values[alias.name] = np.array([[value]], dtype=object)
+            out.append(alias)
+        return out
+
+    def field(self, name: str, values: Array, display: str) -> Symbol:
+        """A quantity that varies along the link and occurs only under an integral."""
+        self.values[name] = values
+        return Symbol(name, values.shape, display)
+
+    def step(self, name, expression, display, *, unit, frame="-", meaning, equation="", symmetric=False, numbered=()):
+        """Append ``name = expression`` and return the symbol of the new quantity."""
+        if name in self.values:
+            raise ValueError(f"block {self.name}: {name} is defined twice")
+        raw = components(expression, self.values)
+        signal = Signal(name, expression.shape, display, unit, frame, meaning, self._binding(raw), numbered)
+        values, assignments = self._name(signal, raw, symmetric)
+        self.bindings.update((symbol, signal.binding) for symbol, _ in assignments)
+        self.values[name] = values
+        self.steps[name] = Step(signal, expression, equation, assignments)
+        return Symbol(name, expression.shape, display)
+
+    def symbol(self, name: str) -> Symbol:
+        """The symbol of an earlier signal."""
+        signal = self.signal(name)
+        return Symbol(name, signal.shape, signal.display)
+
+    def signal(self, name: str) -> Signal:
+        return self.inputs[name] if name in self.inputs else self.steps[name].signal
+
+    def _binding(self, raw: Array) -> Binding:
+        """The latest binding time of what the entries depend on."""
+        symbols = set().union(*(entry.free_symbols for entry in raw.flat)) if raw.size else set()
+        return max((self.bindings[s] for s in symbols), default=Binding.CONSTANT)
+
+    def _name(self, signal: Signal, raw: Array, symmetric: bool):
+        """Give every entry that is not a number or a plain symbol a symbol of its own."""
+        values, assignments = np.empty(raw.shape, dtype=object), []
+        for (i, j), label in signal.labels():
+            entry = raw[j, i] if symmetric and j < i else raw[i, j]
+            if symmetric and j < i:
+                values[i, j] = values[j, i]
+            elif entry.is_Number or entry.is_Symbol or (-entry).is_Symbol:
+                values[i, j] = entry
+            else:
+                values[i, j] = sp.Symbol(label, real=True)
+                assignments.append((values[i, j], entry))
+        return values, tuple(assignments)
+

@@ -1,0 +1,84 @@
+"""What of a link is structure: links with equal structure share one derivation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ..bases import axial, bending
+from ..spec.robot import Link
+
+DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+
+
+@dataclass(frozen=True)
+class BodyClass:
+    """Which properties a rigid body states."""
+
+    at: str
+    com: bool
+    inertia: bool
+
+
+@dataclass(frozen=True)
+class LinkClass:
+    """Everything of a link but its numbers: the complete key of its derivation."""
+
+    basis: str
+    counts: tuple[int, int, int, int]
+    axes: tuple[tuple[float, float, float], ...]
+    mount_xyz: bool
+    mount_rpy: bool
+    armature: bool
+    joint_damping: bool
+    stiffness: bool
+    frame_at: bool
+    spin: bool
+    damping: bool
+    section_rotation: bool
+    bodies: tuple[BodyClass, ...]
+
+    @property
+    def modes(self) -> int:
+        """The number of modal coordinates."""
+        return sum(self.counts)
+
+    @property
+    def joints(self) -> int:
+        """The number of joint coordinates."""
+        return len(self.axes)
+
+    @cached_property
+    def directions(self) -> tuple[tuple[str, int], ...]:
+        """Direction and number (from 0) of every modal coordinate, in their order."""
+        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
+
+    def shapes(self, direction: str):
+        """The mode shapes of a direction."""
+        count = self.counts[DIRECTIONS.index(direction)]
+        return bending(self.basis, count) if direction.startswith("bending") else axial(count)
+
+    def bodies_at(self, section: str) -> list[int]:
+        return [b for b, body in enumerate(self.bodies) if body.at == section]
+
+
+def link_class(link: Link, section_rotation: bool) -> LinkClass:
+    """The class of a link in a robot whose ``section_rotation`` is given."""
+    joint, modes = link.joint, link.modes
+    counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
+    mount = joint.mount
+    return LinkClass(
+        basis=modes.basis if modes.bending_y or modes.bending_z else "",
+        counts=counts,
+        axes=tuple(joint.axes),
+        mount_xyz=mount is not None and mount.xyz is not None,
+        mount_rpy=mount is not None and mount.rpy is not None,
+        armature=bool(joint.armature),
+        joint_damping=bool(joint.damping),
+        stiffness=bool(joint.stiffness),
+        frame_at=link.frame_at is not None,
+        spin=link.section.rhoIp is not None,
+        damping=link.damping is not None and any(counts),
+        section_rotation=section_rotation and any(counts[1:]),
+        bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
+    )

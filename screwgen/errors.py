@@ -1,0 +1,17 @@
+"""What a user can do wrong, or mechanics forbids: errors whose text is one clear line."""
+
+
+class ScrewgenError(Exception):
+    """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user."""
+
+
+class RobotFileError(ScrewgenError):
+    """A robot, from a file or built in Python, that is unreadable, contradictory or non-physical."""
+
+
+class UsageError(ScrewgenError):
+    """A request that cannot be met as stated: a wrong option, argument, state file or output folder."""
+
+
+class SingularError(ScrewgenError):
+    """A posture or robot whose mass matrix cannot be inverted; the text names the joint."""

@@ -1,0 +1,1 @@
+"""From mathematics with meaning to straight-line programs without."""

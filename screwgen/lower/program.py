@@ -1,0 +1,302 @@
+"""Programs: mathematics without meaning.
+
+A :class:`Program` is a list of scalar operations in which every value is assigned once.  It is made
+by *tracing*: ordinary Python functions run on arrays of :class:`Node`, and every operation is
+recorded, numbered by its value (equal operations are one node) and simplified where an operand is
+zero or one.  Entries that are plain floats are structure: what is zero costs nothing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import numpy as np
+
+Array = np.ndarray
+
+COMMUTATIVE = frozenset({"add", "mul"})
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "c4", "c5"})
+"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow."""
+
+
+class Node:
+    """One value of a program: an operation on nodes and floats, or an input entry."""
+
+    __slots__ = ("args", "id", "label", "op", "section", "tracer")
+
+    def __init__(self, tracer: Tracer, op: str, args: tuple, number: int, section: int):
+        self.tracer, self.op, self.args, self.id, self.section = tracer, op, args, number, section
+        self.label: str | None = None
+
+    def __add__(self, other):
+        return NotImplemented if isinstance(other, np.ndarray) else self.tracer.add(self, other)
+
+    def __radd__(self, other):
+        return self.tracer.add(other, self)
+
+    def __sub__(self, other):
+        return NotImplemented if isinstance(other, np.ndarray) else self.tracer.sub(self, other)
+
+    def __rsub__(self, other):
+        return self.tracer.sub(other, self)
+
+    def __mul__(self, other):
+        return NotImplemented if isinstance(other, np.ndarray) else self.tracer.mul(self, other)
+
+    def __rmul__(self, other):
+        return self.tracer.mul(other, self)
+
+    def __truediv__(self, other):
+        return NotImplemented if isinstance(other, np.ndarray) else self.tracer.div(self, other)
+
+    def __rtruediv__(self, other):
+        return self.tracer.div(other, self)
+
+    def __neg__(self):
+        return self.tracer.neg(self)
+
+    def __repr__(self):
+        return f"<{self.label or self.op} {self.id}>"
+
+
+Value = Node | float
+
+
+class Tracer:
+    """Records operations; equal operations on equal values are recorded once."""
+
+    def __init__(self):
+        self._table: dict[tuple, Node] = {}
+        self.sections: list[str] = [""]
+        self._section = 0
+        self.guards: list[Node] = []
+        self.nodes: list[Node] = []
+
+    @contextmanager
+    def section(self, title: str):
+        """Operations recorded inside belong to a section of this title."""
+        before = self._section
+        self.sections.append(title)
+        self._section = len(self.sections) - 1
+        try:
+            yield
+        finally:
+            self._section = before
+
+    def _node(self, op: str, *args) -> Node:
+        ids = tuple(a.id if isinstance(a, Node) else ("number", float(a).hex()) for a in args) \
+            if op != "input" else args
+        if op in COMMUTATIVE:
+            ids = tuple(sorted(ids, key=str))
+        node = self._table.get((op, *ids))
+        if node is None:
+            node = Node(self, op, args, len(self.nodes), self._section)
+            self._table[op, *ids] = node
+            self.nodes.append(node)
+        return node
+
+    def input(self, name: str, size: int) -> list[Node]:
+        """The entries of an input."""
+        return [self._node("input", name, i) for i in range(size)]
+
+    def epsilon(self) -> Node:
+        """The spacing of the floating-point numbers of the target."""
+        return self._node("epsilon")
+
+    def guard(self, value: Value) -> None:
+        """Require ``value > 0``: a program whose guard fails has no result."""
+        if isinstance(value, Node) and value not in self.guards:
+            self.guards.append(value)
+
+    def add(self, a: Value, b: Value) -> Value:
+        if _both_numbers(a, b):
+            return a + b
+        if _is(a, 0.0) or _is(b, 0.0):
+            return b if _is(a, 0.0) else a
+        if _negated(b):
+            return self.sub(a, b.args[0])
+        if _negated(a):
+            return self.sub(b, a.args[0])
+        return self._node("add", a, b)
+
+    def sub(self, a: Value, b: Value) -> Value:
+        if _both_numbers(a, b):
+            return a - b
+        if _is(b, 0.0):
+            return a
+        if _is(a, 0.0):
+            return self.neg(b)
+        if a is b:
+            return 0.0
+        if _negated(b):
+            return self.add(a, b.args[0])
+        if _negated(a):
+            return self.neg(self.add(a.args[0], b))
+        return self._node("sub", a, b)
+
+    def mul(self, a: Value, b: Value) -> Value:
+        if _both_numbers(a, b):
+            return a * b
+        if not isinstance(a, Node):
+            a, b = b, a
+        if _is(b, 0.0):
+            return 0.0
+        if _is(b, 1.0):
+            return a
+        if _is(b, -1.0):
+            return self.neg(a)
+        if _negated(a) or _negated(b):
+            return self.neg(self.mul(_positive(a), _positive(b))) if _negated(a) != _negated(b) else self.mul(
+                _positive(a), _positive(b))
+        if not isinstance(b, Node) and b < 0:
+            return self.neg(self._node("mul", a, -b))
+        return self._node("mul", a, b)
+
+    def div(self, a: Value, b: Value) -> Value:
+        if _both_numbers(a, b):
+            return a / b
+        if _is(a, 0.0) or _is(b, 1.0):
+            return a
+        if not isinstance(b, Node):
+            return self.mul(a, 1.0 / b)
+        if _negated(a) or _negated(b):
+            quotient = self.div(_positive(a), _positive(b))
+            return self.neg(quotient) if _negated(a) != _negated(b) else quotient
+        return self._node("div", a, b)
+
+    def neg(self, a: Value) -> Value:
+        if not isinstance(a, Node):
+            return -a if a else 0.0
+        return a.args[0] if a.op == "neg" else self._node("neg", a)
+
+    def call(self, function: str, a: Value) -> Value:
+        """A unary primitive."""
+        if function == "sin" and _is(a, 0.0):
+            return 0.0
+        if function == "cos" and _is(a, 0.0):
+            return 1.0
+        if _negated(a) and function in ("sin", "cos"):
+            inner = self.call(function, a.args[0])
+            return inner if function == "cos" else self.neg(inner)
+        return self._node(function, a)
+
+
+def _both_numbers(a, b) -> bool:
+    return not isinstance(a, Node) and not isinstance(b, Node)
+
+
+def _is(a, value: float) -> bool:
+    return not isinstance(a, Node) and a == value
+
+
+def _negated(a) -> bool:
+    return isinstance(a, Node) and a.op == "neg"
+
+
+def _positive(a):
+    return a.args[0] if _negated(a) else a
+
+
+@dataclass
+class Program:
+    """A traced function: named inputs and outputs (flat lists of entries) and guards.
+
+    ``outputs`` maps a name to its entries, nodes or floats; ``nodes`` are the live operations in an
+    order in which they can be run; ``sections`` are the titles that nodes refer to.
+    """
+
+    name: str
+    inputs: dict[str, int]
+    outputs: dict[str, list[Value]]
+    guards: list[Node]
+    sections: list[str]
+    nodes: list[Node] = field(init=False)
+
+    def __post_init__(self):
+        values = [v for entries in self.outputs.values() for v in entries] + self.guards
+        self.nodes = live(values)
+
+    @property
+    def operations(self) -> Counter:
+        """How many operations of every kind the program runs."""
+        return Counter(n.op for n in self.nodes if n.op not in ("input", "epsilon"))
+
+    @property
+    def operation_count(self) -> int:
+        return sum(self.operations.values())
+
+
+def live(values: Iterable[Value]) -> list[Node]:
+    """The nodes that ``values`` depend on, in the order in which they were recorded."""
+    seen: dict[int, Node] = {}
+    stack = [v for v in values if isinstance(v, Node)]
+    while stack:
+        node = stack.pop()
+        if node.id in seen:
+            continue
+        seen[node.id] = node
+        if node.op != "input":
+            stack.extend(a for a in node.args if isinstance(a, Node))
+    return [seen[i] for i in sorted(seen)]
+
+
+BINARY: dict[str, Callable] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+}
+
+
+def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, object], object], epsilon=0.0):
+    """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
+
+    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``.  Returns the
+    outputs and the values of the guards.
+    """
+    values: dict[int, object] = {}
+    for node in program.nodes:
+        args = node.args
+        if node.op == "input":
+            values[node.id] = inputs[args[0]][args[1]]
+        elif node.op == "epsilon":
+            values[node.id] = epsilon
+        elif len(args) == 1:
+            values[node.id] = unary(node.op, values[args[0].id])
+        else:
+            a, b = (values[x.id] if isinstance(x, Node) else x for x in args)
+            values[node.id] = BINARY[node.op](a, b)
+    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
+    return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
+
+
+def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str]):
+    """Replay a program into a tracer: the fused layout.  ``rename`` turns labels and section titles."""
+    section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
+    tracer.sections.extend(rename(title) if title else "" for title in program.sections)
+    values: dict[int, Value] = {}
+    before = tracer._section
+    for node in program.nodes:
+        tracer._section = section[node.section]
+        values[node.id] = value = _replay(node, values, inputs, tracer)
+        if node.label and isinstance(value, Node) and value.label is None and value.op != "input":
+            value.label = rename(node.label)
+    tracer._section = before
+    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
+    for g in program.guards:
+        tracer.guard(pick(g))
+    return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
+
+
+def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
+    if node.op == "input":
+        return inputs[node.args[0]][node.args[1]]
+    if node.op == "epsilon":
+        return tracer.epsilon()
+    args = [values[a.id] if isinstance(a, Node) else a for a in node.args]
+    if len(args) == 1:
+        return tracer.neg(args[0]) if node.op == "neg" else tracer.call(node.op, args[0])
+    return getattr(tracer, node.op)(*args)

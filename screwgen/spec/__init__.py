@@ -1,0 +1,22 @@
+"""Robots as validated descriptions: classes, files, parameters."""
+
+from screwgen.spec.load import dump, load
+from screwgen.spec.parameters import Parameter, coordinate_names, parameters
+from screwgen.spec.robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot, Section
+
+__all__ = [
+    "DIRECTIONS",
+    "Body",
+    "Damping",
+    "Joint",
+    "Link",
+    "Modes",
+    "Mount",
+    "Parameter",
+    "Robot",
+    "Section",
+    "coordinate_names",
+    "dump",
+    "load",
+    "parameters",
+]

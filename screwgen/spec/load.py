@@ -1,0 +1,127 @@
+"""Robot files: TOML in, `Robot` out, and back. Every failure to load is one line that names the file."""
+
+import json
+import os
+import re
+import tomllib
+from typing import Any
+
+from pydantic import ValidationError
+
+from screwgen.errors import RobotFileError
+from screwgen.spec.messages import explain
+from screwgen.spec.physics import LETTERS
+from screwgen.spec.robot import Robot
+
+MAX_BYTES = 4 * 2**20
+DEEP_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){32}""")  # tomllib takes quadratic memory
+
+
+def load(path: str | os.PathLike[str]) -> Robot:
+    """The robot that the file at `path` describes.
+
+    Raises RobotFileError, `<file>: <key path>: <what is wrong>; <what is allowed>`, on anything but a robot.
+    """
+    file = one_line(os.fsdecode(path))
+    data = parse(decode(read(path, file), file), file)
+    try:
+        return Robot.model_validate(data)
+    except ValidationError as error:
+        raise RobotFileError(f"{file}: {explain(error, Robot, data)}") from None
+
+
+def read(path: str | os.PathLike[str], file: str) -> bytes:
+    """The bytes of the file at `path`."""
+    try:
+        with open(path, "rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise RobotFileError(f"{file}: there is no such file; check the path") from None
+    except IsADirectoryError:
+        raise RobotFileError(f"{file}: is a directory; name a TOML file in it") from None
+    except PermissionError:
+        raise RobotFileError(f"{file}: may not be read; check its permissions") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise RobotFileError(f"{file}: cannot be read: {reason}; check the path") from None
+    if len(content) > MAX_BYTES:
+        raise RobotFileError(f"{file}: is too large; a robot file has at most {MAX_BYTES} bytes")
+    return content
+
+
+def decode(content: bytes, file: str) -> str:
+    """Text from UTF-8, with or without the byte order mark that some editors write."""
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise RobotFileError(f"{file}: line {line}: is not UTF-8 text; save it as TOML in UTF-8") from None
+
+
+def parse(text: str, file: str) -> dict[str, Any]:
+    """The tables and values of a TOML text."""
+    if DEEP_KEY.search(text):
+        raise too_deep(file)
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise RobotFileError(f"{file}: {syntax_error(str(error), text)}") from None
+    except RecursionError:
+        raise too_deep(file) from None
+    except ValueError as error:  # an integer of thousands of digits, a date such as 2024-02-31
+        reason = one_line(str(error))
+        raise RobotFileError(f"{file}: a value cannot be read ({reason}); use TOML 1.0") from None
+
+
+def too_deep(file: str) -> RobotFileError:
+    """The error for tables in tables in tables."""
+    return RobotFileError(f"{file}: is nested too deeply; a robot file needs five levels")
+
+
+def syntax_error(message: str, text: str) -> str:
+    """tomllib's message with its place in front: `line 3: is not valid TOML (expected …); …`."""
+    place = re.search(r" \(at (?:line (\d+), column \d+|end of document)\)$", message)
+    what = one_line(message[: place.start()] if place else message)
+    line = place[1] if place and place[1] else text.rstrip().count("\n") + 1
+    return f"line {line}: is not valid TOML ({what[:1].lower()}{what[1:]}); see https://toml.io/en/v1.0.0"
+
+
+def one_line(text: str) -> str:
+    """`text` with everything that is not printable escaped."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def dump(robot: Robot) -> str:
+    """TOML text, in line properties, that loads to a robot equal to `robot`."""
+    stated = robot.model_dump(exclude_none=True, exclude_defaults=True)
+    links = stated.pop("links")
+    return "\n".join([assignments(stated), *(f"[[links]]\n{assignments(link)}" for link in links)])
+
+
+def assignments(table: dict[str, Any]) -> str:
+    """`key = value`, one a line."""
+    return "".join(f"{key} = {entry(key, value)}\n" for key, value in table.items())
+
+
+def entry(key: str, value: Any) -> str:
+    """The value of `key`, on one line; axes in letters where there is one."""
+    match value:
+        case dict():
+            inner = ", ".join(f"{k} = {entry(k, v)}" for k, v in value.items())
+            return f"{{ {inner} }}" if inner else "{}"
+        case tuple() | list():
+            return f"[{', '.join(map(axis if key == 'axes' else item, value))}]"
+        case bool() | str():
+            return json.dumps(value)
+    return repr(value)
+
+
+def item(value: Any) -> str:
+    """An entry of an array."""
+    return entry("", value)
+
+
+def axis(value: tuple[float, float, float]) -> str:
+    """A letter for an axis of the frame, else the vector."""
+    letter = next((name for name, unit in LETTERS.items() if unit == value), None)
+    return json.dumps(letter) if letter else item(value)

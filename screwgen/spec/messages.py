@@ -1,0 +1,103 @@
+"""From pydantic's error records to one line: `<key path>: <what is wrong>; <what is allowed>`."""
+
+import difflib
+import re
+import typing
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from screwgen.spec.names import IDENTIFIER, MAX_LENGTH
+from screwgen.spec.values import Path, quoted, shown
+
+BARE_KEY = re.compile(r"[A-Za-z0-9_-]{1,40}")
+
+
+def explain(error: ValidationError, root: type[BaseModel], data: Any) -> str:
+    """The first error in words; `root` is the class that refused `data`.
+
+    Unknown keys come first: a misspelt key is why another one is missing.
+    """
+    records = sorted(error.errors(include_url=False), key=lambda record: record["type"] != "extra_forbidden")
+    more = f" (and {len(records) - 1} more)" if len(records) > 1 else ""
+    return sentence(records[0], root, data) + more
+
+
+def sentence(record: Any, root: type[BaseModel], data: Any) -> str:
+    """One error record as `<key path>: <what>; <remedy>`."""
+    path = (*record["loc"], *record.get("ctx", {}).get("at", ()))
+    where = key_path(path) + link_label(path, data)
+    return f"{where}: {reason(record, root)}" if where else reason(record, root)
+
+
+def key_path(path: Path) -> str:
+    """`path` as one would write it in the file: `links[1].joint.axes[0]`."""
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{key(part)}" for part in path)
+    return text.removeprefix(".")
+
+
+def key(name: str) -> str:
+    """A key, in quotes where TOML needs them."""
+    return name if BARE_KEY.fullmatch(name) else quoted(name)
+
+
+def link_label(path: Path, data: Any) -> str:
+    """` (link forearm)` where `path` leads into a link whose name is known and sound."""
+    match path, data:
+        case ("links", int(i), *_), {"links": [*links]}:
+            link = links[i]
+            name = link.get("name") if isinstance(link, dict) else getattr(link, "name", None)
+            return f" (link {name})" if sound(name) else ""
+    return ""
+
+
+def sound(name: Any) -> bool:
+    """Whether `name` is fit to be shown without quotes."""
+    return isinstance(name, str) and len(name) <= MAX_LENGTH and IDENTIFIER.fullmatch(name) is not None
+
+
+def reason(record: Any, root: type[BaseModel]) -> str:
+    """What is wrong and what is allowed: our own checks say it, pydantic's are put in words here."""
+    *above, last = record["loc"] or ("",)
+    match record["type"]:
+        case "refused":
+            return record["ctx"]["what"]
+        case "missing":
+            field = model_at(root, above).model_fields[last]
+            return f"is missing; state {field.description}"
+        case "extra_forbidden":
+            return unknown(str(last), known_keys(model_at(root, above)))
+        case "model_type":
+            keys = ", ".join(known_keys(model_at(root, record["loc"])))
+            return f"is {shown(record['input'])}; it must be a table of {keys}"
+        case "tuple_type":
+            return f"is {shown(record['input'])}; it must be an array of tables"
+    return f"is {shown(record['input'])}; {record['msg'].splitlines()[0]}"
+
+
+def unknown(name: str, known: tuple[str, ...]) -> str:
+    """What to say of a key that nobody reads."""
+    lowered = {k.lower(): k for k in known}
+    near = difflib.get_close_matches(name.lower()[:MAX_LENGTH], lowered, n=1)
+    suggestion = f"did you mean {lowered[near[0]]}? " if near else ""
+    return f"is an unknown key; {suggestion}known here: {', '.join(known)}"
+
+
+def known_keys(model: type[BaseModel]) -> tuple[str, ...]:
+    """The keys that `model` reads, in the order of its fields, then other spellings."""
+    return (*model.model_fields, *getattr(model, "other_keys", ()))
+
+
+def model_at(root: type[BaseModel], path: typing.Iterable[str | int]) -> type[BaseModel]:
+    """The class whose keys stand at `path` below `root`."""
+    for part in path:
+        if isinstance(part, str):
+            root = model_in(root.model_fields[part].annotation)
+    return root
+
+
+def model_in(annotation: Any) -> type[BaseModel] | None:
+    """The model class inside an annotation such as `tuple[Link, ...]` or `Mount | None`."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    return next(filter(None, map(model_in, typing.get_args(annotation))), None)

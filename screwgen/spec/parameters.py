@@ -1,0 +1,167 @@
+"""The runtime parameters of a robot, exactly what its file states, and the names of its coordinates."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import chain
+from typing import NamedTuple
+
+from screwgen.spec.robot import DIRECTIONS, Body, Joint, Link, Robot
+
+Index = tuple[int, ...]
+Value = float | tuple[float, ...] | None
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One number that a robot's user may change without generating anew.
+
+    `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
+    None for gravity; `field`: a key of `FIELDS`; `index`: what the name's brackets hold, left to right.
+    """
+
+    name: str
+    value: float
+    unit: str
+    link: int | None
+    field: str
+    index: Index
+    description: str
+
+
+class Field(NamedTuple):
+    """A kind of parameter: the pattern of its names below the link's, unit, meaning, names of components."""
+
+    pattern: str
+    unit: str
+    description: str
+    components: tuple[str, ...] = ()
+
+
+XYZ = ("x", "y", "z")
+RPY = ("roll", "pitch", "yaw")
+TENSOR = ("xx", "yy", "zz", "xy", "xz", "yz")
+
+FIELDS = {
+    "gravity": Field("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
+    "length": Field("length", "m", "length of the undeformed centreline"),
+    "frame_at": Field("frame_at", "m", "distance from the link's base to its frame's origin"),
+    "rhoA": Field("rhoA", "kg/m", "mass per length"),
+    "EA": Field("EA", "N", "axial stiffness"),
+    "EIy": Field("EIy", "N·m²", "bending stiffness about y"),
+    "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
+    "GJ": Field("GJ", "N·m²", "torsional stiffness"),
+    "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
+    "damping.ratio": Field("damping.ratio", "1", "damping ratio of each mode"),
+    "joint.mount.xyz": Field("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
+    "joint.mount.rpy": Field("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
+    "joint.armature": Field("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
+    "joint.damping": Field("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
+    "joint.stiffness": Field("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
+    "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
+    "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
+    "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
+}
+
+BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
+
+
+def parameters(robot: Robot) -> tuple[Parameter, ...]:
+    """All runtime parameters of `robot`: gravity, then link by link, each in the order of `FIELDS`."""
+    links = (of_link(i, link) for i, link in enumerate(robot.links))
+    return (*spread("gravity", robot.gravity), *chain.from_iterable(links))
+
+
+def of_link(i: int, link: Link) -> Iterator[Parameter]:
+    """The parameters of `link`, which is number `i`."""
+    for field, value in (*shape(link), *joint(link.joint)):
+        yield from spread(field, value, i, link.name)
+    for b, body in enumerate(link.bodies):
+        for field, value in mass(body):
+            yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])
+
+
+def shape(link: Link) -> Iterator[tuple[str, Value]]:
+    """The fields of the link's own body."""
+    yield "length", link.length
+    yield "frame_at", link.frame_at
+    for name in type(link.section).model_fields:
+        yield name, getattr(link.section, name)
+    yield "damping.ratio", link.damping and link.damping.ratio
+
+
+def joint(joint: Joint) -> Iterator[tuple[str, Value]]:
+    """The fields of a joint; its axes are structure, not parameters."""
+    yield "joint.mount.xyz", joint.mount and joint.mount.xyz
+    yield "joint.mount.rpy", joint.mount and joint.mount.rpy
+    yield "joint.armature", joint.armature
+    yield "joint.damping", joint.damping
+    yield "joint.stiffness", joint.stiffness
+
+
+def mass(body: Body) -> Iterator[tuple[str, Value]]:
+    """The fields of a rigid body."""
+    yield "bodies.mass", body.mass
+    yield "bodies.com", body.com
+    yield "bodies.inertia", body.inertia
+
+
+def spread(
+    field: str, value: Value, i: int | None = None, link: str = "", place: Index = (), frame: str = ""
+) -> Iterator[Parameter]:
+    """One parameter for each number in `value`, none where the file omits it; `place`: which body, if one."""
+    kind = FIELDS[field]
+    for index, number in numbered(value):
+        name = ".".join(filter(None, (link, kind.pattern.format(*place, *index))))
+        component = (kind.components[index[0]], frame) if kind.components else ()
+        description = ", ".join(filter(None, (kind.description, *component)))
+        yield Parameter(name, number, kind.unit, i, field, (*place, *index), description)
+
+
+def numbered(value: Value) -> Iterator[tuple[Index, float]]:
+    """The numbers in `value`, each with its index."""
+    if isinstance(value, tuple):
+        yield from (((k,), number) for k, number in enumerate(value))
+    elif value is not None:
+        yield (), value
+
+
+class CoordinateNames(NamedTuple):
+    """Names of the entries of q, v = dq/dt, tau and of the joint wrenches (6 a link, in F_i components)."""
+
+    q: tuple[str, ...]
+    v: tuple[str, ...]
+    tau: tuple[str, ...]
+    wrench: tuple[str, ...]
+
+
+WRENCH = ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z")
+
+
+def coordinate_names(robot: Robot) -> CoordinateNames:
+    """The names (q, v, tau, wrench); no name occurs twice in all four, so they can head one table's columns.
+
+    q: `forearm.joint[0]` (rad) link by link, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
+    v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m);
+    wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
+    """
+    return CoordinateNames(
+        q=(*per_axis(robot, "joint"), *per_mode(robot, "eta")),
+        v=(*per_axis(robot, "joint_rate"), *per_mode(robot, "eta_rate")),
+        tau=per_axis(robot, "torque"),
+        wrench=tuple(f"{link.name}.{component}" for link in robot.links for component in WRENCH),
+    )
+
+
+def per_axis(robot: Robot, quantity: str) -> tuple[str, ...]:
+    """One name for each joint axis, link by link."""
+    return tuple(f"{link.name}.{quantity}[{j}]" for link in robot.links for j in range(len(link.joint.axes)))
+
+
+def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
+    """One name for each mode, link by link; within a link by direction, then by mode."""
+    return tuple(
+        f"{link.name}.{quantity}.{direction}[{k}]"
+        for link in robot.links
+        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
+        for k in range(count)
+    )

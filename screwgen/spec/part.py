@@ -1,0 +1,32 @@
+"""What all parts of a robot share: frozen, no unknown keys, and a constructor that refuses in plain words."""
+
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from screwgen.errors import RobotFileError
+from screwgen.spec.messages import explain, sound
+
+
+class Part(BaseModel):
+    """A frozen, validated piece of a robot; equal parts compare and hash equal.
+
+    Raises RobotFileError, one line, where the arguments are wrong.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    def __init__(self, /, **data: Any) -> None:
+        try:
+            super().__init__(**data)
+        except ValidationError as error:
+            raise RobotFileError(f"{self._title(data)}: {explain(error, type(self), data)}") from None
+
+    # Nested parts are then validated in place, not by this constructor: an error keeps its whole path.
+    __init__.__pydantic_base_init__ = True
+
+    @classmethod
+    def _title(cls, data: dict[str, Any]) -> str:
+        """`Link forearm`: which part was being built."""
+        name = data.get("name")
+        return f"{cls.__name__} {name}" if sound(name) else cls.__name__

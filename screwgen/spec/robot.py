@@ -1,0 +1,175 @@
+"""The robot as a frozen, validated description: what a robot file says, and nothing else.
+
+Presence has meaning. `None` is what the file omits: structurally zero, free of cost in generated code. A
+stated 0.0 is a runtime parameter that happens to be zero. SI units and radians throughout; the frames are
+those of MODEL.md, section 1.
+"""
+
+from typing import Annotated, Self
+
+from pydantic import Field, PlainValidator, model_validator
+
+from screwgen.bases import BENDING_BASES
+from screwgen.spec.names import distinct, link_name, robot_name
+from screwgen.spec.part import Part
+from screwgen.spec.physics import axes, inertia
+from screwgen.spec.section import PRODUCTS, NonNegative, Positive, Section
+from screwgen.spec.values import boolean, choice, count, non_negatives, quoted, refuse, vector
+
+Vector = Annotated[tuple[float, float, float], PlainValidator(vector)]
+Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
+Axes = Annotated[tuple[tuple[float, float, float], ...], PlainValidator(axes)]
+PerAxis = Annotated[tuple[float, ...], PlainValidator(non_negatives)]
+Count = Annotated[int, PlainValidator(count)]
+Basis = Annotated[str, PlainValidator(choice(*BENDING_BASES))]
+End = Annotated[str, PlainValidator(choice("base", "tip"))]
+
+DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+
+NEEDS = {  # direction of deflection: the line properties without which it has no stiffness or no inertia
+    "axial": ("EA",),
+    "bending_y": ("EIz",),
+    "bending_z": ("EIy",),
+    "torsion": ("GJ", "rhoIp"),
+}
+
+
+class Modes(Part):
+    """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
+
+    `basis` names the bending shapes. Modal coordinates are in metres, those of torsion in radians.
+    """
+
+    basis: Basis = "clamped_free"
+    axial: Count = 0
+    bending_y: Count = 0
+    bending_z: Count = 0
+    torsion: Count = 0
+
+    @property
+    def counts(self) -> tuple[int, int, int, int]:
+        """The numbers of modes in the order of the modal coordinates, `DIRECTIONS`."""
+        return self.axial, self.bending_y, self.bending_z, self.torsion
+
+    @property
+    def total(self) -> int:
+        """The number of modal coordinates of the link."""
+        return sum(self.counts)
+
+
+class Damping(Part):
+    """Modal damping: `ratio` ζ >= 0 of each of the link's own base-clamped, unloaded modes (1: critical)."""
+
+    ratio: NonNegative = Field(description="the damping ratio of each mode")
+
+
+class Mount(Part):
+    """Where a joint sits on the parent's tip section, or for the first link on the inertial frame.
+
+    `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
+    """
+
+    xyz: Vector | None = None
+    rpy: Vector | None = None
+
+
+class Joint(Part):
+    """Rotations about `axes`, in order: R_rel = R_mount exp(a1 q1) exp(a2 q2) …; no axes: welded.
+
+    An axis is "x", "y", "z" or a vector, held as a unit vector. One number >= 0 per axis, if stated:
+    `armature` (kg·m², rotor inertia seen at the joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
+    """
+
+    axes: Axes = Field(description='the axes of rotation in order, as ["y", "z"]; [] welds the link')
+    mount: Mount | None = None
+    armature: PerAxis | None = None
+    damping: PerAxis | None = None
+    stiffness: PerAxis | None = None
+
+    @model_validator(mode="after")
+    def _one_number_per_axis(self) -> Self:
+        for name in ("armature", "damping", "stiffness"):
+            values = getattr(self, name)
+            if values is not None and len(values) != len(self.axes):
+                what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
+                raise refuse(what, at=(name,))
+        return self
+
+
+class Body(Part):
+    """A rigid body fixed to a link's base or tip section.
+
+    Components are in F_i axes from the joint point at "base", in tip-frame axes from the tip point at "tip".
+    `mass` (kg, >= 0; zero with an inertia is the ideal rotor whose mass is counted elsewhere), `com` (m),
+    `inertia` [xx, yy, zz, xy, xz, yz] about the centre of mass (kg·m²); products are the tensor's entries.
+    """
+
+    at: End = Field(description='where the body sits, "base" or "tip"')
+    mass: NonNegative = Field(description="the mass, kg")
+    com: Vector | None = None
+    inertia: Inertia | None = None
+
+
+class Link(Part):
+    """One flexible or rigid link and the joint that carries it.
+
+    `length` (m) of the undeformed centreline; `frame_at` (m) from its base to the link frame's origin,
+    a = −frame_at. No `modes`: rigid.
+    """
+
+    name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
+    length: Positive = Field(description="the length of the centreline, m")
+    frame_at: NonNegative | None = None
+    section: Section = Field(description="the section, at least { rhoA = … } or { density = …, area = … }")
+    modes: Modes = Modes()
+    damping: Damping | None = None
+    joint: Joint = Field(description='the joint, as { axes = ["z"] }')
+    bodies: tuple[Body, ...] = ()
+
+    @model_validator(mode="after")
+    def _frame_on_centreline(self) -> Self:
+        if self.frame_at is not None and self.frame_at > self.length:
+            what = f"is {self.frame_at}, beyond the tip; it must be from 0 to the length, {self.length}"
+            raise refuse(what, at=("frame_at",))
+        return self
+
+    @model_validator(mode="after")
+    def _modes_have_stiffness(self) -> Self:
+        for direction, stiffnesses in NEEDS.items():
+            if getattr(self.modes, direction):
+                for name in stiffnesses:
+                    require(self.section, name, direction)
+        return self
+
+
+class Robot(Part):
+    """A chain of links, base to tip. `name` is the prefix of everything generated.
+
+    `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
+    follows the slope of the tip (MODEL.md, section 2). A loop can build a robot of any number of links:
+
+        Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
+    """
+
+    name: Annotated[str, PlainValidator(robot_name)] = Field(description="the robot's name, a C identifier")
+    gravity: Vector = Field(description="the acceleration of free fall, m/s², as [0.0, 0.0, -9.81]")
+    section_rotation: Annotated[bool, PlainValidator(boolean)] = True
+    links: tuple[Link, ...] = Field(description="at least one [[links]] table")
+
+    @model_validator(mode="after")
+    def _links_with_names_of_their_own(self) -> Self:
+        if not self.links:
+            raise refuse("is empty; state at least one [[links]] table", at=("links",))
+        distinct([link.name for link in self.links])
+        return self
+
+
+def require(section: Section, name: str, direction: str) -> None:
+    """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
+    value = getattr(section, name)
+    if value:
+        return
+    wrong = "is missing" if value is None else "is zero"
+    other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
+    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
+    raise refuse(what, at=("section", name))

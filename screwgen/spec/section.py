@@ -1,0 +1,98 @@
+"""The cross-section of a link, said either by line properties or by material and geometry."""
+
+import math
+from typing import Annotated, Any, ClassVar
+
+from pydantic import Field, PlainValidator, model_validator
+
+from screwgen.spec.part import Part
+from screwgen.spec.values import non_negative, positive, quoted, refuse
+
+Positive = Annotated[float, PlainValidator(positive)]
+NonNegative = Annotated[float, PlainValidator(non_negative)]
+
+PRODUCTS = {  # line property: the two keys of the material spelling whose product it is
+    "rhoA": ("density", "area"),
+    "EA": ("E", "area"),
+    "EIy": ("E", "Iy"),
+    "EIz": ("E", "Iz"),
+    "GJ": ("G", "J"),
+}
+SPIN = ("density", "Iy", "Iz")  # rhoIp = density (Iy + Iz), where it is not stated
+MATERIAL = {  # the keys of the material spelling, and what is asked of each
+    "density": positive,
+    "area": positive,
+    "E": positive,
+    "Iy": non_negative,
+    "Iz": non_negative,
+    "G": positive,
+    "J": non_negative,
+}
+
+
+class Section(Part):
+    """Line properties of a uniform section; y and z are its principal axes. None: structurally zero.
+
+    Also accepted: `density` (kg/m³), `area` (m²), `E` and `G` (Pa), `Iy`, `Iz` and `J` (m⁴). They are turned
+    into line properties at once, so that both spellings give equal sections. What is said in both is refused.
+    """
+
+    other_keys: ClassVar = tuple(MATERIAL)
+
+    rhoA: Positive = Field(description="mass per length, kg/m (or density and area)")
+    EA: NonNegative | None = Field(None, description="axial stiffness, N")
+    EIy: NonNegative | None = Field(None, description="bending stiffness about y, for modes in z, N·m²")
+    EIz: NonNegative | None = Field(None, description="bending stiffness about z, for modes in y, N·m²")
+    GJ: NonNegative | None = Field(None, description="torsional stiffness, N·m²")
+    rhoIp: NonNegative | None = Field(None, description="spin inertia per length about the centreline, kg·m")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _line_properties(cls, data: Any) -> Any:
+        if not isinstance(data, dict):
+            return data
+        stated = {key: value for key, value in data.items() if value is not None}
+        material = {key: MATERIAL[key](stated.pop(key), at=(key,)) for key in MATERIAL if key in stated}
+        if set(stated) <= set(cls.model_fields):  # an unknown key is reported before what it leads to
+            refuse_idle(material)
+        return stated | from_material(material, stated)
+
+
+def from_material(material: dict[str, float], stated: dict[str, Any]) -> dict[str, float]:
+    """The line properties that `material` amounts to."""
+    line = {}
+    for name, factors in PRODUCTS.items():
+        if complete(factors, material):
+            refuse_twice(name, factors, stated)
+            line[name] = finite(name, material[factors[0]] * material[factors[1]])
+    if complete(SPIN, material) and "rhoIp" not in stated:
+        line["rhoIp"] = finite("rhoIp", material["density"] * (material["Iy"] + material["Iz"]))
+    return line
+
+
+def complete(factors: tuple[str, ...], material: dict[str, float]) -> bool:
+    """Whether all the factors are stated."""
+    return all(factor in material for factor in factors)
+
+
+def refuse_twice(name: str, factors: tuple[str, str], stated: dict[str, Any]) -> None:
+    """Refuse a line property that is stated beside the two factors that give it."""
+    if name in stated:
+        both = " and ".join(map(quoted, factors))
+        raise refuse(f"is stated twice, here and by {both}; state it one way", at=(name,))
+
+
+def refuse_idle(material: dict[str, float]) -> None:
+    """Refuse a key of the material spelling that lacks the partner that would give it an effect."""
+    used = {key for group in (*PRODUCTS.values(), SPIN) if complete(group, material) for key in group}
+    for key in material:
+        if key not in used:
+            partners = [quoted(p) for pair in PRODUCTS.values() if key in pair for p in pair if p != key]
+            raise refuse(f"has no effect alone; state {' or '.join(partners)} with it", at=(key,))
+
+
+def finite(name: str, value: float) -> float:
+    """A product, unless it overflowed."""
+    if not math.isfinite(value):
+        raise refuse("overflows as a product; it must be a finite number", at=(name,))
+    return value

@@ -1,0 +1,310 @@
+"""Random robots and states for tests, as plain dicts in the robot file's format; no package code.
+
+Every draw takes a `numpy.random.Generator`. Magnitudes are such that M is mostly regular.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from oracle import Oracle
+
+LETTERS = ("x", "y", "z")
+LIMITS = {
+    "max_links": 5,
+    "max_modes": 2,  # per direction; one link in ten gets up to two more
+    "max_axes": 3,
+    "rigid": 0.15,  # chances
+    "welded": 0.12,
+    "torsion": 0.35,
+    "rhoIp": 0.85,
+    "material": 0.3,
+    "frame_at": 0.25,
+    "mount": 0.5,
+    "bodies": 0.5,  # of each of: a base body, a tip body
+    "armature": 0.4,
+    "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
+    "no_section_rotation": 0.15,
+    "no_gravity": 0.15,
+    "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
+}
+
+
+def chance(rng, probability: float) -> bool:
+    return bool(rng.random() < probability)
+
+
+def log_uniform(rng, low: float, high: float) -> float:
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def numbers(array) -> list[float]:
+    return [float(x) for x in np.ravel(array)]
+
+
+# -------- robots
+
+
+def random_robot(rng, n_links: int | None = None, **limits) -> dict:
+    """A robot with any of the file's features; `limits` override `LIMITS`."""
+    limits = {**LIMITS, **_known(limits)}
+    count = int(rng.integers(1, limits["max_links"] + 1)) if n_links is None else n_links
+    robot = {"name": f"robot{int(rng.integers(10**6))}", "gravity": _gravity(rng, limits)}
+    if chance(rng, limits["no_section_rotation"]):
+        robot["section_rotation"] = False
+    elif chance(rng, 0.2):
+        robot["section_rotation"] = True
+    soft = chance(rng, limits["soft"])
+    robot["links"] = [random_link(rng, i, limits, soft) for i in range(count)]
+    return robot if any(link["joint"]["axes"] for link in robot["links"]) else _unweld(rng, robot, limits)
+
+
+def _known(limits: dict) -> dict:
+    if unknown := set(limits) - set(LIMITS):
+        raise TypeError(f"unknown limits {sorted(unknown)}; known: {sorted(LIMITS)}")
+    return limits
+
+
+def _unweld(rng, robot: dict, limits: dict) -> dict:
+    robot["links"][0]["joint"] = random_joint(rng, {**limits, "welded": 0.0})
+    return robot
+
+
+def _gravity(rng, limits) -> list[float]:
+    if chance(rng, limits["no_gravity"]):
+        return [0.0, 0.0, 0.0]
+    return [0.0, 0.0, -9.81] if chance(rng, 0.4) else numbers(rng.uniform(-10, 10, 3))
+
+
+def random_link(rng, index: int, limits: dict, soft: bool) -> dict:
+    length, modes = float(rng.uniform(0.3, 1.2)), random_modes(rng, limits)
+    link = {"name": f"link_{index}", "length": length, "section": random_section(rng, modes, limits)}
+    if soft:
+        soften(link["section"])
+    if modes or chance(rng, 0.2):
+        link["modes"] = modes
+    if modes and chance(rng, 0.5):
+        link["damping"] = {"ratio": float(rng.uniform(0.0, 0.05))}
+    link["joint"] = random_joint(rng, limits)
+    if chance(rng, limits["frame_at"]):
+        link["frame_at"] = float(rng.choice([0.5, 1.0, rng.uniform(-0.2, 1.0)])) * length
+    if bodies := random_bodies(rng, limits):
+        link["bodies"] = bodies
+    return link
+
+
+def random_modes(rng, limits: dict) -> dict:
+    """Counts per direction; {} is a rigid link. A count of 0 is sometimes stated, sometimes left out."""
+    if chance(rng, limits["rigid"]):
+        return {}
+    most = limits["max_modes"] + (2 if chance(rng, 0.1) else 0)
+    modes = {d: int(rng.integers(0, most + 1)) for d in ("axial", "bending_y", "bending_z")}
+    modes["torsion"] = int(rng.integers(1, most + 1)) if most and chance(rng, limits["torsion"]) else 0
+    modes = {d: n for d, n in modes.items() if n or chance(rng, 0.5)}
+    basis = limits["basis"] or str(rng.choice(["clamped_free", "polynomial"]))
+    return modes if basis == "clamped_free" and chance(rng, 0.3) else {"basis": basis, **modes}
+
+
+def random_section(rng, modes: dict, limits: dict) -> dict:
+    """Either spelling; states the stiffness of every direction that has modes, others sometimes."""
+    material = _material(rng, modes) if chance(rng, limits["material"]) else None
+    if material is not None:
+        return material
+    stated = lambda direction: modes.get(direction, 0) or chance(rng, 0.4)  # noqa: E731
+    section = {"rhoA": log_uniform(rng, 0.3, 3.0)}
+    for direction, key, low, high in (
+        ("axial", "EA", 1e4, 1e7),
+        ("bending_z", "EIy", 20.0, 4e3),
+        ("bending_y", "EIz", 20.0, 4e3),
+        ("torsion", "GJ", 10.0, 1e3),
+    ):
+        if stated(direction):
+            section[key] = log_uniform(rng, low, high)
+    if modes.get("torsion", 0) or chance(rng, limits["rhoIp"]):
+        section["rhoIp"] = log_uniform(rng, 2e-4, 1e-2)
+    return section
+
+
+def soften(section: dict) -> None:
+    """Lower every stiffness: axially by 1e4, else by 1e2; a soft material by 1e3 in all."""
+    for key, factor in {"EA": 1e-4, "EIy": 1e-2, "EIz": 1e-2, "GJ": 1e-2, "E": 1e-3, "G": 1e-3}.items():
+        if key in section:
+            section[key] *= factor
+
+
+def _material(rng, modes: dict) -> dict:
+    """A tube or bar of some material; wide sections, so that rhoIp is not tiny."""
+    density, area = float(rng.uniform(1200, 8000)), log_uniform(rng, 1e-4, 4e-4)
+    radius = rng.uniform(0.01, 0.04, 2)  # radii of gyration, m
+    section = {"density": density, "area": area, "E": log_uniform(rng, 1e9, 2e11)}
+    section |= {"Iy": float(area * radius[0] ** 2), "Iz": float(area * radius[1] ** 2)}
+    if modes.get("torsion", 0) or chance(rng, 0.3):
+        section |= {"G": section["E"] / 2.6, "J": section["Iy"] + section["Iz"]}
+    if chance(rng, 0.3):
+        section["rhoIp"] = log_uniform(rng, 2e-4, 1e-2)
+    return section
+
+
+def random_joint(rng, limits: dict) -> dict:
+    count = 0 if chance(rng, limits["welded"]) else int(rng.integers(1, limits["max_axes"] + 1))
+    joint: dict = {"axes": random_axes(rng, count)}
+    if chance(rng, limits["mount"]):
+        parts = {"xyz": numbers(rng.uniform(-0.2, 0.2, 3)), "rpy": numbers(rng.uniform(-np.pi, np.pi, 3))}
+        keys = [["xyz"], ["rpy"], ["xyz", "rpy"]][int(rng.integers(3))]
+        joint["mount"] = {key: parts[key] for key in keys}
+    for key, probability, high in (
+        ("armature", limits["armature"], 0.2),
+        ("damping", 0.4, 1.0),
+        ("stiffness", 0.3, 50.0),
+    ):
+        if count and chance(rng, probability):
+            joint[key] = numbers(rng.uniform(0, high, count))
+    return joint
+
+
+def random_axes(rng, count: int) -> list:
+    """Letters or vectors (not normalised); no axis close to parallel to the one before it."""
+    axes: list = []
+    while len(axes) < count:
+        vector = numbers(rng.normal(size=3) * rng.uniform(0.3, 3))
+        axis = str(rng.choice(LETTERS)) if chance(rng, 0.5) else vector
+        if not axes or abs(_unit(axes[-1]) @ _unit(axis)) < 0.8:
+            axes.append(axis)
+    return axes
+
+
+def _unit(axis) -> np.ndarray:
+    vector = np.eye(3)[LETTERS.index(axis)] if isinstance(axis, str) else np.array(axis)
+    return vector / np.linalg.norm(vector)
+
+
+def random_bodies(rng, limits: dict) -> list[dict]:
+    return [random_body(rng, at) for at in ("base", "tip") if chance(rng, limits["bodies"])]
+
+
+def random_body(rng, at: str, mass: float | None = None, size: float = 0.08) -> dict:
+    """A cloud of six point masses: its inertia is always that of a real body."""
+    mass = log_uniform(rng, 0.2, 4.0) if mass is None else mass
+    body = {"at": at, "mass": mass}
+    if chance(rng, 0.7):
+        body["com"] = numbers(rng.uniform(-size, size, 3))
+    if chance(rng, 0.7):
+        body["inertia"] = cloud_inertia(rng, mass, size)
+    return body
+
+
+def cloud_inertia(rng, mass: float, size: float) -> list[float]:
+    """[xx, yy, zz, xy, xz, yz] about the centre of mass, products as entries of the tensor."""
+    points = rng.uniform(-size, size, (6, 3))
+    points -= points.mean(axis=0)
+    tensor = mass / 6 * sum((p @ p) * np.eye(3) - np.outer(p, p) for p in points)
+    return numbers([tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]])
+
+
+def heavy_payload_robot(rng, n_links: int = 3, mass: float = 60.0) -> dict:
+    """Every link's tip carries some ten times the link's own mass."""
+    robot = random_robot(rng, n_links, bodies=0.0)
+    for link in robot["links"]:
+        link["bodies"] = [random_body(rng, "tip", mass=float(mass * rng.uniform(0.5, 1.5)), size=0.15)]
+    return robot
+
+
+def slender_robot(rng, n_links: int = 3) -> dict:
+    """Links of 4 to 8 m, light and soft."""
+    robot = random_robot(rng, n_links, material=0.0, frame_at=0.0)
+    for link in robot["links"]:
+        link["length"] = float(rng.uniform(4.0, 8.0))
+        link["section"]["rhoA"] = log_uniform(rng, 0.1, 0.5)
+    return robot
+
+
+# -------- states
+
+
+def mode_order(robot: dict) -> list[tuple[int, str, int]]:
+    """(link, direction, mode number from 1) of every modal coordinate, in the order of q."""
+    directions = ("axial", "bending_y", "bending_z", "torsion")
+    counts = [link.get("modes", {}) for link in robot["links"]]
+    return [(i, d, k + 1) for i, c in enumerate(counts) for d in directions for k in range(c.get(d, 0))]
+
+
+def joint_count(robot: dict) -> int:
+    return sum(len(link["joint"]["axes"]) for link in robot["links"])
+
+
+def modal_scale(robot: dict) -> np.ndarray:
+    """Largest modal coordinates: deflections of about 0.1 l and tip rotations below about 0.5 rad in all."""
+    size = {"axial": 1e-3, "bending_y": 0.025, "bending_z": 0.025, "torsion": 0.1}
+    order = mode_order(robot)
+    reach = [1.0 if d == "torsion" else robot["links"][i]["length"] for i, d, _ in order]
+    return np.array([size[d] * r / k**2 for r, (_, d, k) in zip(reach, order, strict=True)])
+
+
+def random_state(rng, robot: dict, angle: float = np.pi, rate: float = 2.0, modal: float = 1.0) -> dict:
+    """q, v, tau, w_ext as lists: joint angles within ±angle, rates within ±rate, modal part times `modal`."""
+    joints, scale, n = joint_count(robot), modal * modal_scale(robot), len(robot["links"])
+    return {
+        "q": numbers([*rng.uniform(-angle, angle, joints), *(scale * rng.uniform(-1, 1, len(scale)))]),
+        "v": numbers([*rng.uniform(-rate, rate, joints), *(10 * scale * rng.uniform(-1, 1, len(scale)))]),
+        "tau": numbers(rng.uniform(-20, 20, joints)),
+        "w_ext": [numbers([*rng.uniform(-3, 3, 3), *rng.uniform(-10, 10, 3)]) for _ in range(n)],
+    }
+
+
+def rest_state(robot: dict) -> dict:
+    """Everything exactly zero."""
+    size = joint_count(robot) + len(mode_order(robot))
+    zero_wrenches = [[0.0] * 6 for _ in robot["links"]]
+    return {"q": [0.0] * size, "v": [0.0] * size, "tau": [0.0] * joint_count(robot), "w_ext": zero_wrenches}
+
+
+def undeformed_state(rng, robot: dict) -> dict:
+    """Random joints; modal coordinates and rates exactly zero."""
+    return random_state(rng, robot, modal=0.0)
+
+
+def tiny_state(rng, robot: dict, size: float = 1e-9) -> dict:
+    """Angles, rates and modal coordinates of the order of `size`: series and closed forms meet here."""
+    return random_state(rng, robot, angle=size, rate=size, modal=size)
+
+
+def huge_angle_state(rng, robot: dict, angle: float = 1e3) -> dict:
+    """Joint angles of many turns."""
+    return random_state(rng, robot, angle=angle)
+
+
+def draw_regular(rng, n_links=None, limit=1e8, robots=random_robot, states=random_state, **limits):
+    """(robot, state, oracle) with cond(M) at the state's q no more than `limit`; redraws until it holds.
+
+    `robots(rng, [n_links], **limits)` and `states(rng, robot)` draw; any of this module's may be given.
+    """
+    for _ in range(200):
+        robot = robots(rng, n_links, **limits) if n_links is not None else robots(rng, **limits)
+        state, oracle = states(rng, robot), Oracle(robot)
+        if oracle.condition(state["q"]) <= limit:
+            return robot, state, oracle
+    raise RuntimeError(f"no robot with cond(M) <= {limit:g} in 200 draws")
+
+
+# -------- TOML
+
+
+def to_toml(robot: dict) -> str:
+    """The robot file of a robot; numbers are written so that they read back bit for bit."""
+    head = [f"{key} = {_value(value)}" for key, value in robot.items() if key != "links"]
+    tables = [
+        "\n".join(["", "[[links]]", *(f"{key} = {_value(value)}" for key, value in link.items())])
+        for link in robot["links"]
+    ]
+    return "\n".join([*head, *tables]) + "\n"
+
+
+def _value(value) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{k} = {_value(v)}" for k, v in value.items()) + " }"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    return repr(float(value)) if isinstance(value, float) else repr(value)

@@ -28,15 +28,6 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     return out
 
 
-def modal(constants: Sequence[Mapping], eta: Sequence[Mapping], etadot: Sequence[Mapping]) -> list[dict[str, list]]:
-    """Modal inertia and force ``K eta + D etadot`` of every link."""
-    out = []
-    for c, x, xdot in zip(constants, eta, etadot, strict=True):
-        elastic = [k * a + d * b for k, a, d, b in zip(c["K"], x["eta"], c["D"], xdot["etadot"], strict=True)]
-        out.append({"m_eta": list(c["M_eta"]), "f_eta": elastic})
-    return out
-
-
 class Functions:
     """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
 
@@ -57,8 +48,16 @@ class Functions:
 
     def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
-        forces = modal(self.constants, position, velocity)
-        return [a | b | c for a, b, c in zip(position, velocity, forces, strict=True)]
+        state = [a | b for a, b in zip(position, velocity, strict=True)]
+        return [x | y for x, y in zip(state, self.modal(state), strict=True)]
+
+    def modal(self, state: Sequence[Mapping]) -> list[dict[str, list]]:
+        """Modal inertia and force ``K eta + D etadot`` of every link."""
+        out = []
+        for c, x in zip(self.constants, state, strict=True):
+            pairs = zip(c["K"], x["eta"], c["D"], x["etadot"], strict=True)
+            out.append({"m_eta": list(c["M_eta"]), "f_eta": [k * a + d * b for k, a, d, b in pairs]})
+        return out
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
         offset = self.chain.q_offset
@@ -88,6 +87,19 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+class GivenModes(Functions):
+    """The same functions with modal inertia and force as inputs: the integrator decides what they are."""
+
+    def __init__(self, functions: Functions, m_eta: Sequence, f_eta: Sequence):
+        super().__init__(functions.chain, functions.constants, functions.gravity, functions.apply)
+        self.m_eta, self.f_eta = m_eta, f_eta
+
+    def modal(self, state: Sequence[Mapping]) -> list[dict[str, list]]:
+        o = self.chain.eta_offset
+        return [{"m_eta": list(self.m_eta[o[i] : o[i + 1]]), "f_eta": list(self.f_eta[o[i] : o[i + 1]])}
+                for i in range(self.chain.n)]
 
 
 def sum_of(links: Sequence[Mapping[str, list]], name: str) -> Value:

@@ -1,0 +1,70 @@
+"""From a robot to everything: the compiler's stages in one place.
+
+robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedule -> NumPy, CasADi, C, LaTeX
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+
+from .chain.chain import Chain
+from .chain.scope import derived
+from .derive.block import Block
+from .emit.numeric import Numeric
+from .spec.parameters import coordinate_names, parameters
+from .spec.robot import Robot
+
+TARGETS = ("c", "casadi", "latex")
+
+
+class Model:
+    """A robot with its derived blocks; every product is made when it is first asked for."""
+
+    def __init__(self, robot: Robot):
+        self.robot = robot
+        self.chain = Chain(robot)
+        names = coordinate_names(robot)
+        self.q_names, self.v_names = list(names.q), list(names.v)
+        self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
+        self.parameter_names = [p.name for p in parameters(robot)]
+        self.parameter_values = [p.value for p in parameters(robot)]
+
+    @property
+    def nq(self) -> int:
+        """The number of coordinates: joint angles, then modal coordinates."""
+        return self.chain.nq
+
+    @property
+    def n_links(self) -> int:
+        return self.chain.n
+
+    @property
+    def n_joints(self) -> int:
+        """The number of joint coordinates, which is the number of torques."""
+        return self.chain.n_joints
+
+    def blocks(self, link: int) -> dict[str, Block]:
+        """The derived blocks of a link (those of its class) by name."""
+        return derived(self.chain.keys[link])
+
+    @cached_property
+    def _casadi(self) -> Mapping:
+        from .emit import casadi
+
+        functions = casadi.functions(self.chain)
+        return functions | {"ode": casadi.ode(self.chain, functions["forward_dynamics"])}
+
+    def casadi(self) -> Mapping:
+        """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""
+        return self._casadi
+
+    def numpy(self, p: Sequence[float] | None = None) -> Numeric:
+        """The functions on NumPy arrays, at the file's parameters or at ``p``."""
+        return Numeric(self.chain, p)
+
+
+def derive(robot: Robot) -> Model:
+    """Derive a robot's model.  Cheap: blocks are derived per link class, when they are needed."""
+    return Model(robot)

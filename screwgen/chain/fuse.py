@@ -1,0 +1,181 @@
+"""Whole functions of a robot as single programs: the schedule inlined, zeros and constants folded."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+
+import mpmath
+
+from ..derive.link_class import LinkClass
+from ..lower.program import Program, Tracer, Value, inline, run
+from ..spec.parameters import parameters
+from .algorithms import ENERGY, FORWARD, INVERSE, PLACES, Functions
+from .chain import Algorithm, Chain, preparation
+
+COLUMNS = ("M_eta", "K", "D")
+EVERYTHING: tuple[Algorithm, ...] = (FORWARD, INVERSE, PLACES, ENERGY)
+DIGITS = 40
+
+Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
+
+
+def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters") -> Program:
+    """Trace a function of the whole robot into one program.
+
+    ``constants`` says where the links' constants come from: prepared inside from an input ``p``
+    (``"parameters"``), inputs of their own (``"constants"``), or numbers (``"baked"``).
+    """
+    tracer = Tracer()
+    values = {key: tracer.input(key, size) for key, size in inputs.items()}
+    read: dict[str, int] = dict(inputs)
+    links, gravity = _sources(chain, tracer, constants, read)
+    apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i))  # noqa: E731
+    outputs = body(Functions(chain, links, gravity, apply), values)
+    return Program(name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections)
+
+
+def _namer(chain: Chain, i: int) -> Callable[[str], str]:
+    """Labels and titles say which link they belong to."""
+    link = chain.robot.links[i].name
+
+    def rename(text: str) -> str:
+        if ": " in text:
+            return f"{link}, {text}"
+        stem, _, index = text.rpartition("_")
+        return f"{stem}_{link}_{index}" if stem and re.fullmatch(r"[xyz]{1,2}|[xyz]?\d+", index) else f"{text}_{link}"
+
+    return rename
+
+
+def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int]):
+    if constants == "baked":
+        return baked(chain), [p.value for p in parameters(chain.robot)[:3]]
+    if constants == "parameters":
+        size = len(parameters(chain.robot))
+        p = tracer.input("p", size)
+        read["p"] = size
+        return [_prepare_inline(chain, i, p, tracer) for i in range(chain.n)], p[:3]
+    links = []
+    for i, key in enumerate(chain.keys):
+        names = {f"c.{label}": 1 for label in chain.labels(key, EVERYTHING)} | dict.fromkeys(COLUMNS, key.modes)
+        links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
+        read |= {f"{i}:{n}": size for n, size in names.items()}
+    read["gravity"] = 3
+    return links, tracer.input("gravity", 3)
+
+
+def _prepare_inline(chain: Chain, i: int, p: Sequence[Value], tracer: Tracer) -> dict[str, list]:
+    program = chain_preparation(chain, chain.keys[i])
+    places = chain.parameter_labels[i]
+    given = {name: [p[places[name[2:]]]] for name in program.inputs}
+    return as_constants(inline(program, given, tracer, _namer(chain, i)))
+
+
+def chain_preparation(chain: Chain, key: LinkClass) -> Program:
+    """The preparation of a class for every function there is."""
+    return preparation(key, chain.labels(key, EVERYTHING))
+
+
+def as_constants(outputs: Mapping[str, list]) -> dict[str, list]:
+    """Outputs of a preparation under the names by which the phases read them."""
+    return {name if name in COLUMNS else f"c.{name}": values for name, values in outputs.items()}
+
+
+def baked(chain: Chain) -> list[dict[str, list[float]]]:
+    """The constants of every link as numbers, evaluated with many digits: the same on every machine."""
+    values = [p.value for p in parameters(chain.robot)]
+    out = []
+    with mpmath.workdps(DIGITS):
+        for i, key in enumerate(chain.keys):
+            program, places = chain_preparation(chain, key), chain.parameter_labels[i]
+            given = {name: [mpmath.mpf(values[places[name[2:]]])] for name in program.inputs}
+            prepared, _ = run(program, given, precise)
+            out.append({n: [float(x) for x in v] for n, v in as_constants(prepared).items()})
+    return out
+
+
+def precise(op: str, x):
+    """The unary primitives in mpmath."""
+    if op == "neg":
+        return -x
+    if op in ("c4", "c5"):
+        return _stumpff(int(op[1]), x)
+    return getattr(mpmath, op)(x)
+
+
+def _stumpff(order: int, x):
+    """The Stumpff series: at this many digits good for any turn that a section can make."""
+    term = 1 / mpmath.factorial(order)
+    total, j = term, 0
+    while abs(term) > mpmath.eps * abs(total):
+        term *= -x / ((order + 2 * j + 1) * (order + 2 * j + 2))
+        total, j = total + term, j + 1
+    return total
+
+
+# ------------------------------------------------------------------------------ the functions of a robot
+
+
+def forward_dynamics(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, tau, w_ext) -> (vdot, wrench)``."""
+    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+
+    def body(f: Functions, x):
+        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        return {"vdot": vdot, "wrench": wrench}
+
+    return fuse(chain, "forward_dynamics", inputs, body, constants)
+
+
+def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, vdot, w_ext) -> (force)``."""
+    inputs = {"q": chain.nq, "v": chain.nq, "vdot": chain.nq, "w_ext": 6 * chain.n}
+
+    def body(f: Functions, x):
+        return {"force": f.inverse_dynamics(x["q"], x["v"], x["vdot"], x["w_ext"])}
+
+    return fuse(chain, "inverse_dynamics", inputs, body, constants)
+
+
+def bias(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, w_ext) -> (h)``: what a motion without accelerations needs."""
+    inputs = {"q": chain.nq, "v": chain.nq, "w_ext": 6 * chain.n}
+
+    def body(f: Functions, x):
+        return {"h": f.inverse_dynamics(x["q"], x["v"], [0.0] * chain.nq, x["w_ext"])}
+
+    return fuse(chain, "bias", inputs, body, constants)
+
+
+def inertial_force(chain: Chain, constants="parameters") -> Program:
+    """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""
+
+    def body(f: Functions, x):
+        still = Functions(chain, f.constants, [0.0] * 3, f.apply)
+        rest = {"q": x["q"], "v": [0.0] * chain.nq, "w_ext": [0.0] * 6 * chain.n}
+        return {"force": still.inverse_dynamics(vdot=x["vdot"], **rest)}
+
+    return fuse(chain, "inertial_force", {"q": chain.nq, "vdot": chain.nq}, body, constants)
+
+
+def energy(chain: Chain, constants="parameters") -> Program:
+    """``(q, v) -> (kinetic, potential)``."""
+
+    def body(f: Functions, x):
+        kinetic, potential = f.energy(x["q"], x["v"])
+        return {"kinetic": [kinetic], "potential": [potential]}
+
+    return fuse(chain, "energy", {"q": chain.nq, "v": chain.nq}, body, constants)
+
+
+def poses(chain: Chain, constants="parameters") -> Program:
+    """``(q) -> (link_R, link_position, tip_R, tip_position)``, every R row by row, link by link."""
+
+    def body(f: Functions, x):
+        frames, tips = f.poses(x["q"])
+        flat = lambda places, k: [v for place in places for v in place[k]]  # noqa: E731
+        return {"link_R": flat(frames, 0), "link_position": flat(frames, 1),
+                "tip_R": flat(tips, 0), "tip_position": flat(tips, 1)}
+
+    return fuse(chain, "poses", {"q": chain.nq}, body, constants)

@@ -1,0 +1,95 @@
+"""The CasADi back end: the robot's functions as casadi.Function, on SX, with the contract's names.
+
+Vectors are columns; ``w_ext`` and ``wrench`` are 6 x n, a column per link; ``p`` holds the parameters of
+the robot file.  The functions take SX and MX, differentiate, serialise and generate C.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import casadi as ca
+
+from ..chain import fuse
+from ..chain.chain import Chain
+from ..lower.program import Program, run
+
+LIMIT = 4.0
+TERMS = 14
+
+
+def functions(chain: Chain) -> dict[str, ca.Function]:
+    """All functions of the joint form."""
+    n, nq, np_ = chain.n, chain.nq, len(fuse.parameters(chain.robot))
+    q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
+    tau, w_ext, p = ca.SX.sym("tau", chain.n_joints), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
+
+    def outputs(maker: Callable[[Chain], Program]) -> dict[str, ca.SX]:
+        given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
+        return expressions(maker(chain), given)
+
+    dynamics, inverse, bias = outputs(fuse.forward_dynamics), outputs(fuse.inverse_dynamics), outputs(fuse.bias)
+    inertial, energy, poses = outputs(fuse.inertial_force), outputs(fuse.energy), outputs(fuse.poses)
+    wrench, M = ca.reshape(dynamics["wrench"], 6, n), ca.jacobian(inertial["force"], vdot)
+    link_R, tip_R = _rotations(poses["link_R"], n), _rotations(poses["tip_R"], n)
+    positions = ca.reshape(poses["link_position"], 3, n)
+    return {
+        f.name(): f
+        for f in (
+            function("forward_dynamics", dict(q=q, v=v, tau=tau, w_ext=w_ext, p=p), vdot=dynamics["vdot"], wrench=wrench),
+            function("inverse_dynamics", dict(q=q, v=v, vdot=vdot, w_ext=w_ext, p=p), force=inverse["force"]),
+            function("mass_matrix", dict(q=q, p=p), M=M),
+            function("bias", dict(q=q, v=v, w_ext=w_ext, p=p), h=bias["h"]),
+            function("energy", dict(q=q, v=v, p=p), **energy),
+            function("tip_pose", dict(q=q, p=p), R=tip_R[:, -3:], position=poses["tip_position"][-3:]),
+            function("link_pose", dict(q=q, p=p), R=link_R, position=positions),
+        )
+    }
+
+
+def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:
+    return ca.Function(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
+
+
+def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
+    """``dict(x, u, p, ode)`` of the joint form for ``casadi.integrator``: x = [q; v], u = [tau; vec(w_ext)]."""
+    x, u = ca.SX.sym("x", 2 * chain.nq), ca.SX.sym("u", chain.n_joints + 6 * chain.n)
+    p = ca.SX.sym("p", dynamics.size1_in("p"))
+    q, v = x[: chain.nq], x[chain.nq :]
+    w_ext = ca.reshape(u[chain.n_joints :], 6, chain.n)
+    vdot = dynamics(q, v, u[: chain.n_joints], w_ext, p)[0]
+    return dict(x=x, u=u, p=p, ode=ca.vertcat(v, vdot))
+
+
+def expressions(program: Program, given: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
+    """The outputs of a program as columns of SX."""
+    inputs = {name: ca.vertsplit(ca.vec(given[name])) if size else [] for name, size in program.inputs.items()}
+    outputs, _ = run(program, inputs, unary)
+    return {name: ca.vertcat(ca.SX(0, 1), *values) for name, values in outputs.items()}
+
+
+def unary(op: str, x: ca.SX) -> ca.SX:
+    """The unary primitives in SX."""
+    if op == "neg":
+        return -x
+    if op in ("c4", "c5"):
+        return _stumpff(int(op[1]), x)
+    return getattr(ca, op)(x)
+
+
+def _stumpff(order: int, x: ca.SX) -> ca.SX:
+    """The series below the limit, sine and cosine above; both branches regular where the other one holds."""
+    large = x >= LIMIT
+    far = ca.if_else(large, x, LIMIT)
+    s = ca.sqrt(far)
+    closed = (ca.cos(s) - 1 + far / 2) / far**2 if order == 4 else (ca.sin(s) - s + s * far / 6) / (far**2 * s)
+    near = ca.if_else(large, 0, x)
+    series = ca.SX(1)
+    for j in reversed(range(1, TERMS)):
+        series = 1 - near / ((order + 2 * j - 1) * (order + 2 * j)) * series
+    return ca.if_else(large, closed, series / (24 if order == 4 else 120))
+
+
+def _rotations(rows: ca.SX, n: int) -> ca.SX:
+    """Rotations stored row by row, side by side as 3 x 3n."""
+    return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))

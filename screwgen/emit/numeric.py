@@ -1,0 +1,105 @@
+"""The NumPy back end: every program as a Python function on doubles. It judges the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+
+from ..chain import fuse
+from ..chain.algorithms import Functions
+from ..chain.chain import Chain
+from ..errors import SingularError
+from ..lower.program import Program
+from ..spec.parameters import parameters
+from .python import compiled
+
+EPSILON = float(np.finfo(float).eps)
+_COMPILED: dict[int, tuple] = {}
+
+
+def function_of(program: Program):
+    """The Python function of a program, compiled once."""
+    if id(program) not in _COMPILED:
+        _COMPILED[id(program)] = (program, compiled(program))
+    return _COMPILED[id(program)][1]
+
+
+class Numeric:
+    """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values)."""
+
+    def __init__(self, chain: Chain, p: Sequence[float] | None = None):
+        self.chain = chain
+        self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
+
+    @cached_property
+    def constants(self) -> list[dict[str, list[float]]]:
+        """The prepared constants of every link."""
+        out = []
+        for i, key in enumerate(self.chain.keys):
+            program = fuse.chain_preparation(self.chain, key)
+            places = self.chain.parameter_labels[i]
+            given = {name: [self.p[places[name[2:]]]] for name in program.inputs}
+            out.append(fuse.as_constants(function_of(program)(given, EPSILON)[0]))
+        return out
+
+    def _apply(self, link: int, _: int, program: Program, inputs) -> dict[str, list[float]]:
+        try:
+            outputs, guards = function_of(program)(inputs, EPSILON)
+        except ZeroDivisionError:
+            guards = [0.0]
+        if not all(g > 0 for g in guards):
+            raise SingularError(f"the joint of link '{self.chain.robot.links[link].name}' is singular in this posture")
+        return outputs
+
+    @cached_property
+    def functions(self) -> Functions:
+        return Functions(self.chain, self.constants, self.p[:3], self._apply)
+
+    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
+        vdot, wrench = self.functions.forward_dynamics(_flat(q), _flat(v), _flat(tau), _flat(w_ext))
+        return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
+        """All nq generalised forces."""
+        return np.array(self.functions.inverse_dynamics(_flat(q), _flat(v), _flat(vdot), _flat(w_ext)))
+
+    def bias(self, q, v, w_ext) -> np.ndarray:
+        """``h`` of ``M vdot + h = [tau; 0]``."""
+        return self.inverse_dynamics(q, v, np.zeros(self.chain.nq), w_ext)
+
+    def mass_matrix(self, q) -> np.ndarray:
+        """``M`` (nq, nq), column by column from the inverse dynamics."""
+        nq, rest = self.chain.nq, (np.zeros(self.chain.nq), np.zeros((self.chain.n, 6)))
+        still = Numeric(self.chain, self.p)
+        still.constants = [c | {"K": [0.0] * k.modes} for c, k in zip(self.constants, self.chain.keys, strict=True)]
+        still.p = [0.0, 0.0, 0.0, *self.p[3:]]
+        offset = still.bias(q, *rest)
+        columns = [still.inverse_dynamics(q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]
+        return np.array(columns).reshape(nq, nq).T
+
+    def energy(self, q, v) -> tuple[float, float]:
+        """Kinetic and potential energy, J."""
+        return self.functions.energy(_flat(q), _flat(v))
+
+    def link_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotations (n, 3, 3) and positions (n, 3) of the link frames in the inertial frame."""
+        return self._stacked(self.functions.poses(_flat(q))[0])
+
+    def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
+        return self._stacked(self.functions.poses(_flat(q))[1])
+
+    def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotation (3, 3) and position (3,) of the last link's tip frame."""
+        R, position = self.tip_poses(q)
+        return R[-1], position[-1]
+
+    def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
+        return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])
+
+
+def _flat(values) -> list[float]:
+    return [float(x) for x in np.ravel(values)]

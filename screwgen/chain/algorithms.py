@@ -5,16 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..lower.program import Value
+from . import dae
 from . import phases as ph
 from .chain import INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 POSES = Phase(ph.poses, OUTWARD)
 
-FORWARD: Algorithm = (KINEMATICS, Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
+SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
+
+FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
 ENERGY: Algorithm = (KINEMATICS, POSES, Phase(ph.energy, OUTWARD))
+
+DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
+DAE_RATES: Algorithm = (Phase(dae.pose_rates, OUTWARD),)
+PROJECTION: Algorithm = (Phase(dae.project, OUTWARD),)
+PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
+ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD))
+
+EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY)
 
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
@@ -23,8 +34,9 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     """The n + 1 nodes with what is known beforehand: a base at rest, falling up; a tip that carries nothing."""
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
     out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha": [0.0] * 3 + [-g for g in gravity]}
-    out[0] |= {"R": IDENTITY, "r": [0.0] * 3}
-    out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6}
+    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
+    out[0] |= {"R_m": IDENTITY, "omega_m": [0.0] * 3}
+    out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
     return out
 
 

@@ -10,11 +10,10 @@ import mpmath
 from ..derive.link_class import LinkClass
 from ..lower.program import Program, Tracer, Value, inline, run
 from ..spec.parameters import parameters
-from .algorithms import ENERGY, FORWARD, INVERSE, PLACES, Functions
-from .chain import Algorithm, Chain, preparation
+from .algorithms import EVERYTHING, Functions, GivenModes
+from .chain import Chain, preparation
 
 COLUMNS = ("M_eta", "K", "D")
-EVERYTHING: tuple[Algorithm, ...] = (FORWARD, INVERSE, PLACES, ENERGY)
 DIGITS = 40
 
 Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
@@ -30,9 +29,10 @@ def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constan
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
     links, gravity = _sources(chain, tracer, constants, read)
-    apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i))  # noqa: E731
+    apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i), i)  # noqa: E731
     outputs = body(Functions(chain, links, gravity, apply), values)
-    return Program(name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections)
+    return Program(name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections,
+                   list(tracer.origins))
 
 
 def _namer(chain: Chain, i: int) -> Callable[[str], str]:
@@ -126,6 +126,32 @@ def forward_dynamics(chain: Chain, constants="parameters") -> Program:
         return {"vdot": vdot, "wrench": wrench}
 
     return fuse(chain, "forward_dynamics", inputs, body, constants)
+
+
+def modal_dynamics(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench)``: the forward dynamics of an integrator.
+
+    ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode; the modal-implicit
+    step gives its own.
+    """
+    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n,
+              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+
+    def body(f: Functions, x):
+        g = GivenModes(f, x["m_eta"], x["f_eta"])
+        vdot, wrench = g.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        return {"vdot": vdot, "wrench": wrench}
+
+    return fuse(chain, "modal_dynamics", inputs, body, constants)
+
+
+def modal_properties(chain: Chain, constants="parameters") -> Program:
+    """``() -> (M_eta, K, D)``: inertia, stiffness and damping of every mode, link by link."""
+
+    def body(f: Functions, x):
+        return {name: [v for c in f.constants for v in c[name]] for name in COLUMNS}
+
+    return fuse(chain, "modal_properties", {}, body, constants)
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:

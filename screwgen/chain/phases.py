@@ -38,20 +38,24 @@ def keep_joint(s: Scope, R: Array, A: Array, beta: Array) -> None:
     s.keep("beta", beta)
 
 
-def link_terms(s: Scope, omega: Array, v: Array) -> None:
-    """Inertia and bias of the link and of its tip section at the twist ``omega, v``."""
+def link_terms(s: Scope, omega: Array, v: Array, g: Array | None = None) -> None:
+    """Inertia and bias of the link and of its tip section at the twist ``omega, v``.
+
+    ``g`` is the free fall in F_i, for blocks that carry their weight.
+    """
+    g = mx.zeros(3) if g is None else g
     eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
-    state = {"omega": omega, "v": v, "g": mx.zeros(3), "eta": eta, "etadot": etadot}
+    state = {"omega": omega, "v": v, "g": g, "eta": eta, "etadot": etadot}
     I, S, M_D, h_V, h_eta = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta")
     m = s.lower("link", state, "m")[0].item()
     s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m))
     s.keep("M_D", M_D)
     s.keep("h_V", h_V)
     s.keep("h_eta", h_eta)
-    tip_terms(s, {"omega": omega, "v": v, "eta": eta, "etadot": etadot})
+    tip_terms(s, {"omega": omega, "v": v, "eta": eta, "etadot": etadot}, g)
 
 
-def tip_terms(s: Scope, state: dict) -> None:
+def tip_terms(s: Scope, state: dict, g: Array) -> None:
     names = ["r_T", "omega_T", "v_T", "b_omega", "b_v", "Phi_c"]
     turned = ["R_T", "J_l", "Psi_c"] if s.key.section_rotation else []
     values = dict(zip(names + turned, s.lower("tip", state, *names, *turned), strict=True))
@@ -65,7 +69,7 @@ def tip_terms(s: Scope, state: dict) -> None:
     s.keep("b_T", np.concatenate([values["b_omega"], values["b_v"]]))
     s.write("tip.omega", values["omega_T"])
     s.write("tip.v", values["v_T"])
-    tip_bodies(s, values["omega_T"], values["v_T"], mx.zeros(3))
+    tip_bodies(s, values["omega_T"], values["v_T"], mx.multiply(s.kept("R_T").T, g))
 
 
 def tip_bodies(s: Scope, omega: Array, v: Array, g: Array) -> None:
@@ -164,7 +168,8 @@ def inverse_inward(s: Scope) -> None:
     modal = mx.multiply(M_D.T, alpha) + s.read("m_eta", s.key.modes) * etaddot
     s.write("force_eta", modal + s.kept("h_eta") + s.read("f_eta", s.key.modes)
             + mx.chain(s.kept("E").T, s.kept("G").T, load))
-    s.write("force", mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot) - drive(s, torque=False))
+    s.write("force", mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot)
+            + passive(s, s.read("qdot", s.key.joints)))
     at_joint = mx.rotate_wrench(s.kept("R_rel"), mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.shift_wrench(mount(s), at_joint))
 
@@ -232,12 +237,17 @@ def stiffness(s: Scope) -> Array:
     return _per_axis(s, s.key.stiffness, "joint_stiffness")
 
 
-def drive(s: Scope, torque: bool = True) -> Array:
-    """``tau - b qdot - k q`` (without the torque: what spring and damper give)."""
+def drive(s: Scope) -> Array:
+    """``tau - b qdot - k q``: what motor, damper and spring give together."""
     n = s.key.joints
-    total = s.read("tau", n) if torque else mx.zeros(n)
+    return s.read("tau", n) - passive(s, s.read("qdot", n))
+
+
+def passive(s: Scope, qdot: Array) -> Array:
+    """``b qdot + k q``: what damper and spring need."""
+    total = mx.zeros(s.key.joints)
     if s.key.joint_damping:
-        total = total - _per_axis(s, True, "joint_damping") * s.read("qdot", n)
+        total = total + _per_axis(s, True, "joint_damping") * qdot
     if s.key.stiffness:
-        total = total - stiffness(s) * s.read("q", n)
+        total = total + stiffness(s) * s.read("q", s.key.joints)
     return total

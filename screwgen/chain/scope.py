@@ -64,6 +64,7 @@ class Scope:
     layouts: dict[str, Layout]
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
+    fresh: dict[str, Array] = field(default_factory=dict)
 
     def read(self, name: str, *shape: int) -> Array:
         """An input signal."""
@@ -92,6 +93,7 @@ class Scope:
 
     def keep(self, name: str, values: Array) -> None:
         """Store an array for later phases of the same link."""
+        self.fresh[name] = values
         slots: dict[int, int] = {}
         stored: list[Value] = []
         entries = []
@@ -111,7 +113,9 @@ class Scope:
             self.write(f"w.{name}", stored)
 
     def kept(self, name: str) -> Array:
-        """An array that an earlier phase stored, its structure included."""
+        """An array that this or an earlier phase stored, its structure included."""
+        if name in self.fresh:
+            return self.fresh[name]
         layout = self.layouts[name]
         stored = self.read(f"w.{name}", layout.size) if layout.size else zeros(0)
         values = [self._entry(e, stored) for e in layout.entries]

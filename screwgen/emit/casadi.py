@@ -47,6 +47,21 @@ def functions(chain: Chain) -> dict[str, ca.Function]:
     }
 
 
+def modal_functions(chain: Chain) -> dict[str, ca.Function]:
+    """What an integrator needs: ``modal_dynamics`` and ``modal_properties``."""
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+    given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fuse.parameters(chain.robot)))}
+    dynamics = expressions(fuse.modal_dynamics(chain), given)
+    order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
+    wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
+    properties = expressions(fuse.modal_properties(chain), given)
+    return {
+        "modal_dynamics": function("modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench),
+        "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
+    }
+
+
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:
     return ca.Function(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
 

@@ -10,6 +10,7 @@ import numpy as np
 from ..chain import fuse
 from ..chain.algorithms import Functions
 from ..chain.chain import Chain
+from ..chain.dae_functions import DaeFunctions, unknown_size
 from ..errors import SingularError
 from ..lower.program import Program
 from ..spec.parameters import parameters
@@ -96,6 +97,39 @@ class Numeric:
         """Rotation (3, 3) and position (3,) of the last link's tip frame."""
         R, position = self.tip_poses(q)
         return R[-1], position[-1]
+
+    # DAE form ---------------------------------------------------------------------------------
+
+    @cached_property
+    def dae_functions(self) -> DaeFunctions:
+        return DaeFunctions(self.chain, self.constants, self.p[:3], self._apply)
+
+    def dae_state(self, q, v) -> np.ndarray:
+        """The state ``x`` of the DAE form on the joints."""
+        return np.array(self.dae_functions.place(_flat(q), _flat(v)))
+
+    def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``xdot`` and the joint wrenches (n, 6), by block elimination."""
+        xdot, wrench = self.dae_functions.rates(_flat(x), _flat(tau), _flat(w_ext))
+        return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def project(self, x) -> np.ndarray:
+        """``x`` taken back onto the joints."""
+        return np.array(self.dae_functions.project(_flat(x)))
+
+    def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
+        entries, H, W = self.dae_functions.assemble(_flat(x), _flat(tau), _flat(w_ext))
+        M = np.zeros((unknown_size(self.chain),) * 2)
+        for place, value in entries.items():
+            M[place] = value
+        return M, np.array(H), np.array(W)
+
+    def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
+        x = self.dae_functions.place(_flat(q), _flat(v))
+        vdot, wrench = self.dae_functions.accelerations(x, _flat(tau), _flat(w_ext))
+        return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
         return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])

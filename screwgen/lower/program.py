@@ -73,6 +73,7 @@ class Tracer:
         self.sections: list[str] = [""]
         self._section = 0
         self.guards: list[Node] = []
+        self.origins: list[int] = []
         self.nodes: list[Node] = []
 
     @contextmanager
@@ -106,10 +107,11 @@ class Tracer:
         """The spacing of the floating-point numbers of the target."""
         return self._node("epsilon")
 
-    def guard(self, value: Value) -> None:
-        """Require ``value > 0``: a program whose guard fails has no result."""
-        if isinstance(value, Node) and value not in self.guards:
+    def guard(self, value: Value, origin: int = 0) -> None:
+        """Require ``value > 0``: a program whose guard fails has no result; ``origin`` numbers the link."""
+        if isinstance(value, Node) and not any(value is g for g in self.guards):
             self.guards.append(value)
+            self.origins.append(origin)
 
     def add(self, a: Value, b: Value) -> Value:
         if _both_numbers(a, b):
@@ -205,7 +207,8 @@ class Program:
     """A traced function: named inputs and outputs (flat lists of entries) and guards.
 
     ``outputs`` maps a name to its entries, nodes or floats; ``nodes`` are the live operations in an
-    order in which they can be run; ``sections`` are the titles that nodes refer to.
+    order in which they can be run; ``sections`` are the titles that nodes refer to, ``origins`` the links
+    that guards belong to.
     """
 
     name: str
@@ -213,6 +216,7 @@ class Program:
     outputs: dict[str, list[Value]]
     guards: list[Node]
     sections: list[str]
+    origins: list[int] = field(default_factory=list)
     nodes: list[Node] = field(init=False)
 
     def __post_init__(self):
@@ -273,8 +277,11 @@ def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, obje
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 
-def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str]):
-    """Replay a program into a tracer: the fused layout.  ``rename`` turns labels and section titles."""
+def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str], origin=0):
+    """Replay a program into a tracer: the fused layout.
+
+    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard is blamed on.
+    """
     section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
     tracer.sections.extend(rename(title) if title else "" for title in program.sections)
     values: dict[int, Value] = {}
@@ -287,7 +294,7 @@ def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, 
     tracer._section = before
     pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
     for g in program.guards:
-        tracer.guard(pick(g))
+        tracer.guard(pick(g), origin)
     return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
 
 
@@ -300,3 +307,12 @@ def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
     if len(args) == 1:
         return tracer.neg(args[0]) if node.op == "neg" else tracer.call(node.op, args[0])
     return getattr(tracer, node.op)(*args)
+
+
+def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
+    """The program with some inputs bound to numbers: partial evaluation."""
+    tracer = Tracer()
+    given = {n: known[n] if n in known else tracer.input(n, size) for n, size in program.inputs.items()}
+    outputs = inline(program, given, tracer, lambda text: text)
+    left = {n: size for n, size in program.inputs.items() if n not in known}
+    return Program(program.name, left, outputs, list(tracer.guards), tracer.sections, list(tracer.origins))

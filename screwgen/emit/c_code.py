@@ -1,0 +1,177 @@
+"""Programs as C statements that read like a person wrote them.
+
+Named values keep their names; a value that is used once is written where it is used; every section says
+what it computes.  The grouping of the program is kept, so C and the judge round alike.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from ..lower.program import BINARY, Node, Program
+
+SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 3}
+ATOM = 4
+WIDTH = 96
+KEYWORDS = frozenset(
+    "auto break case char const continue default do double else enum extern float for goto if inline int long "
+    "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
+    "sin cos sqrt y0 y1 yn j0 j1 jn gamma io base tip link constants real status".split()
+)
+
+
+def literal(value: float) -> str:
+    """A number in the target's precision; whole numbers as integers."""
+    if value == int(value) and abs(value) < 1e6:
+        return str(int(value))
+    return f"REAL({value!r})"
+
+
+@dataclass
+class Writer:
+    """Turns one program into lines of C.
+
+    ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(origin)`` the statement
+    that leaves the function when a guard fails.
+    """
+
+    program: Program
+    prefix: str
+    place: Callable[[str, int], str]
+    fail: Callable[[int], str]
+    taken: set[str] = field(default_factory=set)
+
+    def lines(self) -> list[str]:
+        """The body of a function: sections of assignments, then the outputs."""
+        self._count_uses()
+        self._names: dict[int, str] = {}
+        self._pending: dict[int, tuple[str, int]] = {}
+        self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
+        out: list[str] = []
+        section = None
+        for node in self.program.nodes:
+            statements = self._statements(node)
+            if statements and node.section != section:
+                section = node.section
+                out += self._heading(section)
+            out += statements
+        return [*out, *self._outputs()]
+
+    def _count_uses(self) -> None:
+        self._uses: Counter[int] = Counter()
+        self._users: dict[int, Node] = {}
+        for node in self.program.nodes:
+            if node.op != "input":
+                for arg in node.args:
+                    if isinstance(arg, Node):
+                        self._uses[arg.id] += 1
+                        self._users[arg.id] = node
+        for values in self.program.outputs.values():
+            for v in values:
+                if isinstance(v, Node):
+                    self._uses[v.id] += 2
+
+    def _heading(self, section: int) -> list[str]:
+        title = self.program.sections[section]
+        return ["", f"/* {title} */"] if title else [""]
+
+    def _statements(self, node: Node) -> list[str]:
+        if node.op in ("input", "epsilon"):
+            return []
+        if node.id in self._guards and not self._uses[node.id]:
+            return [f"if (!({self._text(node)[0]} > 0)) {{ {self.fail(self._guards[node.id])} }}"]
+        text, precedence = self._text(node)
+        if self._inlined(node, text):
+            self._pending[node.id] = (text, precedence)
+            return []
+        name = self._name(node)
+        lines = wrap(f"const {self.prefix}_real {name} = {text};")
+        if node.id in self._guards:
+            lines.append(f"if (!({name} > 0)) {{ {self.fail(self._guards[node.id])} }}")
+        return lines
+
+    def _inlined(self, node: Node, text: str) -> bool:
+        if node.label or self._uses[node.id] != 1 or node.id in self._guards or len(text) > WIDTH:
+            return False
+        user = self._users.get(node.id)
+        return user is not None and user.section == node.section
+
+    def _name(self, node: Node) -> str:
+        stem = node.label or "t"
+        name = stem if node.label and stem not in KEYWORDS else f"{stem}1"
+        number = 1
+        while name in self.taken:
+            number += 1
+            name = f"{stem}{'_' if node.label else ''}{number}"
+        if not node.label:
+            self._temporaries = getattr(self, "_temporaries", 0) + 1
+            name = f"t{self._temporaries}"
+            while name in self.taken:
+                self._temporaries += 1
+                name = f"t{self._temporaries}"
+        self.taken.add(name)
+        self._names[node.id] = name
+        return name
+
+    def _text(self, node: Node) -> tuple[str, int]:
+        if node.op in BINARY:
+            return self._binary(node)
+        if node.op == "neg":
+            return f"-{self._operand(node.args[0], 3)}", 3
+        return f"{self.prefix}_{node.op}({self._operand(node.args[0], 0)})", ATOM
+
+    def _binary(self, node: Node) -> tuple[str, int]:
+        own = PRECEDENCE[node.op]
+        left, right = self._operand(node.args[0], own), self._operand(node.args[1], own + 1)
+        return f"{left} {SYMBOL[node.op]} {right}", own
+
+    def _operand(self, value, precedence: int) -> str:
+        text, own = self._value(value)
+        return f"({text})" if own < precedence else text
+
+    def _value(self, value) -> tuple[str, int]:
+        if not isinstance(value, Node):
+            return literal(value), ATOM if value >= 0 else 3
+        if value.op == "input":
+            return self.place(*value.args), ATOM
+        if value.op == "epsilon":
+            return f"{self.prefix.upper()}_EPSILON", ATOM
+        return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
+
+    def _outputs(self) -> list[str]:
+        out: list[str] = []
+        for name, values in self.program.outputs.items():
+            out += [f"{self.place(name, k)} = {self._value(v)[0]};" for k, v in enumerate(values)]
+        return ["", "/* outputs */", *out] if out else []
+
+
+def wrap(line: str, width: int = 110) -> list[str]:
+    """A long assignment over several lines, broken at operators outside the innermost parentheses."""
+    out, indent = [], ""
+    while len(indent + line) > width:
+        cut = _break(line, width - len(indent))
+        if cut is None:
+            break
+        out.append(indent + line[:cut].rstrip())
+        line, indent = line[cut:].lstrip(), "    "
+    return [*out, indent + line]
+
+
+def _break(line: str, width: int) -> int | None:
+    """The best place to break: the shallowest operator, the later the better."""
+    depth, best = 0, None
+    for i, ch in enumerate(line[:width]):
+        depth += (ch == "(") - (ch == ")")
+        if ch == " " and i + 2 < len(line) and line[i + 1] in "+-*" and line[i + 2] == " " and i > 24:
+            cost = (depth, line[i + 1] == "*")
+            if best is None or cost <= best[0]:
+                best = (cost, i)
+    return None if best is None else best[1]
+
+
+def sizes(programs: Iterable[Program]) -> int:
+    """The operations of several programs together."""
+    return sum(p.operation_count for p in programs)

@@ -1,7 +1,8 @@
-"""The LaTeX of a matrix expression."""
+"""The LaTeX of a matrix expression, in the paper's notation."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 import sympy as sp
@@ -22,75 +23,149 @@ from .expression import (
     Symbol,
     Trace,
     Transpose,
+    is_identity,
+    is_zero,
+    transpose,
 )
+
+HEAD = re.compile(r"(\\(?:mathbf|boldsymbol|dot|ddot)\{(?:[^{}]|\{[^{}]*\})*\}|[A-Za-z])(.*)", re.DOTALL)
+"""The letter of a symbol with what decorates it, and its scripts."""
 
 
 def latex(e: Expression) -> str:
-    """The LaTeX of an expression in the paper's notation."""
+    """The LaTeX of an expression."""
     return _LATEX[type(e)](e)
 
 
-def _factor(e: Expression) -> str:
-    text = latex(e)
-    return rf"\left({text}\right)" if isinstance(e, Sum | Negative | Integral) else text
+def terms(e: Expression) -> list[str]:
+    """The LaTeX of the terms of a sum, each with its sign: where a long line may be broken."""
+    first, *rest = e.terms if isinstance(e, Sum) else (e,)
+    return [latex(first)] + [f"- {_term(t.arg)}" if isinstance(t, Negative) else f"+ {latex(t)}" for t in rest]
 
 
-def _sum_latex(e: Sum) -> str:
-    first, *rest = e.terms
-    out = latex(first)
-    for t in rest:
-        out += f" - {_term(t.arg)}" if isinstance(t, Negative) else f" + {latex(t)}"
-    return out
+def number(value: sp.Expr) -> str:
+    """A number with at most six significant digits."""
+    if value.is_Rational:
+        sign, top, below = "-" if value < 0 else "", abs(value.p), value.q
+        return f"{sign}{top}" if below == 1 else rf"{sign}\tfrac{{{top}}}{{{below}}}"
+    mantissa, _, exponent = f"{float(value):.6g}".partition("e")
+    return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")
+
+
+def tilde(display: str) -> str:
+    """The skew-symmetric matrix of a symbol: the tilde sits on the letter, not on its index."""
+    match = HEAD.fullmatch(display)
+    return rf"\tilde{{{match[1]}}}{match[2]}" if match else rf"\widetilde{{{display}}}"
+
+
+def axis_latex(axis: Sequence[sp.Expr]) -> str:
+    """A fixed unit axis: ``e_x`` or its components."""
+    for i in range(3):
+        if list(axis) == [sp.S(int(i == j)) for j in range(3)]:
+            return rf"\mathbf{{e}}_{'xyz'[i]}"
+    entries = r",\ ".join(f"{float(a):.4g}" for a in axis)
+    return rf"\left[{entries}\right]^{{\top}}"
+
+
+# ------------------------------------------------------------------------------------- sums, products
+
+
+def _bracketed(e: Expression) -> str:
+    return rf"\left({latex(e)}\right)"
 
 
 def _term(e: Expression) -> str:
-    return rf"\left({latex(e)}\right)" if isinstance(e, Sum) else latex(e)
+    return _bracketed(e) if isinstance(e, Sum) else latex(e)
 
 
-def _product_latex(e: Product) -> str:
-    return rf"{_factor(e.left)}\,{_factor(e.right)}"
+def _product(e: Product) -> str:
+    """Factors side by side; equal neighbours as a power, a squared length as a norm."""
+    parts = _factors(e)
+    if e.shape == (1, 1) and len(parts) == 2 and isinstance(parts[1], Sum) and parts[0] == transpose(parts[1]):
+        return rf"\left\| {latex(parts[1])} \right\|^{{2}}"
+    out, i = [], 0
+    while i < len(parts):
+        n = 1
+        while i + n < len(parts) and parts[i + n] == parts[i] and _may_be_squared(parts[i]):
+            n += 1
+        last = i + n == len(parts)
+        out.append(_factor(parts[i], last) if n == 1 else _power(parts[i], n))
+        i += n
+    return r"\,".join(out)
 
 
-def _hat_latex(e: Hat) -> str:
-    if isinstance(e.arg, Symbol | Constant):
-        return rf"\widetilde{{{latex(e.arg)}}}"
-    return rf"\left({latex(e.arg)}\right)^{{\sim}}"
+def _factors(e: Expression) -> list[Expression]:
+    return [*_factors(e.left), *_factors(e.right)] if isinstance(e, Product) else [e]
 
 
-def _block_latex(e: Block) -> str:
+def _factor(e: Expression, last: bool = False) -> str:
+    bracket = isinstance(e, Sum | Negative) or (isinstance(e, Integral) and not last)
+    return _bracketed(e) if bracket else latex(e)
+
+
+def _may_be_squared(e: Expression) -> bool:
+    return isinstance(e, Hat | Symbol) and e.shape[0] == e.shape[1]
+
+
+def _power(e: Expression, n: int) -> str:
+    text = latex(e)
+    return rf"\left({text}\right)^{{{n}}}" if "^" in text else rf"{text}^{{{n}}}"
+
+
+def _transpose(e: Transpose) -> str:
+    if isinstance(e.arg, Rotation):
+        return _rotation(e.arg, "-")
+    text = _factor(e.arg)
+    return rf"\left({text}\right)^{{\top}}" if "^" in text and not text.endswith(")") else rf"{text}^{{\top}}"
+
+
+# --------------------------------------------------------------------------------------- other nodes
+
+
+def _constant(e: Constant) -> str:
+    if e.shape == (1, 1):
+        return number(e.rows[0][0])
+    if is_zero(e):
+        return r"\mathbf{0}"
+    return rf"\mathbf{{I}}_{{{e.shape[0]}}}" if is_identity(e) else e.display
+
+
+def _symbol(e: Symbol) -> str:
+    return re.sub(r"\\dot\{([A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", e.display)
+
+
+def _hat(e: Hat) -> str:
+    return tilde(latex(e.arg)) if isinstance(e.arg, Symbol | Constant) else rf"\widetilde{{{latex(e.arg)}}}"
+
+
+def _block(e: Block) -> str:
     rows = r" \\ ".join(" & ".join(latex(x) for x in row) for row in e.rows)
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
 
 
-def axis_latex(axis: Sequence[sp.Expr]) -> str:
-    for i in range(3):
-        if list(axis) == [sp.S(int(i == j)) for j in range(3)]:
-            return rf"\mathbf{{e}}_{'xyz'[i]}"
-    return rf"\left[{', '.join(f'{float(a):.4g}' for a in axis)}\right]^{{\top}}"
+def _rotation(e: Rotation, sign: str = "") -> str:
+    return rf"\exp\left({sign}{tilde(axis_latex(e.axis))}\,{latex(e.angle)}\right)"
 
 
-def _rotation_latex(e: Rotation) -> str:
-    return rf"\exp\!\left(\widetilde{{{axis_latex(e.axis)}}}\,{latex(e.angle)}\right)"
-
-
-def _integral_latex(e: Integral) -> str:
-    weight = "" if e.weight is None else latex(e.weight) + r"\,"
-    return rf"\int_{{a}}^{{c}} {weight}{_factor(e.integrand)}\,d\xi"
+def _integral(e: Integral) -> str:
+    weight = "" if e.weight is None else latex(e.weight)
+    integrand = "" if is_identity(e.integrand) else rf"{_factor(e.integrand, True)}\,"
+    return rf"{weight}\int_{{a_i}}^{{c_i}} {integrand}d\xi"
 
 
 _LATEX: dict[type, Callable] = {
-    Symbol: lambda e: e.display,
-    Constant: lambda e: e.display,
-    Sum: _sum_latex,
-    Product: _product_latex,
+    Symbol: _symbol,
+    Constant: _constant,
+    Sum: lambda e: " ".join(terms(e)),
+    Product: _product,
     Negative: lambda e: f"-{_term(e.arg)}",
-    Transpose: lambda e: rf"{_factor(e.arg)}^{{\top}}",
-    Hat: _hat_latex,
+    Transpose: _transpose,
+    Hat: _hat,
     Trace: lambda e: rf"\operatorname{{tr}}\left({latex(e.arg)}\right)",
     Diagonal: lambda e: rf"\operatorname{{diag}}\left({latex(e.arg)}\right)",
-    Block: _block_latex,
-    Rotation: _rotation_latex,
+    Block: _block,
+    Rotation: _rotation,
     Stumpff: lambda e: rf"c_{{{e.order}}}\left({latex(e.arg)}\right)",
     Root: lambda e: rf"\sqrt{{{latex(e.arg)}}}",
-    Integral: _integral_latex,
+    Integral: _integral,
 }

@@ -68,7 +68,7 @@ def project(s: Scope) -> None:
         q = q + mx.multiply(pseudo_inverse(A, s.tracer), _half_skew(mx.multiply(R.T, measured)))
     R, A = s.lower("posture", {"q": q}, "R_rel", "A")
     qdot = mx.multiply(pseudo_inverse(A, s.tracer), twist[:3] - mx.multiply(R.T, s.read("base.omega_m", 3)))
-    s.write("q_projected", q)
+    s.write("new_q", q)
     _measured_tip(s, R_raw, twist, eta, etadot)
     _place(s, q, qdot, eta, etadot)
 
@@ -101,12 +101,12 @@ def _tip_rotation(s: Scope, eta: Array) -> Array:
 def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
     parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
     R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
-    s.write("twist", np.concatenate([omega, v]))
+    s.write("new_twist", np.concatenate([omega, v]))
     R = mx.multiply(s.read("base.R", 3, 3), R_rel)
     r = s.read("base.r", 3) + mx.multiply(s.read("base.R", 3, 3), mount(s)) - mx.multiply(R, joint_point(s))
     Q = quaternion_product(s.read("base.Q", 4), _joint_quaternion(s, q))
-    s.write("quaternion", Q)
-    s.write("position", r)
+    s.write("new_quaternion", Q)
+    s.write("new_position", r)
     state = {"omega": omega, "v": v, "eta": eta, "etadot": etadot}
     r_T, omega_T, v_T = s.lower("tip", state, "r_T", "omega_T", "v_T")
     s.write("tip.omega", omega_T)

@@ -21,6 +21,9 @@ RATES = {"quaternion": "quaternion_rate", "position": "position_rate", "eta": "e
          "etadot": "etaddot", "q": "qdot"}
 """Under which name the rate of each part of the state is found."""
 
+PLACED = {"quaternion": "new_quaternion", "position": "new_position", "twist": "new_twist"}
+"""Under which name forward kinematics leaves a part of the state."""
+
 Entries = dict[tuple[int, int], Value]
 
 
@@ -82,7 +85,7 @@ class DaeFunctions(Functions):
     def place(self, q: Sequence, v: Sequence) -> list:
         """The state on the joints: x from coordinates and rates."""
         links, _ = self._run(PLACEMENT, self._state(q, v))
-        return self.pack(links)
+        return self.pack(links, PLACED)
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
         parts = (self._with_modes(x), self._torques(tau), self._wrenches(w_ext), self._gravity())
@@ -113,7 +116,7 @@ class DaeFunctions(Functions):
     def project(self, x: Sequence) -> list:
         """The state taken back onto the joints."""
         links, _ = self._run(PROJECTION, self._with_modes(x))
-        return self.pack(links, {"q": "q_projected"})
+        return self.pack(links, PLACED | {"q": "new_q"})
 
     def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""

@@ -145,6 +145,20 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "modal_dynamics", inputs, body, constants)
 
 
+def complete_dynamics(chain: Chain, constants="constants") -> Program:
+    """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
+    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n,
+              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+
+    def body(f: Functions, x):
+        g = GivenModes(f, x["m_eta"], x["f_eta"])
+        vdot, wrench = g.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        R, position = f.poses(x["q"])[1][-1]
+        return {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
+
+    return fuse(chain, "complete_dynamics", inputs, body, constants)
+
+
 def modal_properties(chain: Chain, constants="parameters") -> Program:
     """``() -> (M_eta, K, D)``: inertia, stiffness and damping of every mode, link by link."""
 

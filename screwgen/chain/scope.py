@@ -131,4 +131,5 @@ class Scope:
     def program(self, name: str) -> Program:
         """What was recorded, as a program."""
         used = {k: len(v) for k, v in self.inputs.items()}
-        return Program(name, used, self.outputs, list(self.tracer.guards), self.tracer.sections)
+        return Program(name, used, self.outputs, list(self.tracer.guards), self.tracer.sections,
+                       list(self.tracer.origins))

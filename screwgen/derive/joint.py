@@ -123,7 +123,7 @@ def joint_points(key: LinkClass, b: Block) -> tuple[Expression, Expression]:
     if key.mount_xyz:
         r_m = b.parameter("mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point")
     if key.frame_at:
-        frame_at = b.parameter("frame_at", (1, 1), "f", "m", LINK, "place of F_i on the centreline, from the joint")
+        frame_at = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
         r_B = b.step("r_B", -frame_at @ unit(0), r"\mathbf{r}_B", unit="m", frame=LINK, equation="47",
                      meaning="joint point")
     return r_m, r_B

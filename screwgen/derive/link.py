@@ -50,7 +50,7 @@ class LinkBlock(LinkConstants):
     def _inertia(self) -> None:
         """``M(eta)`` and its split into M*, M_DPsi and M_D."""
         inertia = Trace(self.J) @ identity(3) - self.J + self.spin
-        I = self.step("I", inertia, r"\mathbf{I}", unit="kg*m^2", frame=FRAME, symmetric=True,
+        I = self.step("I", inertia, r"\mathbf{I}_{ib}", unit="kg*m^2", frame=FRAME, symmetric=True,
                       meaning="inertia about the origin, deformed")
         M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), r"\mathbf{M}_V",
                         unit="kg, kg*m, kg*m^2", frame=FRAME, symmetric=True, meaning="inertia in the twist rows")
@@ -72,7 +72,7 @@ class LinkBlock(LinkConstants):
         rho, udot, omega, rhoA = self.rho, self.udot, self.omega, self.rhoA
         a_0 = self.step("a_0", hat(omega) @ self.vel - self.g, r"\mathbf{a}_0", unit="m/s^2", frame=FRAME,
                         meaning="acceleration of the origin at rest rates, against free fall")
-        Omega = self.step("Omega", hat(omega) @ hat(omega), r"\widetilde{\boldsymbol{\omega}}_i^2", unit="1/s^2",
+        Omega = self.step("Omega", hat(omega) @ hat(omega), r"\tilde{\boldsymbol{\omega}}_i^{2}", unit="1/s^2",
                           frame=FRAME, symmetric=True, meaning="centripetal operator")
         self.step("B", self.integral(self.udot_modal @ rho.T, rhoA), r"\mathbf{B}", unit="kg*m^2/s", frame=FRAME,
                   meaning="moment of the elastic velocity")

@@ -36,15 +36,15 @@ class LinkConstants(Block):
         r, state = self.key.modes, self.input
         self.omega = state("omega", (3, 1), r"\boldsymbol{\omega}_i", "rad/s", FRAME, "angular velocity of the link")
         self.vel = state("v", (3, 1), r"\mathbf{v}_i", "m/s", FRAME, "velocity of the origin of F_i")
-        self.g = state("g", (3, 1), r"\mathbf{R}_{oi}^{\top}\mathbf{g}", "m/s^2", FRAME, "free fall in F_i")
+        self.g = state("g", (3, 1), r"\mathbf{g}_i", "m/s^2", FRAME, "free fall in F_i, R_oi^T g")
         self.eta = state("eta", (r, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
         self.etadot = state("etadot", (r, 1), r"\dot{\boldsymbol{\eta}}_i", "m/s", "-", "modal rates")
         self.rhoA = self.parameter("rhoA", (1, 1), r"\rho_i A_i", "kg/m", "-", "mass per length")
         length = self.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
         start: Expression = zeros(1)
         if self.key.frame_at:
-            frame_at = self.parameter("frame_at", (1, 1), "f", "m", FRAME, "place of F_i on the centreline, from the joint")
-            start = self.step("start", -frame_at, "a", unit="m", equation="5", meaning="place of the joint on the centreline")
+            frame_at = self.parameter("frame_at", (1, 1), "f_i", "m", FRAME, "place of F_i on the centreline, from the joint")
+            start = self.step("start", -frame_at, "a_i", unit="m", equation="5", meaning="place of the joint on the centreline")
         self.length, self.start = length, start
         a = self.values["start"].item() if self.key.frame_at else sp.S.Zero
         self.fields = Fields(self.key, self.values["length"].item(), a)
@@ -57,7 +57,7 @@ class LinkConstants(Block):
         self.phi_row = field("phi_row", f.translational(), r"\boldsymbol{\varphi}^{\top}")
         self.lever = field("lever", XI * f.translational(), r"\xi\boldsymbol{\varphi}^{\top}")
         self.phi_t = field("phi_t", f.twist_row(), r"\boldsymbol{\phi}_t")
-        self.strain = field("strain", f.strain(), r"\mathbf{B}")
+        self.strain = field("strain", f.strain(), r"\boldsymbol{\phi}_{\varepsilon}")
         self.rho = field("rho", column(*sp.symbols("rho_x:z", real=True)), r"\mathbf{r}_{ib}")
         self.udot = field("udot", column(*sp.symbols("udot_x:z", real=True)), r"\dot{\mathbf{r}}_{\xi}")
         self.u = field("u", self._field_of("eta"), r"\mathbf{r}_{\xi}")
@@ -180,10 +180,10 @@ class LinkConstants(Block):
 
 
 _STIFFNESS = (
-    ("EA", (1, 1), "EA", "N", "-", "axial stiffness"),
-    ("EIz", (1, 1), "EI_z", "N*m^2", "-", "bending stiffness for displacement in y"),
-    ("EIy", (1, 1), "EI_y", "N*m^2", "-", "bending stiffness for displacement in z"),
-    ("GJ", (1, 1), "GJ", "N*m^2", "-", "torsion stiffness"),
+    ("EA", (1, 1), "E_iA_i", "N", "-", "axial stiffness"),
+    ("EIz", (1, 1), "E_iI_{z_i}", "N*m^2", "-", "bending stiffness for displacement in y"),
+    ("EIy", (1, 1), "E_iI_{y_i}", "N*m^2", "-", "bending stiffness for displacement in z"),
+    ("GJ", (1, 1), "G_iJ_i", "N*m^2", "-", "torsion stiffness"),
 )
 
 

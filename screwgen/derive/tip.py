@@ -49,14 +49,14 @@ def tip_pose_block(key: LinkClass) -> Block:
 def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     """``R_T = exp(hat(theta))`` and ``r_T = r_b(c) + Phi(c) eta``: the tip section in F_i."""
     eta = b.input("eta", (key.modes, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
-    length = b.parameter("length", (1, 1), "l", "m", "-", "length of the link")
+    length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
     fields = Fields(key, b.values["length"].item(), 0)
-    Phi = b.step("Phi_c", b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c)"), r"\boldsymbol{\phi}_c",
+    Phi = b.step("Phi_c", b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"), r"\boldsymbol{\phi}_c",
                  unit="-", frame=LINK, equation="72", meaning="displacement of the tip by each mode", numbered=(1,))
     reach: Expression = length
     if key.frame_at:
-        frame_at = b.parameter("frame_at", (1, 1), "f", "m", LINK, "place of F_i on the centreline, from the joint")
-        reach = b.step("reach", length - frame_at, "c", unit="m", meaning="place of the tip on the centreline of F_i")
+        frame_at = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
+        reach = b.step("reach", length - frame_at, "c_i", unit="m", meaning="place of the tip on the centreline of F_i")
     r_T = b.step("r_T", reach @ unit(0) + Phi @ eta, r"\mathbf{r}_T", unit="m", frame=LINK, equation="11",
                  meaning="tip point")
     return _tip_rotation(b, key, fields, eta), r_T
@@ -65,14 +65,14 @@ def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
 def _tip_rotation(b: Block, key: LinkClass, fields: Fields, eta: Symbol) -> Expression:
     if not key.section_rotation:
         return identity(3)
-    Psi = b.step("Psi_c", b.field("Psi_tip", fields.rotation(), r"\boldsymbol{\psi}_i(c)"), r"\boldsymbol{\psi}_c",
+    Psi = b.step("Psi_c", b.field("Psi_tip", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)"), r"\boldsymbol{\Psi}_c",
                  unit="1/m", frame=LINK, meaning="turn of the tip section by each mode", numbered=(1,))
     theta = b.step("theta", Psi @ eta, r"\boldsymbol{\theta}_c", unit="rad", frame=LINK,
                    meaning="rotation vector of the tip section, [torsion, -u_z', u_y']")
     x = b.step("x", theta.T @ theta, "x", unit="rad^2", meaning="squared angle of the tip section")
     c1, c2, c3 = (b.step(f"c{k}", Stumpff(k, x), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}")
                   for k in (1, 2, 3))
-    square = b.step("theta_hat2", hat(theta) @ hat(theta), r"\widetilde{\boldsymbol{\theta}}_c^2", unit="rad^2",
+    square = b.step("theta_hat2", hat(theta) @ hat(theta), r"\tilde{\boldsymbol{\theta}}_c^{2}", unit="rad^2",
                     meaning="square of the rotation vector's skew matrix", symmetric=True)
     b.step("J_l", identity(3) + c2 @ hat(theta) + c3 @ square, r"\mathbf{J}_l", unit="-", frame=LINK,
            meaning="left Jacobian of the exponential")
@@ -109,7 +109,7 @@ def tip_body_block(key: LinkClass) -> Block:
     b = Block("tip_body", "Bodies at the tip")
     omega = b.input("omega_T", (3, 1), r"\boldsymbol{\omega}_T", "rad/s", TIP, "angular velocity of the tip section")
     v = b.input("v_T", (3, 1), r"\mathbf{v}_T", "m/s", TIP, "velocity of the tip point")
-    g = b.input("g_T", (3, 1), r"\mathbf{R}_{oT}^{\top}\mathbf{g}", "m/s^2", TIP, "free fall in the tip frame")
+    g = b.input("g_T", (3, 1), r"\mathbf{g}_T", "m/s^2", TIP, "free fall in the tip frame, R_oT^T g")
     m, S, J, I = lumped(b, key, "tip", "T")
     a_0 = b.step("a_T", hat(omega) @ v - g, r"\mathbf{a}_T", unit="m/s^2", frame=TIP,
                  meaning="acceleration of the tip point at rest rates, against free fall")

@@ -144,7 +144,8 @@ class Writer:
     def _outputs(self) -> list[str]:
         out: list[str] = []
         for name, values in self.program.outputs.items():
-            out += [f"{self.place(name, k)} = {self._value(v)[0]};" for k, v in enumerate(values)]
+            placed = ((self.place(name, k), v) for k, v in enumerate(values))
+            out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]
         return ["", "/* outputs */", *out] if out else []
 
 

@@ -1,0 +1,8 @@
+"""`python -m screwgen` is the command `screwgen`."""
+
+import sys
+
+from .cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,236 @@
+"""The command line: options and help texts, and how a command ends. What commands do is in `cli_commands`.
+
+Exit status: 0 done; 2 a request that cannot be met, nothing written; 1 a computation that failed: a singular
+posture, a method that diverged; 130 interrupted. Errors are one line on stderr. Heavy modules are imported by
+the commands that need them, so that help is quick.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from typing import Annotated, Literal
+
+import typer
+from typer._click.exceptions import ClickException, MissingParameter
+
+from .errors import ScrewgenError, SingularError, UsageError
+
+EPILOG = (
+    "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
+    "1 a computation that failed, such as a singular posture; 130 interrupted."
+)
+RESERVED = ("paper", "analyse", "equilibrium")
+
+app = typer.Typer(
+    name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
+)
+
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
+StateFile = Annotated[
+    str | None,
+    typer.Option("--state", metavar="FILE", help="JSON with q, v, tau, w_ext; zero where left out.", show_default=False),
+]
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from . import __version__
+
+        typer.echo(f"screwgen {__version__}")
+        raise typer.Exit()
+
+
+@app.callback(no_args_is_help=False)
+def screwgen(
+    context: typer.Context,
+    quiet: Quiet = False,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    """Equations of motion of flexible robot arms, derived once: as CasADi functions, standalone C and LaTeX."""
+    context.obj = quiet
+
+
+@app.command(epilog=EPILOG)
+def generate(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.", show_default=False)],
+    target: Annotated[
+        list[Literal["c", "casadi", "latex"]] | None,
+        typer.Option(help="What to generate; may be given again. All, if not given.", show_default=False),
+    ] = None,
+    parameters: Annotated[
+        Literal["runtime", "baked"],
+        typer.Option(help="Whether the robot file's numbers stay variables of the C code or become its constants."),
+    ] = "runtime",
+    layout: Annotated[
+        Literal["auto", "fused", "modular"],
+        typer.Option(help="C code in one piece (fast for few links), or a function per link class (small)."),
+    ] = "auto",
+    quiet: Quiet = False,
+) -> None:
+    """Write a folder of generated code: C99 without heap, CasADi functions, LaTeX equations.
+
+    The folder is written whole or not at all; one that holds files of other origin is refused.
+    """
+    from .cli_commands import run_generate
+
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj)
+
+
+@app.command(epilog=EPILOG)
+def simulate(
+    context: typer.Context,
+    robot: RobotFile,
+    duration: Annotated[float, typer.Option(metavar="S", help="How long, in seconds.", show_default=False)],
+    step: Annotated[
+        float,
+        typer.Option(metavar="S", help="The time step in seconds; the last is shorter where it must be.", show_default=False),
+    ],
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="FILE", help="run.npz or run.csv.", show_default=False)
+    ],
+    state: StateFile = None,
+    controller: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND:FILE",
+            help="pd:gains.toml, with kp, kd, q_des, and maybe duration, tau_max. Without: the state's tau, held.",
+            show_default=False,
+        ),
+    ] = None,
+    form: Annotated[str, typer.Option(help="joint or dae.")] = "joint",
+    integrator: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="Joint form: euler, semi_implicit, modal_implicit, modal_midpoint (its default), rk4.",
+            show_default=False,
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.", show_default=False)
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Simulate the robot and store t, q, v, tau, wrench, tip_position and energy at every step."""
+    from .cli_commands import run_simulate
+
+    run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, quiet or context.obj)
+
+
+@app.command(epilog=EPILOG)
+def evaluate(
+    robot: RobotFile,
+    state: StateFile = None,
+    backend: Annotated[str, typer.Option(help="numpy, casadi or c; c compiles the generated code.")] = "numpy",
+    form: Annotated[str, typer.Option(help="joint or dae.")] = "joint",
+) -> None:
+    """Print accelerations, joint wrenches, tip pose and energies at a state, as JSON."""
+    from .cli_commands import run_evaluate
+
+    run_evaluate(robot, state, backend, form)
+
+
+@app.command(epilog=EPILOG)
+def modes(
+    robot: RobotFile,
+    posture: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
+    ] = None,
+    joints: Annotated[str, typer.Option(help="locked or free.")] = "locked",
+    json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […]}.')] = False,
+) -> None:
+    """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity."""
+    from .cli_commands import run_modes
+
+    run_modes(robot, posture, joints, json)
+
+
+@app.command(epilog=EPILOG)
+def latex(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.", show_default=False)
+    ],
+    quiet: Quiet = False,
+) -> None:
+    """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
+    from .cli_commands import run_latex
+
+    run_latex(robot, output, quiet or context.obj)
+
+
+def _reserve(name: str) -> None:
+    """A command whose name is taken but whose work is not written yet."""
+    settings = {"allow_extra_args": True, "ignore_unknown_options": True, "help_option_names": []}
+
+    @app.command(name, hidden=True, context_settings=settings)
+    def reserved() -> None:
+        raise UsageError(f"'{name}' is not yet available; choose generate, simulate, evaluate, modes or latex")
+
+
+for _name in RESERVED:
+    _reserve(_name)
+
+
+# ------------------------------------------------------------------------------ how it ends
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line (default: this process's) and return its exit status."""
+    return _guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
+
+
+def _command(arguments: list[str]) -> int:
+    command = typer.main.get_command(app)
+    status = command.main(arguments, prog_name="screwgen", standalone_mode=False)
+    if status == 130:
+        raise KeyboardInterrupt
+    sys.stdout.flush()
+    return status if isinstance(status, int) else 0
+
+
+def _guarded(work: Callable[[], int]) -> int:
+    """The exit status of `work`; what goes wrong becomes one line on stderr."""
+    try:
+        return work()
+    except ClickException as error:
+        return _fail(_sentence(error))
+    except ScrewgenError as error:
+        from .integrate import DivergedError
+
+        return _fail(str(error), status=1 if isinstance(error, SingularError | DivergedError) else 2)
+    except KeyboardInterrupt:
+        return _fail("interrupted; nothing was written", status=130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except MemoryError:
+        return _fail("the memory is full; take a shorter run, a longer step or a smaller robot", status=1)
+    except OSError as error:
+        return _fail(f"the system refuses: {error.strerror or error}; check files, disk and permissions", status=1)
+
+
+def _sentence(error: ClickException) -> str:
+    """A complaint about the command line, in our form: what is wrong; where help is."""
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context else "screwgen"
+    message = error.format_message()
+    if isinstance(error, MissingParameter) or not message.startswith(("Missing", "No", "Invalid", "Option", "Got")):
+        message = message.replace("\n", " ")
+    return f"{message[:1].lower()}{message[1:].rstrip('.')}; see '{path} --help'"
+
+
+def _fail(message: str, status: int = 2) -> int:
+    """Say it on stderr, on one line."""
+    line = " ".join(message.split())
+    typer.echo(f"screwgen: error: {line}", err=True)
+    return status

@@ -1,0 +1,193 @@
+"""What the commands do. Arguments come as the user wrote them; errors go up as ScrewgenError."""
+
+from __future__ import annotations
+
+import json as json_format
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from .build import Model, derive
+from .cli_output import bar, busy, say
+from .errors import SingularError, UsageError
+from .spec.load import load
+from .state import State, read_state, state_of
+
+# ------------------------------------------------------------------------------ generate
+
+
+def run_generate(robot: str, output: str, targets, parameters: str, layout: str, quiet: bool) -> None:
+    """Write the folder and list its files."""
+    from .build import TARGETS
+
+    if not output:
+        raise UsageError("the folder after -o has no name; name one to write")
+    model = derive(load(robot))
+    with busy("generating", quiet):
+        wanted = tuple(t for t in TARGETS if not targets or t in targets)
+        files = model.write(output, targets=wanted, parameters=parameters, layout=layout)
+    say("\n".join(str(Path(output) / name) for name in files), quiet)
+
+
+# ------------------------------------------------------------------------------ simulate
+
+
+def run_simulate(
+    robot: str,
+    duration: float,
+    step: float,
+    output: str,
+    state: str | None,
+    controller: str | None,
+    form: str,
+    integrator: str | None,
+    plot: str | None,
+    quiet: bool,
+) -> None:
+    """Simulate and store; the run and its picture appear together or not at all."""
+    from .controllers import read_controller
+    from .runs import FORMATS, check_output, outputs
+    from .simulate import simulate, time_grid
+
+    check_output(output, FORMATS)
+    if plot is not None:
+        check_output(plot, (".png",))
+    steps = len(time_grid(duration, step)) - 1
+    model = derive(load(robot))
+    start = _state(state, model)
+    torque = read_controller(controller, model) if controller is not None else start.tau
+    if controller is not None and start.tau.any():
+        raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
+    with outputs(*filter(None, (output, plot))) as streams:
+        with bar("simulating", steps, quiet) as progress:
+            run = simulate(
+                model, duration, step, start.q, start.v, torque, start.w_ext, integrator, form, progress=progress
+            )
+        run.write(streams[0], output)
+        if plot is not None:
+            with busy("drawing", quiet):
+                from .plot import png
+
+                streams[1].write(png(run))
+    say("\n".join(filter(None, (output, plot))), quiet)
+
+
+def _state(path: str | None, model: Model) -> State:
+    return state_of({}, model) if path is None else read_state(path, model)
+
+
+# ------------------------------------------------------------------------------ evaluate
+
+Evaluation = tuple[np.ndarray, np.ndarray]
+
+
+def _numpy_joint(model: Model, s: State) -> Evaluation:
+    return model.numpy().forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+
+
+def _casadi_joint(model: Model, s: State) -> Evaluation:
+    out = model.casadi()["forward_dynamics"](s.q, s.v, s.tau, s.w_ext.T, model.parameter_values)
+    return np.array(out[0])[:, 0], np.array(out[1]).T
+
+
+def _c_joint(model: Model, s: State) -> Evaluation:
+    from .compiled import Compiled
+
+    return Compiled(model).forward_dynamics(s.q, s.v, s.tau, s.w_ext, form="joint")
+
+
+EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
+    ("numpy", "joint"): _numpy_joint,
+    ("casadi", "joint"): _casadi_joint,
+    ("c", "joint"): _c_joint,
+}
+"""Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
+
+
+def run_evaluate(robot: str, state: str | None, backend: str, form: str) -> None:
+    """Print the JSON of an evaluation."""
+    for name, given, known in (
+        ("backend", backend, sorted({b for b, _ in EVALUATIONS}, key=("numpy", "casadi", "c").index)),
+        ("form", form, sorted({f for _, f in EVALUATIONS}, key=("joint", "dae").index)),
+    ):
+        if given not in known:
+            raise UsageError(f"there is no {name} '{given}'; known: {', '.join(known)}")
+    if (backend, form) not in EVALUATIONS:
+        raise UsageError(f"the backend '{backend}' does not evaluate the form '{form}'; choose another")
+    model = derive(load(robot))
+    print(json_format.dumps(evaluation(model, _state(state, model), backend, form), allow_nan=False))
+
+
+def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "joint") -> dict:
+    """Accelerations and joint wrenches by a backend and a form, with the tip pose and energies, as lists.
+
+    Raises SingularError: NumPy's dynamics, which knows the joint, comes first.
+    """
+    judge = model.numpy()
+    judge.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    vdot, wrench = EVALUATIONS[backend, form](model, s)
+    if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
+        raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
+    R, position = judge.tip_pose(s.q)
+    kinetic, potential = judge.energy(s.q, s.v)
+    return {
+        "vdot": np.ravel(vdot).tolist(),
+        "wrench": np.reshape(wrench, (model.n_links, 6)).tolist(),
+        "tip_position": position.tolist(),
+        "tip_rotation": R.tolist(),
+        "kinetic": float(kinetic),
+        "potential": float(potential),
+    }
+
+
+# ------------------------------------------------------------------------------ modes, latex
+
+
+def run_modes(robot: str, posture: str | None, joints: str, json: bool) -> None:
+    """Print natural frequencies, one a line or as JSON."""
+    from .modes import natural_frequencies
+
+    model = derive(load(robot))
+    frequencies = natural_frequencies(model, _state(posture, model).q, joints).tolist()
+    if json:
+        print(json_format.dumps({"frequencies_hz": frequencies}))
+    else:
+        print("\n".join(f"{f:.6g} Hz" for f in frequencies) or "no modes: every link is rigid and every joint locked")
+
+
+def run_latex(robot: str, output: str, quiet: bool) -> None:
+    """Write the equations in the format of the suffix."""
+    from .runs import check_output, outputs, suffix
+
+    check_output(output, LATEX)
+    loaded = load(robot)
+    with busy("typesetting", quiet), outputs(output) as (stream,):
+        stream.write(LATEX[suffix(output)](loaded))
+    say(output, quiet)
+
+
+def _tex(robot) -> bytes:
+    from .emit import latex
+
+    return latex.document(robot).encode()
+
+
+def _html(robot) -> bytes:
+    from .emit import latex
+
+    return latex.html(robot).encode()
+
+
+def _pdf(robot) -> bytes:
+    import tempfile
+
+    from .emit import latex
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "equations.pdf"
+        latex.write_pdf(latex.document(robot), path)
+        return path.read_bytes()
+
+
+LATEX = {".tex": _tex, ".pdf": _pdf, ".html": _html}

@@ -1,0 +1,236 @@
+"""The C back end: a folder of standalone C99 from a robot."""
+
+from __future__ import annotations
+
+from collections import Counter
+from functools import cached_property
+
+import mpmath
+
+from ..chain import fuse
+from ..chain.chain import Chain
+from ..chain.dae_functions import state_size, unknown_size
+from ..chain.parameters import label
+from ..lower.program import Program
+from ..spec.parameters import coordinate_names, parameters
+from .c_code import Writer, literal
+from .c_fields import (
+    body_count,
+    constant_fields,
+    node_fields,
+    parameter_member,
+    parameter_structs,
+    store_fields,
+)
+from .c_links import RUNS, Links, sparsity
+from .templates import render
+
+METHODS = ("euler", "semi_implicit", "modal_implicit", "rk4")
+FUSED_LIMIT = 8
+"""Up to this many links ``auto`` writes the joint form in one piece."""
+
+STATES = 3
+
+
+class CProject:
+    """The files of a robot's C, as a mapping from name to text."""
+
+    def __init__(self, chain: Chain, version: str, binding="runtime", layout="auto"):
+        self.chain, self.version, self.binding = chain, version, binding
+        self.layout = layout if layout != "auto" else ("fused" if chain.n <= FUSED_LIMIT else "modular")
+        self.name = chain.robot.name
+        self.baked = fuse.baked(chain) if binding == "baked" else None
+        self.links = Links(chain, self.name, self.baked, self.layout == "modular")
+
+    def files(self) -> dict[str, str]:
+        """Every file of the folder."""
+        n = self.name
+        sources = {
+            f"{n}.h": "model.h", f"{n}_real.h": "real.h", f"{n}_links.h": "links.h", f"{n}_links.c": "links.c",
+            f"{n}_parameters.c": "parameters.c", f"{n}_dynamics.c": "dynamics.c", f"{n}_step.c": "step.c",
+            f"{n}_dae.c": "dae.c", f"{n}_reference.h": "reference.h", "check.c": "check.c", "main.c": "main.c",
+            "Makefile": "Makefile", "CMakeLists.txt": "CMakeLists.txt", "README.md": "README.md",
+        }
+        return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
+
+    @cached_property
+    def context(self) -> dict:
+        """What the templates see."""
+        chain, robot = self.chain, self.chain.robot
+        m_row, m_column, m_place, m_offset = sparsity(self.links)
+        return {
+            "name": self.name, "NAME": self.name.upper(), "version": self.version, "layout": self.layout,
+            "binding": self.binding, "n": chain.n, "n_joints": chain.n_joints, "n_modes": chain.n_modes, "nq": chain.nq,
+            "nx": state_size(chain), "nz": unknown_size(chain), "nnz": len(m_row), "methods": METHODS,
+            "link_names": [link.name for link in robot.links], "q_names": coordinate_names(robot).q,
+            "structs": parameter_structs(robot), "n_bodies": body_count(robot), "constants": self.constants,
+            "node": node_fields(self._programs), "store": store_fields(self._programs),
+            "operations": self.operations, "bytes": self.bytes, "lines": self.fused_lines,
+            "defaults": self.defaults, "prepare": self.prepare_functions, "prepare_calls": self.prepare_calls,
+            "baked": self.baked_tables, "q_offset": chain.q_offset[:-1], "eta_offset": chain.eta_offset[:-1],
+            "programs": list(self.links.functions.values()), "phases": self._phases, "algorithms": self._algorithms,
+            "m_row": rows(m_row), "m_column": rows(m_column), "m_place": rows(m_place), "m_offset": m_offset,
+            **self._base, "cases": self.reference,
+        }
+
+    # programs ---------------------------------------------------------------------------------
+
+    @cached_property
+    def _algorithms(self) -> list[dict]:
+        return [{"name": name, "comment": run.comment, "phases": self.links.phases(name)}
+                for name, run in self.links.runs.items()]
+
+    @property
+    def _phases(self) -> list[dict]:
+        return [phase for a in self._algorithms for phase in a["phases"]]
+
+    @property
+    def _programs(self) -> list[Program]:
+        return [c.program for phase in self._phases for c in phase["classes"]]
+
+    @property
+    def _base(self) -> dict:
+        """Which fields of the base node there are, by how they start."""
+        fields = {f.name for f in node_fields(self._programs)}
+        return {"base_zero": [f for f in ("omega", "v", "omega_m", "r") if f in fields],
+                "base_rotation": [f for f in ("R", "R_m") if f in fields]}
+
+    @cached_property
+    def fused(self) -> Program:
+        """The joint form in one program."""
+        return fuse.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
+
+    @property
+    def fused_lines(self) -> list[str]:
+        if self.layout != "fused":
+            return []
+        fail = lambda link: f"work->fault = {link}; return {self.name.upper()}_SINGULAR;"  # noqa: E731
+        lines = Writer(self.fused, self.name, fused_place, fail).lines()
+        used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
+        ignored = [] if True in used else ["(void)c;"]
+        return ignored + [f"(void){x};" for x in self._unused(lines)] + lines
+
+    def _unused(self, lines: list[str]) -> list[str]:
+        text = "\n".join(lines)
+        return [x for x in ("state", "input", "work") if f"{x}->" not in text]
+
+    @cached_property
+    def operations(self) -> dict[str, int]:
+        """What one call of the forward dynamics runs."""
+        if self.layout == "fused":
+            counts = self.fused.operations
+        else:
+            counts = Counter()
+            for phase in self.links.phases("joint_dynamics"):
+                for i in phase["of_link"]:
+                    counts += phase["classes"][i].program.operations
+        other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
+        return {"total": sum(counts.values()), "mul": counts["mul"], "add": counts["add"] + counts["sub"] + counts["neg"],
+                "div": counts["div"], "other": other}
+
+    # parameters and constants -----------------------------------------------------------------
+
+    @cached_property
+    def _labels(self) -> list[tuple[str, ...]]:
+        """The constants that the code of every link reads."""
+        algorithms = tuple(run.algorithm for run in RUNS.values())
+        return [self.chain.labels(key, algorithms) for key in self.chain.keys]
+
+    @property
+    def constants(self):
+        if self.baked is not None:
+            return []
+        return constant_fields(self.chain, {x for labels in self._labels for x in labels})
+
+    @property
+    def defaults(self) -> list[str]:
+        out = []
+        for p in parameters(self.chain.robot):
+            place = f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
+            out.append(f"{place} = {literal(p.value)};")
+        return out
+
+    @property
+    def prepare_functions(self) -> list[dict]:
+        if self.baked is not None:
+            return []
+        return [self._prepare_function(i) for i in self._first_links()]
+
+    def _first_links(self) -> list[int]:
+        return [self.chain.keys.index(key) for key in self.chain.classes]
+
+    def _prepare_function(self, i: int) -> dict:
+        program = fuse.preparation(self.chain.keys[i], self._labels[i])
+        program = Program(program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections)
+
+        def place(name: str, k: int) -> str:
+            if name.startswith("p."):
+                return f"p->{parameter_member(name[2:])}"
+            return f"{name}[{k}]" if name in fuse.COLUMNS else f"c->{name}"
+
+        real = f"{self.name}_real"
+        lines = Writer(program, self.name, place, lambda _: "").lines()
+        modal = f", {real} M_eta[], {real} K[], {real} D[]" if self.chain.keys[i].modes else ""
+        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{modal}"
+        name = self.chain.robot.links[i].name
+        return {"name": name, "signature": signature, "lines": lines, "comment": f"links like {name}"}
+
+    @property
+    def prepare_calls(self) -> list[str]:
+        out = []
+        for i, key in enumerate(self.chain.keys):
+            first = self.chain.robot.links[self.chain.keys.index(key)].name
+            e = self.chain.eta_offset[i]
+            modal = f", c->M_eta + {e}, c->K + {e}, c->D + {e}" if key.modes else ""
+            out.append(f"prepare_{first}(&p->links[{i}], &c->links[{i}]{modal});")
+        return out
+
+    @property
+    def baked_tables(self) -> dict | None:
+        if self.baked is None:
+            return None
+        gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
+        columns = {n: [literal(x) for c in self.baked for x in c[n]] or ["0"] for n in fuse.COLUMNS}
+        return {"gravity": gravity} | columns
+
+    # size and reference -----------------------------------------------------------------------
+
+    @property
+    def bytes(self) -> dict[str, int]:
+        """The scratch in double precision."""
+        c, length = self.chain, lambda n: max(n, 1)
+        chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) \
+            + c.n * sum(f.reals for f in store_fields(self._programs))
+        state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
+        dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
+        work = 2 * length(c.n_modes) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
+        dae = 3 * length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 3 * dae_state + chain_reals
+        return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
+
+    @property
+    def reference(self) -> list[dict[str, list[str]]]:
+        """States with their results, computed with many digits: the same on every machine."""
+        from .reference import cases
+
+        with mpmath.workdps(fuse.DIGITS):
+            computed = cases(self.chain, STATES)
+        return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in computed]
+
+
+def fused_place(name: str, k: int) -> str:
+    """Where the fused function finds its inputs and puts its outputs."""
+    link, _, what = name.partition(":")
+    if what:
+        return f"c->links[{link}].{what[2:]}"
+    table = {
+        "gravity": f"c->gravity[{k}]", "q": f"state->q[{k}]", "v": f"state->v[{k}]", "tau": f"input->tau[{k}]",
+        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]", "m_eta": f"work->m_eta[{k}]", "f_eta": f"work->f_eta[{k}]",
+        "vdot": f"output->vdot[{k}]", "wrench": f"output->wrench[{k // 6}][{k % 6}]",
+        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]", "tip_position": f"output->tip_position[{k}]",
+    }
+    return table[name]
+
+
+def rows(numbers: list[int], width: int = 20) -> list[str]:
+    """Numbers of a table, a few per line."""
+    return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]

@@ -1,0 +1,66 @@
+"""The templates: the one place that knows Jinja.
+
+A template is a skeleton, loops and names and no arithmetic.  A name that a template uses and nobody
+gives is an error; the rendered text is a function of template and values alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+import jinja2
+
+PACKAGE = Path(__file__).resolve().parents[1]
+
+BRACES: Mapping[str, str] = {}
+"""Jinja's own delimiters, ``{{ name }}`` and ``{% for ... %}``: C, HTML, text."""
+
+ANGLES: Mapping[str, str] = {
+    "variable_start_string": "<<",
+    "variable_end_string": ">>",
+    "block_start_string": "<%",
+    "block_end_string": "%>",
+    "comment_start_string": "<#",
+    "comment_end_string": "#>",
+}
+"""Delimiters that LaTeX does not need: ``<< name >>`` and ``<% for ... %>``."""
+
+
+def folder() -> Path:
+    """Where the templates are: inside an installed package, or beside it in a checkout."""
+    installed = PACKAGE / "_templates"
+    return installed if installed.is_dir() else PACKAGE.parent / "templates"
+
+
+def render(template: str, /, **values: object) -> str:
+    """The text of ``template``, a path below the folder of templates such as ``latex/document.tex.jinja``.
+
+    Templates of LaTeX (``.tex``) have delimiters of their own; values that enter HTML (``.html``) are
+    escaped unless they have an ``__html__`` method, as `markup` gives it.
+    """
+    return _environment(_kind(template)).get_template(template).render(**values)
+
+
+def markup(html: str) -> str:
+    """A piece of HTML that a template takes as it is."""
+    return jinja2.utils.markupsafe.Markup(html)
+
+
+def _kind(template: str) -> str:
+    suffixes = Path(template).suffixes
+    return next((kind for kind in (".tex", ".html") if kind in suffixes), "")
+
+
+@cache
+def _environment(kind: str) -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder()),
+        undefined=jinja2.StrictUndefined,
+        autoescape=kind == ".html",
+        keep_trailing_newline=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        **(ANGLES if kind == ".tex" else BRACES),
+    )

@@ -1,0 +1,208 @@
+"""Time steps of the joint form: the methods as a table of functions, and the stepper that applies them.
+
+The torques and external wrenches are held over a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+import numpy as np
+
+from .errors import ScrewgenError, UsageError
+
+if TYPE_CHECKING:
+    from .build import Model
+
+Motion = tuple[np.ndarray, np.ndarray]
+"""Coordinates (nq,) and rates (nq,)."""
+
+LIMIT = 1e9
+"""A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
+
+
+class DivergedError(ScrewgenError):
+    """A run that left the numbers that a robot's motion can have."""
+
+
+class Stepper(Protocol):
+    """What a run needs to know of a form of the equations; a state is whatever the form keeps."""
+
+    default: str
+    """The integrator to take where none is asked for."""
+
+    def initial(self, q: np.ndarray, v: np.ndarray) -> object:
+        """The state at the coordinates `q` (nq,) and rates `v` (nq,)."""
+
+    def step(self, state: object, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> object:
+        """The state `dt` seconds later under torques (n_joints,) and tip wrenches (n, 6), both held.
+
+        Raises SingularError or DivergedError.
+        """
+
+    def coordinates(self, state: object) -> tuple[np.ndarray, np.ndarray]:
+        """`q` (nq,) and `v` (nq,) of a state."""
+
+
+class Evaluator:
+    """A CasADi function on NumPy arrays without copies on the way: some 10 µs a call less."""
+
+    def __init__(self, function):
+        self.inputs = [np.zeros(function.numel_in(i)) for i in range(function.n_in())]
+        self.outputs = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
+        self.places = [np.array(function.sparsity_out(i).find(), int) for i in range(function.n_out())]
+        self.sizes = [function.numel_out(i) for i in range(function.n_out())]
+        self.buffer, self.evaluate = function.buffer()
+        for i, x in enumerate(self.inputs):
+            self.buffer.set_arg(i, memoryview(x))
+        for i, x in enumerate(self.outputs):
+            self.buffer.set_res(i, memoryview(x))
+
+    def __call__(self, *values: np.ndarray) -> list[np.ndarray]:
+        """The outputs, flat (column by column), for the inputs: (n, 6) arrays stand for 6 x n."""
+        for x, value in zip(self.inputs, values, strict=True):
+            x[:] = np.ravel(value)
+        self.evaluate()
+        out = [np.zeros(size) for size in self.sizes]
+        for x, places, values in zip(out, self.places, self.outputs, strict=True):
+            x[places] = values
+        return out
+
+
+class Dynamics:
+    """Accelerations and joint wrenches of the joint form, the modes' inertia and forces chosen by the method."""
+
+    def __init__(self, model: Model, p: Sequence[float]):
+        functions = _modal_functions(model.chain)
+        self.p, self.n_modes, self.n_links = np.array(p, float), model.nq - model.n_joints, model.n_links
+        self.evaluate = Evaluator(functions["modal_dynamics"])
+        self.M_eta, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+
+    def modal(self, x: np.ndarray) -> np.ndarray:
+        """The modal part of `q` or `v`."""
+        return x[len(x) - self.n_modes :]
+
+    def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
+        """`vdot` (nq,) and the joint wrenches (6 n,)."""
+        force = self.K * self.modal(q) + self.D * self.modal(v)
+        return self.evaluate(q, v, tau, w_ext, self.M_eta, force, self.p)
+
+    def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
+        """`vdot` (nq,) with the modal forces that it leads to `h` after `q, v`; all else is taken at `there`."""
+        eta, etadot = self.modal(q), self.modal(v)
+        inertia = self.M_eta + h * self.D + h**2 * self.K
+        force = self.K * (eta + h * etadot) + self.D * etadot
+        return self.evaluate(*there, tau, w_ext, inertia, force, self.p)[0]
+
+
+@lru_cache(maxsize=4)
+def _modal_functions(chain):
+    from .emit.casadi import modal_functions
+
+    return modal_functions(chain)
+
+
+class Held(NamedTuple):
+    """The accelerations while torques and external wrenches are held."""
+
+    dynamics: Dynamics
+    tau: np.ndarray
+    w_ext: np.ndarray
+
+    def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return self.dynamics.explicit(q, v, self.tau, self.w_ext)[0]
+
+    def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
+        return self.dynamics.implicit(q, v, self.tau, self.w_ext, h, there or (q, v))
+
+
+# ------------------------------------------------------------------------------ the methods
+
+Method = Callable[[Held, np.ndarray, np.ndarray, float], Motion]
+
+
+def euler(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
+    """Forward Euler, order 1: amplifies every undamped mode; for comparison."""
+    return q + h * v, v + h * a.explicit(q, v)
+
+
+def semi_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
+    """Symplectic Euler, order 1: rates first, coordinates with the new rates; stable below 2 / omega_max."""
+    new = v + h * a.explicit(q, v)
+    return q + h * new, new
+
+
+def modal_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
+    """Symplectic Euler with the modes' forces at the step's end, order 1: damps modes, of any stiffness."""
+    new = v + h * a.implicit(q, v, h)
+    return q + h * new, new
+
+
+def modal_midpoint(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
+    """The midpoint rule, its modal forces implicit, order 2: stable for modes of any stiffness, damps none."""
+    middle = v + h / 2 * a.implicit(q, v, h / 2)
+    new = v + h * a.implicit(q, v, h / 2, (q + h / 2 * middle, middle))
+    return q + h / 2 * (v + new), new
+
+
+def rk4(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
+    """The classical Runge-Kutta method, order 4; stable below 2.8 / omega_max."""
+    k1 = a.explicit(q, v)
+    v2 = v + h / 2 * k1
+    k2 = a.explicit(q + h / 2 * v, v2)
+    v3 = v + h / 2 * k2
+    k3 = a.explicit(q + h / 2 * v2, v3)
+    v4 = v + h * k3
+    k4 = a.explicit(q + h * v3, v4)
+    return q + h / 6 * (v + 2 * v2 + 2 * v3 + v4), v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+
+
+METHODS: dict[str, Method] = {
+    "euler": euler,
+    "semi_implicit": semi_implicit,
+    "modal_implicit": modal_implicit,
+    "modal_midpoint": modal_midpoint,
+    "rk4": rk4,
+}
+
+
+# ------------------------------------------------------------------------------ the stepper
+
+
+class JointState(NamedTuple):
+    """Coordinates (nq,) and rates (nq,)."""
+
+    q: np.ndarray
+    v: np.ndarray
+
+
+class JointStepper:
+    """Steps of the joint form; constraints hold by construction."""
+
+    default = "modal_midpoint"
+
+    def __init__(self, model: Model, integrator: str, p: Sequence[float]):
+        if integrator not in METHODS:
+            raise UsageError(f"there is no integrator '{integrator}' in the joint form; known: {', '.join(METHODS)}")
+        self.name, self.method, self.dynamics = integrator, METHODS[integrator], Dynamics(model, p)
+        self.judge = model.numpy(p)
+
+    def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
+        return JointState(np.array(q, float), np.array(v, float))
+
+    def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
+        new = JointState(*self.method(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
+        if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
+            self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
+            raise DivergedError(f"the integrator '{self.name}' diverged; {self._remedy()}")
+        return new
+
+    def _remedy(self) -> str:
+        if self.name == self.default:
+            return "take a smaller step: torques are held over it, which a controller of high gain does not bear"
+        return f"take a smaller step, or {self.default}"
+
+    def coordinates(self, state: JointState) -> tuple[np.ndarray, np.ndarray]:
+        return state.q, state.v

@@ -16,6 +16,7 @@ from .emit.numeric import Numeric
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 
+VERSION = "0.1.0"
 TARGETS = ("c", "casadi", "latex")
 
 
@@ -30,6 +31,11 @@ class Model:
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
+
+    @property
+    def version(self) -> str:
+        """The version of the tool that derived the model."""
+        return VERSION
 
     @property
     def nq(self) -> int:

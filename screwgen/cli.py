@@ -10,28 +10,31 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Sequence
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
-from typer._click.exceptions import ClickException, MissingParameter
 
 from .errors import ScrewgenError, SingularError, UsageError
+from .spec.load import one_line
 
 EPILOG = (
     "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
     "1 a computation that failed, such as a singular posture; 130 interrupted."
 )
+ClickException = typer.BadParameter.__mro__[2]
+"""Whatever is wrong with a command line; typer has it under names that change with its version."""
+
 RESERVED = ("paper", "analyse", "equilibrium")
 
 app = typer.Typer(
     name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
 )
 
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
+RobotFile = Annotated[str, typer.Argument(help="The robot file, TOML.", show_default=False)]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 StateFile = Annotated[
     str | None,
-    typer.Option("--state", metavar="FILE", help="JSON with q, v, tau, w_ext; zero where left out.", show_default=False),
+    typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.", show_default=False),
 ]
 
 
@@ -55,22 +58,26 @@ def screwgen(
     context.obj = quiet
 
 
-@app.command(epilog=EPILOG)
+@app.command(short_help="Write a folder of generated code.", epilog=EPILOG)
 def generate(
     context: typer.Context,
     robot: RobotFile,
-    output: Annotated[str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.", show_default=False)],
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.", show_default=False)
+    ],
     target: Annotated[
-        list[Literal["c", "casadi", "latex"]] | None,
-        typer.Option(help="What to generate; may be given again. All, if not given.", show_default=False),
+        list[str] | None,
+        typer.Option(
+            metavar="NAME", help="c, casadi or latex; may be given again. All, if not given.", show_default=False
+        ),
     ] = None,
     parameters: Annotated[
-        Literal["runtime", "baked"],
-        typer.Option(help="Whether the robot file's numbers stay variables of the C code or become its constants."),
+        str,
+        typer.Option(metavar="HOW", help="runtime: the robot's numbers stay variables of the code; baked: constants."),
     ] = "runtime",
     layout: Annotated[
-        Literal["auto", "fused", "modular"],
-        typer.Option(help="C code in one piece (fast for few links), or a function per link class (small)."),
+        str,
+        typer.Option(metavar="HOW", help="fused: C in one piece, fast for few links; modular: small; auto chooses."),
     ] = "auto",
     quiet: Quiet = False,
 ) -> None:
@@ -83,14 +90,14 @@ def generate(
     run_generate(robot, output, target, parameters, layout, quiet or context.obj)
 
 
-@app.command(epilog=EPILOG)
+@app.command(short_help="Simulate and store the run.", epilog=EPILOG)
 def simulate(
     context: typer.Context,
     robot: RobotFile,
     duration: Annotated[float, typer.Option(metavar="S", help="How long, in seconds.", show_default=False)],
     step: Annotated[
         float,
-        typer.Option(metavar="S", help="The time step in seconds; the last is shorter where it must be.", show_default=False),
+        typer.Option(metavar="S", help="The time step in seconds; the last may be shorter.", show_default=False),
     ],
     output: Annotated[
         str, typer.Option("-o", "--output", metavar="FILE", help="run.npz or run.csv.", show_default=False)
@@ -104,7 +111,7 @@ def simulate(
             show_default=False,
         ),
     ] = None,
-    form: Annotated[str, typer.Option(help="joint or dae.")] = "joint",
+    form: Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")] = "joint",
     integrator: Annotated[
         str | None,
         typer.Option(
@@ -124,12 +131,14 @@ def simulate(
     run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, quiet or context.obj)
 
 
-@app.command(epilog=EPILOG)
+@app.command(short_help="Print the dynamics at a state, as JSON.", epilog=EPILOG)
 def evaluate(
     robot: RobotFile,
     state: StateFile = None,
-    backend: Annotated[str, typer.Option(help="numpy, casadi or c; c compiles the generated code.")] = "numpy",
-    form: Annotated[str, typer.Option(help="joint or dae.")] = "joint",
+    backend: Annotated[
+        str, typer.Option(metavar="NAME", help="numpy, casadi or c, which compiles the generated code.")
+    ] = "numpy",
+    form: Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")] = "joint",
 ) -> None:
     """Print accelerations, joint wrenches, tip pose and energies at a state, as JSON."""
     from .cli_commands import run_evaluate
@@ -137,14 +146,14 @@ def evaluate(
     run_evaluate(robot, state, backend, form)
 
 
-@app.command(epilog=EPILOG)
+@app.command(short_help="Print natural frequencies.", epilog=EPILOG)
 def modes(
     robot: RobotFile,
     posture: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
     ] = None,
-    joints: Annotated[str, typer.Option(help="locked or free.")] = "locked",
+    joints: Annotated[str, typer.Option(metavar="HOW", help="locked or free.")] = "locked",
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […]}.')] = False,
 ) -> None:
     """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity."""
@@ -153,7 +162,7 @@ def modes(
     run_modes(robot, posture, joints, json)
 
 
-@app.command(epilog=EPILOG)
+@app.command(short_help="Write the equations as .tex, .pdf or .html.", epilog=EPILOG)
 def latex(
     context: typer.Context,
     robot: RobotFile,
@@ -224,13 +233,10 @@ def _sentence(error: ClickException) -> str:
     context = getattr(error, "ctx", None)
     path = context.command_path if context else "screwgen"
     message = error.format_message()
-    if isinstance(error, MissingParameter) or not message.startswith(("Missing", "No", "Invalid", "Option", "Got")):
-        message = message.replace("\n", " ")
     return f"{message[:1].lower()}{message[1:].rstrip('.')}; see '{path} --help'"
 
 
 def _fail(message: str, status: int = 2) -> int:
     """Say it on stderr, on one line."""
-    line = " ".join(message.split())
-    typer.echo(f"screwgen: error: {line}", err=True)
+    typer.echo(f"screwgen: error: {one_line(' '.join(message.split()))}", err=True)
     return status

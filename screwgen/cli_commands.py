@@ -3,24 +3,36 @@
 from __future__ import annotations
 
 import json as json_format
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import numpy as np
 
-from .build import Model, derive
+from .build import TARGETS, Model, derive
 from .cli_output import bar, busy, say
 from .errors import SingularError, UsageError
-from .spec.load import load
+from .spec.load import load, one_line
 from .state import State, read_state, state_of
 
+
+def check_choice(option: str, given: str, known: Iterable[str]) -> None:
+    """Refuse what is not in `known`."""
+    if given not in known:
+        raise UsageError(f"{option}: there is no '{one_line(given)}'; choose {' or '.join(known)}")
+
+
 # ------------------------------------------------------------------------------ generate
+
+PARAMETERS = ("runtime", "baked")
+LAYOUTS = ("auto", "fused", "modular")
 
 
 def run_generate(robot: str, output: str, targets, parameters: str, layout: str, quiet: bool) -> None:
     """Write the folder and list its files."""
-    from .build import TARGETS
-
+    for target in targets or ():
+        check_choice("--target", target, TARGETS)
+    check_choice("--parameters", parameters, PARAMETERS)
+    check_choice("--layout", layout, LAYOUTS)
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load(robot))
@@ -48,12 +60,14 @@ def run_simulate(
     """Simulate and store; the run and its picture appear together or not at all."""
     from .controllers import read_controller
     from .runs import FORMATS, check_output, outputs
-    from .simulate import simulate, time_grid
+    from .simulate import FORMS as known_forms
+    from .simulate import simulate, step_count
 
     check_output(output, FORMATS)
+    check_choice("--form", form, known_forms)
     if plot is not None:
         check_output(plot, (".png",))
-    steps = len(time_grid(duration, step)) - 1
+    steps = step_count(duration, step)
     model = derive(load(robot))
     start = _state(state, model)
     torque = read_controller(controller, model) if controller is not None else start.tau
@@ -104,17 +118,16 @@ EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
 }
 """Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
 
+BACKENDS = ("numpy", "casadi", "c")
+FORMS = ("joint", "dae")
+
 
 def run_evaluate(robot: str, state: str | None, backend: str, form: str) -> None:
     """Print the JSON of an evaluation."""
-    for name, given, known in (
-        ("backend", backend, sorted({b for b, _ in EVALUATIONS}, key=("numpy", "casadi", "c").index)),
-        ("form", form, sorted({f for _, f in EVALUATIONS}, key=("joint", "dae").index)),
-    ):
-        if given not in known:
-            raise UsageError(f"there is no {name} '{given}'; known: {', '.join(known)}")
+    check_choice("--backend", backend, BACKENDS)
+    check_choice("--form", form, FORMS)
     if (backend, form) not in EVALUATIONS:
-        raise UsageError(f"the backend '{backend}' does not evaluate the form '{form}'; choose another")
+        raise UsageError(f"--backend {backend} does not evaluate --form {form}; choose another")
     model = derive(load(robot))
     print(json_format.dumps(evaluation(model, _state(state, model), backend, form), allow_nan=False))
 
@@ -132,8 +145,8 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     R, position = judge.tip_pose(s.q)
     kinetic, potential = judge.energy(s.q, s.v)
     return {
-        "vdot": np.ravel(vdot).tolist(),
-        "wrench": np.reshape(wrench, (model.n_links, 6)).tolist(),
+        "vdot": (np.ravel(vdot) + 0.0).tolist(),
+        "wrench": (np.reshape(wrench, (model.n_links, 6)) + 0.0).tolist(),
         "tip_position": position.tolist(),
         "tip_rotation": R.tolist(),
         "kinetic": float(kinetic),

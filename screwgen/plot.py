@@ -146,7 +146,11 @@ def link_names(run: Run) -> list[str]:
 
 def _lines(values: np.ndarray, names: tuple[str, ...], links: list[str], part: str) -> list[Line]:
     """The columns whose name has `part` after the link's; a number where a link has several."""
-    found = [(k, links.index(n[: n.index(part)]), int(n[n.rindex("[") + 1 : -1])) for k, n in enumerate(names) if part in n]
+    found = [
+        (k, links.index(name[: name.index(part)]), int(name[name.rindex("[") + 1 : -1]))
+        for k, name in enumerate(names)
+        if part in name
+    ]
     several = {link for _, link, member in found if member}
     return [
         Line(f"{links[link]} {member + 1}" if link in several else links[link], values[:, k], link, member)

@@ -10,7 +10,7 @@ import numpy as np
 
 from .controllers import Controller
 from .errors import ScrewgenError, SingularError, UsageError
-from .integrate import DivergedError, Dynamics, Evaluator, JointStepper, Stepper
+from .integrate import Dynamics, Evaluator, JointStepper, Stepper
 from .runs import Run
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ FORMS: dict[str, type[Stepper]] = {"joint": JointStepper}
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
 MAX_STEPS = 10**8
-MAX_BYTES = 16 * 2**30
+MAX_BYTES = 4 * 2**30
 RELATIVE_SLACK = 1e-9
 """A duration this close to a multiple of the step is one."""
 
@@ -52,21 +52,21 @@ def simulate(
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step.
     """
-    times, p = time_grid(duration, step), parameter_vector(model, parameters)
+    steps, p = step_count(duration, step), parameter_vector(model, parameters)
     plant = stepper(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
     given = Inputs(model, started(controller, q0), w_ext)
-    record = Recorder(model, p, times)
-    steps, every = len(times) - 1, max(1, (len(times) - 1) // 200)
+    record = Recorder(model, p, duration, step)
     _check_posture(model, p, given, q0, v0)
-    state = plant.initial(q0, v0)
-    for k, t in enumerate(times.tolist()):
+    state, every = plant.initial(q0, v0), max(1, steps // 200)
+    for k in range(steps + 1):
+        t = float(record.times[k])
         with at_time(t):
             q, v = plant.coordinates(state)
             tau, wrench = given(t, q, v)
             record(k, q, v, tau, wrench)
             if k < steps:
-                state = plant.step(state, tau, wrench, step if k < steps - 1 else duration - times[k])
+                state = plant.step(state, tau, wrench, step if k < steps - 1 else duration - t)
         if progress and (k % every == 0 or k == steps):
             progress(k, steps)
     return record.run()
@@ -88,25 +88,29 @@ def stepper(
 # ------------------------------------------------------------------------------ what is given
 
 
-def time_grid(duration: float, step: float) -> np.ndarray:
-    """The sample times 0, step, 2 step, …, duration (steps + 1,); raises UsageError."""
+def step_count(duration: float, step: float) -> int:
+    """How many steps reach `duration`, the last one shorter where it is no multiple; raises UsageError."""
     for name, value in (("duration", duration), ("step", step)):
         if not (math.isfinite(value) and value > 0):
             raise UsageError(f"the {name} is {value:g} s; it must be a finite number > 0")
-    ratio = duration / step
-    if ratio > MAX_STEPS:
-        raise UsageError(f"duration / step is {ratio:.3g} steps; at most {MAX_STEPS:g} are allowed")
-    nearest = round(ratio)
-    whole = nearest >= 1 and abs(ratio - nearest) <= RELATIVE_SLACK * nearest
-    steps = nearest if whole else math.ceil(ratio)
-    return np.append(step * np.arange(steps), float(duration))
+    if duration > MAX_STEPS * step:
+        raise UsageError(f"duration / step is over {MAX_STEPS:g} steps; take a shorter duration or a longer step")
+    nearest = round(duration / step)
+    whole = nearest >= 1 and abs(duration / step - nearest) <= RELATIVE_SLACK * nearest
+    return nearest if whole else math.ceil(duration / step)
+
+
+def time_grid(duration: float, step: float) -> np.ndarray:
+    """The sample times 0, step, 2 step, …, duration (steps + 1,); raises UsageError."""
+    return np.append(step * np.arange(step_count(duration, step)), float(duration))
 
 
 def coordinates(values: Sequence[float] | None, name: str, model: Model) -> np.ndarray:
     """`values` as (nq,); the joints alone leave the modes at zero."""
     given = np.ravel(_floats([] if values is None else values, name))
     if len(given) not in (0, model.n_joints, model.nq):
-        raise UsageError(f"{name} has length {len(given)}; it must have {model.nq}, or {model.n_joints} for the joints alone")
+        allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
+        raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
     return np.append(given, np.zeros(model.nq - len(given)))
 
 
@@ -192,15 +196,17 @@ class at_time:
 class Recorder:
     """The arrays of a run while they fill."""
 
-    def __init__(self, model: Model, p: np.ndarray, times: np.ndarray):
+    def __init__(self, model: Model, p: np.ndarray, duration: float, step: float):
+        widths = {"q": model.nq, "v": model.nq, "tau": model.n_joints}
+        widths |= {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
+        samples = step_count(duration, step) + 1
+        if (size := 8 * samples * (1 + sum(widths.values()))) > MAX_BYTES:
+            raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
         functions = model.casadi()
         self.model, self.p, self.dynamics = model, p, Dynamics(model, p)
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
-        widths = dict(q=model.nq, v=model.nq, tau=model.n_joints, wrench=6 * model.n_links, tip_position=3, energy=2)
-        if 8 * len(times) * sum(widths.values()) > MAX_BYTES:
-            size = 8e-9 * len(times) * sum(widths.values())
-            raise UsageError(f"the run would take {size:.0f} GB; take a shorter duration or a longer step")
-        self.arrays = {"t": times} | {name: np.zeros((len(times), width)) for name, width in widths.items()}
+        self.times = time_grid(duration, step)
+        self.arrays = {"t": self.times} | {name: np.zeros((samples, width)) for name, width in widths.items()}
 
     def __call__(self, k: int, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> None:
         """Keep sample `k`."""
@@ -219,10 +225,7 @@ class Recorder:
         """The run; raises SingularError where a joint wrench is no number."""
         m, arrays = self.model, self.arrays
         if not np.isfinite(arrays["wrench"]).all():
-            raise SingularError("a joint wrench is not finite: the motion passed through a singular posture")
+            raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")
         wrench = arrays["wrench"].reshape(len(arrays["t"]), m.n_links, 6)
         names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
         return Run(m.robot.name, **(arrays | {"wrench": wrench}), **names)
-
-
-__all__ = ["FORMS", "DivergedError", "simulate", "stepper", "time_grid"]

@@ -52,6 +52,11 @@ def number(value: sp.Expr) -> str:
     return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")
 
 
+def symbol(display: str) -> str:
+    """The LaTeX of a symbol: the dot of a rate sits on the letter, not on its index."""
+    return re.sub(r"\\dot\{([A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", display)
+
+
 def tilde(display: str) -> str:
     """The skew-symmetric matrix of a symbol: the tilde sits on the letter, not on its index."""
     match = HEAD.fullmatch(display)
@@ -130,10 +135,6 @@ def _constant(e: Constant) -> str:
     return rf"\mathbf{{I}}_{{{e.shape[0]}}}" if is_identity(e) else e.display
 
 
-def _symbol(e: Symbol) -> str:
-    return re.sub(r"\\dot\{([A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", e.display)
-
-
 def _hat(e: Hat) -> str:
     return tilde(latex(e.arg)) if isinstance(e.arg, Symbol | Constant) else rf"\widetilde{{{latex(e.arg)}}}"
 
@@ -154,7 +155,7 @@ def _integral(e: Integral) -> str:
 
 
 _LATEX: dict[type, Callable] = {
-    Symbol: _symbol,
+    Symbol: lambda e: symbol(e.display),
     Constant: _constant,
     Sum: lambda e: " ".join(terms(e)),
     Product: _product,

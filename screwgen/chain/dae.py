@@ -35,8 +35,8 @@ def _joint_from_twist(s: Scope, twist: Array) -> Array:
 
 def pseudo_inverse(A: Array, tracer: Tracer) -> Array:
     """``A^+ = (A^T A)^-1 A^T`` of the joint's axes; a singular posture fails the guard."""
-    L, d = mx.factorise(mx.congruence(A, mx.identity(3)), tracer, tracer.epsilon() * 64.0)
-    columns = mx.divide(mx.forward(L, A.T), d)
+    L, inverse = mx.factorise(mx.congruence(A, mx.identity(3)), tracer, tracer.epsilon() * 64.0)
+    columns = mx.scale_rows(mx.forward(L, A.T), inverse)
     return mx.backward(L, columns)
 
 

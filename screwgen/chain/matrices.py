@@ -124,17 +124,21 @@ def shift_twist(r: Array, V: Array) -> Array:
 
 
 def factorise(M: Array, tracer: Tracer, threshold: Value = 0.0) -> tuple[Array, list[Value]]:
-    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled; every pivot must exceed ``threshold``."""
+    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled: returns ``L`` and ``1/d``.
+
+    Every pivot of ``d`` must exceed ``threshold``.
+    """
     n = M.shape[0]
-    L, d = identity(n), []
+    L, d, inverse = identity(n), [], []
     for j in range(n):
         scaled = [L[j, k] * d[k] for k in range(j)]
         pivot = M[j, j] - dot(scaled, L[j, :j])
         tracer.guard(pivot - threshold)
         d.append(pivot)
+        inverse.append(1.0 / pivot)
         for i in range(j + 1, n):
-            L[i, j] = (M[i, j] - dot(scaled, L[i, :j])) / pivot
-    return L, d
+            L[i, j] = (M[i, j] - dot(scaled, L[i, :j])) * inverse[j]
+    return L, inverse
 
 
 def forward(L: Array, b: Array) -> Array:
@@ -155,7 +159,11 @@ def backward(L: Array, b: Array) -> Array:
     return x
 
 
+def scale_rows(x: Array, factors: Sequence[Value]) -> Array:
+    """Row ``i`` of ``x`` times ``factors[i]``."""
+    return array([x[i] * factors[i] for i in range(len(factors))], x.shape)
+
+
 def divide(x: Array, d: Sequence[Value]) -> Array:
     """Row ``i`` of ``x`` divided by ``d[i]``."""
-    inverse = [1.0 / value for value in d]
-    return array([x[i] * inverse[i] for i in range(len(d))], x.shape)
+    return scale_rows(x, [1.0 / value for value in d])

@@ -17,7 +17,7 @@ DENSE_LIMIT = 8
 
 def eliminate_modes(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
     """Fold the tip's reaction ``Lambda, p`` (F_i axes, tip point) in and eliminate etaddot."""
-    with s.tracer.section("modes: the tip's reaction folded in, their accelerations eliminated (83)"):
+    with s.step("modes: the tip load folded in, modal accelerations eliminated (83)"):
         if s.key.modes <= DENSE_LIMIT:
             return _dense(s, Lambda, p)
         return _compliant(s, Lambda, p)
@@ -32,20 +32,21 @@ def modal_accelerations(s: Scope, alpha: Array) -> Array:
 
 def _dense(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
     r_T, G, E, m_eta = s.kept("r_T"), s.kept("G"), s.kept("E"), s.read("m_eta", s.key.modes)
-    M = s.kept("M_V") + mx.shift(r_T, Lambda)
-    h = s.kept("h_V") + mx.shift_wrench(r_T, p)
+    M = s.name("M_loaded", s.kept("M_V") + mx.shift(r_T, Lambda))
+    h = s.name("h_loaded", s.kept("h_V") + mx.shift_wrench(r_T, p))
     loaded = mx.multiply(Lambda, G)
-    C = s.kept("M_D") + _columns(r_T, mx.multiply(loaded, E))
-    inertia = mx.congruence(E, mx.congruence(G, Lambda))
-    inertia = mx.symmetric(s.key.modes, lambda i, j: inertia[i, j] + (m_eta[i] if i == j else 0.0))
-    h_phi = s.kept("h_eta") + s.read("f_eta", s.key.modes) + mx.chain(E.T, G.T, p)
-    L, d = mx.factorise(inertia, s.tracer)
+    C = s.name("C", s.kept("M_D") + _columns(r_T, mx.multiply(loaded, E)))
+    elastic = mx.congruence(E, mx.congruence(G, Lambda))
+    inertia = mx.symmetric(s.key.modes, lambda i, j: elastic[i, j] + (m_eta[i] if i == j else 0.0))
+    h_phi = s.name("h_phi", s.kept("h_eta") + s.read("f_eta", s.key.modes) + mx.chain(E.T, G.T, p))
+    L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
+    s.name("modes_inverse", inverse)
     Z, z = mx.forward(L, C.T), mx.forward(L, h_phi)
-    W, w = mx.divide(Z, d), mx.divide(z, d)
+    W, w = mx.scale_rows(Z, inverse), mx.scale_rows(z, inverse)
     s.keep("modes_L", L)
     s.keep("modes_W", W)
     s.keep("modes_w", w)
-    return mx.subtract_product(M, Z, W), h - mx.multiply(W.T, z)
+    return s.name("M_i", mx.subtract_product(M, Z, W)), s.name("h_i", h - mx.multiply(W.T, z))
 
 
 def _columns(r: Array, wrenches: Array) -> Array:
@@ -68,9 +69,9 @@ def _compliant(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
     free = mx.chain(G, lightened, h_phi)
     LU = mx.multiply(Lambda, U)
     core = mx.symmetric(U.shape[1], lambda i, j: (1.0 if i == j else 0.0) + mx.dot(U[:, i], LU[:, j]))
-    L, d = mx.factorise(core, s.tracer)
+    L, inverse = mx.factorise(core, s.tracer)
     Z = mx.forward(L, LU.T)
-    W = mx.divide(Z, d)
+    W = mx.scale_rows(Z, inverse)
     carried = mx.subtract_product(Lambda, Z, W)
     reach = mx.identity(6)
     reach[3:, :3] = -mx.hat(r_T)

@@ -84,55 +84,61 @@ def eliminate(s: Scope) -> None:
     M, h = eliminate_modes(s, *tip_reaction(s))
     Lambda, p = eliminate_joint(s, M, h)
     r_B, R = joint_point(s), s.kept("R_rel")
-    s.keep("Lambda", Lambda)
-    s.keep("p", p)
-    handed = mx.shift(mount(s), mx.rotate(R, mx.shift(-r_B, Lambda)))
-    wrench = mx.shift_wrench(mount(s), mx.rotate_wrench(R, mx.shift_wrench(-r_B, p)))
-    s.write("base.Lambda", mx.pack(handed))
-    s.write("base.p", wrench)
+    s.keep("Lambda_i", Lambda)
+    s.keep("p_i", p)
+    with s.step("handed up: inertia and bias that the joint shows to the parent's tip (49)"):
+        handed = mx.shift(mount(s), mx.rotate(R, mx.shift(-r_B, Lambda)))
+        wrench = mx.shift_wrench(mount(s), mx.rotate_wrench(R, mx.shift_wrench(-r_B, p)))
+        s.write("base.Lambda", mx.pack(handed))
+        s.write("base.p", wrench)
 
 
 def tip_reaction(s: Scope) -> tuple[Array, Array]:
     """``Lambda, p`` of all that the tip section carries, in F_i axes at the tip point, bias folded in."""
-    Lambda = mx.unpack(s.read("tip.Lambda", 21)) + s.kept("M_T")
-    p = s.read("tip.p", 6) + s.kept("h_T") - s.read("w_ext", 6) + mx.multiply(Lambda, s.kept("b_T"))
-    R = s.kept("R_T")
-    return mx.rotate(R, Lambda), mx.rotate_wrench(R, p)
+    with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
+        Lambda = mx.unpack(s.read("tip.Lambda", 21)) + s.kept("M_T")
+        p = s.read("tip.p", 6) + s.kept("h_T") - s.read("w_ext", 6) + mx.multiply(Lambda, s.kept("b_T"))
+        R = s.kept("R_T")
+        return s.name("Lambda_T", mx.rotate(R, Lambda)), s.name("p_T", mx.rotate_wrench(R, p))
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Solve the joint's rows ``A^T w = tau - J_m qddot - b qdot - k q`` for qddot."""
-    with s.tracer.section("joint: its coordinates eliminated (43)"):
+    with s.step("joint: its accelerations eliminated from its rows (43)"):
         A = s.kept("A")
-        U = mx.multiply(M, A)
-        bias = h + mx.multiply(M, s.kept("beta"))
-        inertia = mx.multiply(A.T, U) + armature(s)
+        U = s.name("U", mx.multiply(M, A))
+        bias = s.name("bias", h + mx.multiply(M, s.kept("beta")))
+        inertia = s.name("joint_inertia", mx.multiply(A.T, U) + armature(s))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
-        L, d = mx.factorise(inertia, s.tracer, scale)
+        L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
-        W = mx.divide(Z, d)
+        W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
         torque = mx.forward(L, drive(s) - mx.multiply(A.T, bias))
-        w = mx.divide(torque, d)
+        w = mx.scale_rows(torque, inverse)
         s.keep("joint_L", L)
         s.keep("joint_W", W)
         s.keep("joint_w", w)
-        return mx.subtract_product(M, Z, W), bias + mx.multiply(Z.T, w)
+        return s.name("Lambda_i", mx.subtract_product(M, Z, W)), s.name("p_i", bias + mx.multiply(Z.T, w))
 
 
 def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and the acceleration of the tip."""
     r_B, R = joint_point(s), s.kept("R_rel")
-    at_joint = mx.shift_twist(mount(s), s.read("base.alpha", 6))
-    carried = mx.shift_twist(-r_B, mx.rotate_wrench(R.T, at_joint))
-    qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-    s.write("qddot", qddot)
-    wrench = mx.multiply(s.kept("Lambda"), carried) + s.kept("p")
-    s.write("wrench", mx.shift_wrench(-r_B, wrench))
-    alpha = carried + mx.multiply(s.kept("A"), qddot) + s.kept("beta")
-    s.write("alpha", alpha)
-    etaddot = modal_accelerations(s, alpha)
-    s.write("etaddot", etaddot)
-    s.write("tip.alpha", tip_acceleration(s, alpha, etaddot))
+    with s.step("joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48)"):
+        at_joint = mx.shift_twist(mount(s), s.read("base.alpha", 6))
+        carried = s.name("carried", mx.shift_twist(-r_B, mx.rotate_wrench(R.T, at_joint)))
+        qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
+        s.write("qddot", qddot)
+        wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+        s.write("wrench", mx.shift_wrench(-r_B, wrench))
+    with s.step("link: acceleration of F_i, modal accelerations (83)"):
+        alpha = carried + mx.multiply(s.kept("A"), qddot) + s.kept("beta")
+        s.write("alpha", alpha)
+        etaddot = modal_accelerations(s, alpha)
+        s.write("etaddot", etaddot)
+    with s.step("tip: acceleration of the tip section (accconst1b)"):
+        s.name("alpha_T", tip_acceleration(s, alpha, etaddot))
+        s.write("tip.alpha", tip_acceleration(s, alpha, etaddot))
 
 
 def tip_acceleration(s: Scope, alpha: Array, etaddot: Array) -> Array:
@@ -181,16 +187,18 @@ def poses(s: Scope) -> None:
     """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
     (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
     R_P, r_P = s.read("base.R", 3, 3), s.read("base.r", 3)
-    R = mx.multiply(R_P, R_rel)
-    joint = r_P + mx.multiply(R_P, mount(s))
-    r = joint - mx.multiply(R, joint_point(s))
-    s.write("R", R)
-    s.write("r", r)
+    with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
+        R = mx.multiply(R_P, R_rel)
+        joint = r_P + mx.multiply(R_P, mount(s))
+        r = joint - mx.multiply(R, joint_point(s))
+        s.write("R", R)
+        s.write("r", r)
     eta = {"eta": s.read("eta", s.key.modes)}
     r_T = s.lower("tip_pose", eta, "r_T")[0]
     R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
-    s.write("tip.R", mx.multiply(R, R_T))
-    s.write("tip.r", r + mx.multiply(R, r_T))
+    with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
+        s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T)))
+        s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T)))
 
 
 def energy(s: Scope) -> None:

@@ -24,7 +24,7 @@ from ..derive.link import LinkBlock
 from ..derive.link_class import LinkClass
 from ..derive.tip import tip_block, tip_body_block, tip_pose_block
 from ..lower.block import lower
-from ..lower.program import Array, Node, Program, Tracer, Value
+from ..lower.program import Array, Node, Program, Tracer, Value, give_label
 from .matrices import zeros
 
 
@@ -40,6 +40,10 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "tip_body": tip_body_block(key),
         "energy": energy_block(key),
     }
+
+
+SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega", "v"})
+"""Arrays whose entries are named along the axes of a frame."""
 
 
 @dataclass
@@ -75,7 +79,21 @@ class Scope:
 
     def write(self, name: str, values: Array | Sequence[Value]) -> None:
         """An output signal."""
+        self.name(name.rpartition(".")[2], values)
         self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
+
+    def name(self, name: str, values: Array | Sequence[Value]) -> Array:
+        """Name the entries that have no name yet; returns the array."""
+        values = np.asarray(values, dtype=object)
+        letters = "xyz" if name in SPATIAL and max(values.shape) == 3 else "123456789"
+        for index, value in np.ndenumerate(values):
+            place = "".join(letters[i] if max(values.shape) < 10 else f"_{i + 1}" for i in index)
+            give_label(value, f"{name}_{place}".replace("__", "_"))
+        return values
+
+    def step(self, title: str):
+        """Operations recorded inside form a section with this title."""
+        return self.tracer.section(title)
 
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
@@ -94,6 +112,7 @@ class Scope:
     def keep(self, name: str, values: Array) -> None:
         """Store an array for later phases of the same link."""
         self.fresh[name] = values
+        self.name(name, values)
         slots: dict[int, int] = {}
         stored: list[Value] = []
         entries = []
@@ -110,7 +129,7 @@ class Scope:
                 entries.append((sign, slots[node.id]))
         self.layouts[name] = Layout(np.shape(values), entries, len(stored))
         if stored:
-            self.write(f"w.{name}", stored)
+            self.outputs[f"w.{name}"] = stored
 
     def kept(self, name: str) -> Array:
         """An array that this or an earlier phase stored, its structure included."""

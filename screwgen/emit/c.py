@@ -53,6 +53,11 @@ class CProject:
         }
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
+    def shim(self) -> str:
+        """A source with flat arrays for callers in other languages; not part of the folder."""
+        places = [line.partition(" = ")[0] for line in self.defaults]
+        return render("c/shim.c.jinja", **self.context, places=places)
+
     @cached_property
     def context(self) -> dict:
         """What the templates see."""
@@ -105,7 +110,8 @@ class CProject:
         if self.layout != "fused":
             return []
         fail = lambda link: f"work->fault = {link}; return {self.name.upper()}_SINGULAR;"  # noqa: E731
-        lines = Writer(self.fused, self.name, fused_place, fail).lines()
+        taken = {"c", "state", "input", "work", "output"}
+        lines = Writer(self.fused, self.name, fused_place, fail, taken).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + [f"(void){x};" for x in self._unused(lines)] + lines
@@ -169,7 +175,7 @@ class CProject:
             return f"{name}[{k}]" if name in fuse.COLUMNS else f"c->{name}"
 
         real = f"{self.name}_real"
-        lines = Writer(program, self.name, place, lambda _: "").lines()
+        lines = Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.COLUMNS}).lines()
         modal = f", {real} M_eta[], {real} K[], {real} D[]" if self.chain.keys[i].modes else ""
         signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{modal}"
         name = self.chain.robot.links[i].name

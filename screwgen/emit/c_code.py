@@ -19,7 +19,7 @@ WIDTH = 96
 KEYWORDS = frozenset(
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "sin cos sqrt y0 y1 yn j0 j1 jn gamma io base tip link constants real status".split()
+    "sin cos sqrt y0 y1 yn j0 j1 jn gamma real REAL NULL".split()
 )
 
 
@@ -35,7 +35,7 @@ class Writer:
     """Turns one program into lines of C.
 
     ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(origin)`` the statement
-    that leaves the function when a guard fails.
+    that leaves the function when a guard fails; ``taken`` are the names of its parameters.
     """
 
     program: Program

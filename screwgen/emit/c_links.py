@@ -140,7 +140,7 @@ class Links:
         program = self.program(variant, run, number)
         places = Places(self, variant, run, program)
         fail = lambda _: f"return {self.prefix.upper()}_SINGULAR;"  # noqa: E731
-        lines = Writer(program, self.prefix, places.place, fail).lines()
+        lines = Writer(program, self.prefix, places.place, fail, places.names()).lines()
         key = (variant.name, phase, tuple(lines))
         if key not in self.functions:
             name = self._unique(f"{phase}_{variant.name}{'_last' if variant.last else ''}")
@@ -199,6 +199,11 @@ class Places:
         if name in ("eta_H", "eta_W"):
             return f"{name}[{k}]"
         return f"{name}[{k}]"
+
+    def names(self) -> set[str]:
+        """The names that the function's parameters and file take."""
+        signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
+        return signals | {"c", "link", "base", "tip", "place", "M", "H", "W", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and what a call passes for them."""

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..algebra.functions import stumpff
-from ..algebra.notation import number
-from ..derive.block import Block, Signal
+from ..algebra.notation import number, symbol
+from ..derive.block import Binding, Block, Signal
 
 ELLIPSIS_ABOVE = 16
 """A sum of more terms shows its first and last ones."""
@@ -24,16 +24,18 @@ OWN_LINK = re.compile(r",?\s*(\(i-1\))?i")
 def entry(signal: Signal, index: tuple[int, int]) -> str:
     """The LaTeX of one entry of a signal: its letter, not bold, with the entry's place below."""
     place = ",".join(signal.suffix(index).strip("_").split("_"))
-    return subscripted(signal.display, place)
+    return subscripted(symbol(signal.display), place)
 
 
 def subscripted(display: str, place: str) -> str:
+    """The letter of ``display`` with ``place`` among its subscripts; a power stays inside a bracket."""
     if not place:
         return display
     head, below, above = _scripts(re.sub(r"\\(?:mathbf|boldsymbol)\{([^{}]*)\}", r"\1", display))
-    below = OWN_LINK.sub("", below) if OWN_LINK.fullmatch(below) else re.sub(r",i$", "", below)
+    below = "" if OWN_LINK.fullmatch(below) else re.sub(r",i$", "", below)
     if above not in ("", "*"):
-        head, above = rf"({head}^{{{above}}})", ""
+        inner = f"_{{{below}}}" if below else ""
+        return rf"({head}{inner}^{{{above}}})_{{{place}}}"
     star = "^*" if above else ""
     return rf"{head}{star}_{{{below + ',' if below else ''}{place}}}"
 
@@ -61,30 +63,30 @@ class Scalars:
         first, *rest = self.terms(e)
         return " ".join([first, *rest])
 
+    def is_state(self, s: sp.Symbol) -> bool:
+        """Whether a symbol is known in a call only."""
+        return self._rank(s)[0] >= Binding.STATE
+
     def terms(self, e: sp.Expr) -> list[str]:
         """The terms of a sum, each but the first with its sign; a very long sum loses its middle."""
-        ordered = sorted(sp.Add.make_args(e), key=self._term_key)
-        if len(ordered) > ELLIPSIS_ABOVE:
-            return [*self._signed(ordered[:4]), r"+ \cdots", *self._signed(ordered[-2:], False)]
-        return self._signed(ordered)
+        ordered = self._ordered(sp.Add.make_args(e))
+        texts = [self._signed(t) for t in ordered]
+        if len(texts) > ELLIPSIS_ABOVE:
+            texts = [*texts[:4], r"+ \cdots", *texts[-2:]]
+        sign, first = texts[0].split(" ", 1)
+        return [first if sign == "+" else f"-{first}", *texts[1:]]
 
-    def _signed(self, ordered: list[sp.Expr], leading: bool = True) -> list[str]:
-        out = []
-        for i, t in enumerate(ordered):
-            negative = t.could_extract_minus_sign() and not t.is_Add
-            text = self._product(-t if negative else t)
-            sign = "-" if negative else "+"
-            plain = leading and i == 0
-            out.append((sign if negative else "") + text if plain else f"{sign} {text}")
-        return out
+    def _ordered(self, terms: tuple[sp.Expr, ...]) -> list[sp.Expr]:
+        """By the rank of what they hold, a positive one first."""
+        ordered = sorted(terms, key=lambda t: sorted(self._rank(s) for s in t.free_symbols))
+        first = next((i for i, t in enumerate(ordered) if not _is_negative(t)), 0)
+        return [ordered[first], *ordered[:first], *ordered[first + 1 :]]
 
-    def _term_key(self, t: sp.Expr) -> tuple:
-        """Positive terms first, then those with few factors, then by the rank of what they hold."""
-        symbols = sorted(self._rank(s) for s in t.free_symbols)
-        return (t.could_extract_minus_sign() and not t.is_Add, bool(symbols), symbols[-1:], symbols)
+    def _signed(self, t: sp.Expr) -> str:
+        return f"- {self._product(-t)}" if _is_negative(t) else f"+ {self._product(t)}"
 
     def _rank(self, s: sp.Symbol) -> tuple:
-        return self.rank.get(s, (9, 0, 0))
+        return self.rank.get(s, (9, 0, (False, 0), 0))
 
     def _product(self, e: sp.Expr) -> str:
         coefficient, rest = e.as_coeff_Mul()
@@ -129,6 +131,10 @@ class Scalars:
         return rf"{text}^{{{self(f.exp)}}}" if simple else rf"({text})^{{{self(f.exp)}}}"
 
 
+def _is_negative(t: sp.Expr) -> bool:
+    return t.could_extract_minus_sign() and not t.is_Add
+
+
 def scalars(block: Block) -> Scalars:
     """The writer of a block's scalars: names from the signals' LaTeX, order from their place."""
     names: dict[sp.Symbol, str] = {}
@@ -139,9 +145,10 @@ def scalars(block: Block) -> Scalars:
             symbol = sp.Symbol(label, real=True)
             names[symbol] = entry(signal, index)
             scalar = signal.shape == (1, 1)
-            rank[symbol] = (int(signal.binding), 0 if scalar else 1 + is_input, order, place)
+            # scalars before vectors, steps before inputs, the length after the property it multiplies
+            rank[symbol] = (int(signal.binding), 0 if scalar else 1 + is_input, (signal.name == "length", order), place)
     for k, symbol in enumerate(_shapes(block)):
-        names[symbol], rank[symbol] = rf"\varphi_{{{k + 1}}}", (2, 2, 0, k)
+        names[symbol], rank[symbol] = rf"\varphi_{{{k + 1}}}", (2, 2, (False, 0), k)
     return Scalars(names, rank)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from ..algebra import expression as ex
-from ..algebra.notation import latex, number, terms
+from ..algebra.notation import latex, terms
 from ..derive.block import Binding, Block, Signal, Step
 from .latex_layout import PAGE, Formula, columns, equation, matrix, width
 from .latex_scalars import Scalars, entry, scalars
@@ -81,23 +81,47 @@ def _view(block: Block, step: Step, right: ex.Expression, write: Scalars) -> Ste
 
 def _components(block: Block, step: Step, right: ex.Expression, write: Scalars) -> tuple[str, Formula]:
     """The components in brackets, or entry by entry below the equation, or neither."""
-    made = {symbol: e for symbol, e in step.assignments}
-    known = step.signal.binding <= Binding.PARAMETER
-    if not made or (is_elementwise(right) and not known) or step.signal.shape == (1, 1) and _says_it_all(right):
-        return "", ()
+    made = dict(step.assignments)
     values = block.values[step.signal.name]
     entries = np.vectorize(lambda v: made.get(v, v), otypes=[object])(values)
+    if not _worth_showing(block, step, right, entries, write):
+        return "", ()
     bracket = _bracket(entries, write)
     if width(bracket) <= PAGE - 8.0:
         return bracket, ()
-    if known or has_integral(right):
-        return "", _rows(step, made, write)
-    return "", ()
+    evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
+    return "", _rows(step, made, write) if evaluated else ()
+
+
+def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.ndarray, write: Scalars) -> bool:
+    """Whether components say more than the matrix equation, briefly.
+
+    Evaluated integrals, constants and matrices do; of vectors those that are linear in the state.
+    """
+    if has_integral(right):
+        return entries.shape != (1, 1) or len(sp.Add.make_args(entries.item())) <= 6
+    if isinstance(right, ex.Symbol):
+        return right.name not in block.inputs and right.name not in block.steps
+    if step.signal.binding <= Binding.PARAMETER:
+        return entries.shape != (1, 1) or not _says_it_all(right)
+    if not step.assignments or is_elementwise(right):
+        return False
+    if entries.shape == (1, 1):
+        return not _says_it_all(right)
+    return entries.shape[1] > 1 or all(_is_plain(e, write) for e in entries.flat)
 
 
 def _says_it_all(right: ex.Expression) -> bool:
     """Whether the components of a scalar would only repeat its equation."""
-    return not has_integral(right) and all(s.shape == (1, 1) for s in symbols(right))
+    return all(s.shape == (1, 1) for s in symbols(right))
+
+
+def _is_plain(e: sp.Expr, write: Scalars) -> bool:
+    """At most two terms, or linear in the state; nothing nested."""
+    terms_ = sp.Add.make_args(e)
+    nested = any(f.is_Add for t in terms_ for f in sp.Mul.make_args(t))
+    linear = all(sum(write.is_state(s) for s in t.free_symbols) <= 1 for t in terms_)
+    return not nested and (linear or len(terms_) <= 2)
 
 
 def _bracket(entries: np.ndarray, write: Scalars) -> str:
@@ -105,28 +129,36 @@ def _bracket(entries: np.ndarray, write: Scalars) -> str:
     if entries.shape == (1, 1):
         return write(entries.item())
     common = _common(entries)
-    inside = [[write(sp.nsimplify(e / common, rational=False) if e != 0 else sp.S.Zero) for e in row] for row in entries]
-    return (rf"{write(common)}\," if common != 1 else "") + matrix(inside)
+    inside = entries / common
+    if common != 1 and np.array_equal(inside, np.vectorize(sp.Integer)(np.eye(len(inside), inside.shape[1], dtype=int))):
+        return rf"{_before(common, write)}\mathbf{{I}}_{{{len(inside)}}}"
+    return _before(common, write) + matrix([[write(e) for e in row] for row in inside])
+
+
+def _before(common: sp.Expr, write: Scalars) -> str:
+    if common == 1:
+        return ""
+    above, below = common.as_numer_denom()
+    return (rf"\tfrac{{{write(above)}}}{{{write(below)}}}" if below != 1 else write(above)) + r"\,"
 
 
 def _common(entries: np.ndarray) -> sp.Expr:
-    """The product of symbols that divides every entry; numbers stay inside."""
+    """The product of symbols that divides every entry and leaves no fraction; numbers stay inside."""
     powers = [e.as_coeff_Mul()[1].as_powers_dict() for e in entries.flat if e != 0]
     if len(powers) < 2 or any(not base.is_Symbol for p in powers for base in p if base != 1):
         return sp.S.One
-    shared = set.intersection(*(set(p) for p in powers)) - {sp.S.One}
-    signs = {b: {p[b].is_positive for p in powers} for b in shared}
-    kept = [b for b in shared if len(signs[b]) == 1]
-    return sp.Mul(*(b ** min((p[b] for p in powers), key=abs) for b in kept))
+    shared = sorted(set.intersection(*(set(p) for p in powers)) - {sp.S.One}, key=str)
+    lowest = {base: min(p[base] for p in powers) for base in shared}
+    equal = {base for base in shared if len({p[base] for p in powers}) == 1}
+    return sp.Mul(*(base**n for base, n in lowest.items() if n > 0 or base in equal))
 
 
 def _rows(step: Step, made: dict[sp.Symbol, sp.Expr], write: Scalars) -> Formula:
     """One equation per component that needs one; a component that is too long is left to the equation above."""
-    shown = {label: index for index, label in step.signal.labels()}
+    places = {label: index for index, label in step.signal.labels()}
     equations = []
     for symbol, e in made.items():
-        left = entry(step.signal, shown[symbol.name])
-        formula = equation(left, write.terms(e))
+        formula = equation(entry(step.signal, places[symbol.name]), write.terms(e))
         if len(formula) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in formula):
             return ()
         equations.append(formula)
@@ -138,6 +170,3 @@ def _shortened(equations: Sequence[Formula]) -> Formula:
         return columns(equations)
     first, last = columns(equations[:8]), columns(equations[-4:])
     return (*first, ("", r"\;\;\vdots"), *last)
-
-
-__all__ = ["BlockView", "StepView", "block_view", "number"]

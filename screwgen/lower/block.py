@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..algebra.functions import stumpff
 from ..derive.block import Binding, Block, Step
-from .program import Array, Node, Tracer, Value
+from .program import Array, Tracer, Value, give_label
 
 
 def lower(
@@ -34,8 +34,7 @@ def lower(
         with tracer.section(title(step)):
             for symbol, expression in step.assignments:
                 value = translate(expression, known, tracer)
-                if isinstance(value, Node) and value.label is None and value.op != "input":
-                    value.label = symbol.name
+                give_label(value, symbol.name)
                 values[symbol] = value
     return {name: _array(block.values[name], known, tracer) for name in outputs}
 

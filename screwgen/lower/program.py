@@ -233,6 +233,14 @@ class Program:
         return sum(self.operations.values())
 
 
+def give_label(value: Value, label: str) -> None:
+    """Name a computed value, or what it is the negative of, unless it has a name."""
+    if isinstance(value, Node) and value.op == "neg":
+        value, label = value.args[0], f"minus_{label}"
+    if isinstance(value, Node) and value.label is None and value.op not in ("input", "epsilon"):
+        value.label = label
+
+
 def live(values: Iterable[Value]) -> list[Node]:
     """The nodes that ``values`` depend on, in the order in which they were recorded."""
     seen: dict[int, Node] = {}
@@ -289,8 +297,8 @@ def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, 
     for node in program.nodes:
         tracer._section = section[node.section]
         values[node.id] = value = _replay(node, values, inputs, tracer)
-        if node.label and isinstance(value, Node) and value.label is None and value.op != "input":
-            value.label = rename(node.label)
+        if node.label:
+            give_label(value, rename(node.label))
     tracer._section = before
     pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
     for g in program.guards:

@@ -1,0 +1,120 @@
+"""The section of one link class: its kinematic field, its mode shapes, and its blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..bases import Shapes
+from ..derive.block import Binding, Block
+from ..derive.link_class import LinkClass
+from .latex_content import Display, Heading, Item, Paragraph, Section, equation
+from .latex_layout import PAGE, Formula, fill, matrix, width
+from .latex_layout import equation as broken
+from .latex_steps import BlockView
+from .latex_tables import DIRECTION, modes
+
+ORDER = ("link", "tip", "tip_body", "joint", "posture", "rows", "tip_pose", "energy")
+"""The order of the blocks that are known; others follow."""
+
+ROW = {"axial": 0, "bending_y": 1, "bending_z": 2}
+FORMULAS = 6
+"""Of up to that many polynomial shapes the coefficients are printed."""
+
+
+def ordered(blocks: Mapping[str, Block]) -> list[str]:
+    """The names of the blocks in the order in which a reader wants them."""
+    return sorted(blocks, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))
+
+
+def class_section(number: int, key: LinkClass, members: Sequence[str], views: Sequence[tuple[BlockView, int]]) -> Section:
+    """The section of a class; a view that an earlier class has too comes with that class's number."""
+    names = ", ".join(f"`{name}`" for name in members)
+    items: list[Item] = [Paragraph(f"Links of this class: {names}."), *_field(key)]
+    for view, same_as in views:
+        if same_as != number and view.steps:
+            items += [Heading(view.title), Paragraph(f"As for class {same_as}.")]
+        else:
+            items += _block(view)
+    return Section(f"Link class {number}", items)
+
+
+def _block(view: BlockView) -> Iterator[Item]:
+    """A block under its heading; what follows from the parameters alone comes first in the link block."""
+    groups = [(view.title, view.steps)]
+    if view.name == "link":
+        known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
+        groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
+    for title, steps in groups:
+        if steps:
+            yield Heading(title)
+            yield from map(equation, steps)
+
+
+# ------------------------------------------------------------------------------------ kinematic field
+
+
+def _field(key: LinkClass) -> Iterator[Item]:
+    yield Heading("Kinematic field")
+    if not key.modes:
+        yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
+        return
+    yield Paragraph(
+        r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with shapes "
+        r"$\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
+    )
+    yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
+    families = {}
+    for direction, _ in key.directions:
+        families.setdefault(key.shapes(direction).family.name, []).append(direction)
+    for directions in families.values():
+        yield from _family(key.shapes(directions[0]), list(dict.fromkeys(directions)))
+    yield Paragraph(
+        r"Constants of the shapes; $p$ is 1 for axial and torsion shapes and 2 for bending, so that the last but two "
+        r"is the dimensionless stiffness:"
+    )
+    yield modes(key)
+
+
+def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
+    family = shapes.family
+    yield Paragraph(f"{' and '.join(DIRECTION[d] for d in directions).capitalize()}: {family.title},")
+    formula = family.formula.replace(r",\quad", r",\qquad", 1)
+    parts = [*formula.split(r",\qquad"), family.condition]
+    yield Display(_side_by_side([part.strip() for part in parts]))
+    if family.name == "polynomial" and shapes.count <= FORMULAS:
+        yield Paragraph("which are here")
+        yield Display(tuple(row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text)))
+
+
+def _side_by_side(formulas: list[str]) -> Formula:
+    """Short formulas share a line."""
+    lines = fill([f + (r",\qquad" if f is not formulas[-1] else "") for f in formulas], PAGE)
+    return tuple(tuple(line.removesuffix(r",\qquad").split(" = ", 1)[0:1]) + _rest(line) for line in lines)
+
+
+def _rest(line: str) -> tuple[str, ...]:
+    _, equals, right = line.removesuffix(r",\qquad").partition(" = ")
+    return (f"= {right}" if equals else "",)
+
+
+def _polynomial(k: int, text: str) -> Formula:
+    terms = text.replace(" - ", " + - ").split(" + ")
+    signed = [terms[0]] + [t if t.startswith("- ") else f"+ {t}" for t in terms[1:]]
+    return broken(rf"\psi_{{{k + 1}}}(s)", signed)
+
+
+def _shape_matrix(key: LinkClass) -> str:
+    """``phi``: a column per mode, those of a direction abridged if there are many."""
+    columns: list[list[str]] = []
+    for direction in dict.fromkeys(d for d, _ in key.directions):
+        numbers = [k + 1 for k, (d, _) in enumerate(key.directions) if d == direction]
+        shown = numbers if len(numbers) <= 3 else [numbers[0], 0, numbers[-1]]
+        columns += [_column(ROW.get(direction), k) for k in shown]
+    text = matrix([[column[i] for column in columns] for i in range(3)])
+    assert width(text) <= PAGE
+    return text
+
+
+def _column(row: int | None, k: int) -> list[str]:
+    entry = rf"\varphi_{{{k}}}" if k else r"\cdots"
+    return [entry if i == row else (r"\cdots" if k == 0 else "0") for i in range(3)]

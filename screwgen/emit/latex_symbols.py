@@ -1,0 +1,125 @@
+"""The symbols of a document, gathered from the signals of its blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from ..algebra.notation import symbol
+from ..derive.block import Binding, Block, Signal
+from .latex_content import frame, unit, words
+from .latex_steps import BlockView
+
+FIELDS = {
+    "r_b": ("undeformed position of the element at ξ", "m"),
+    "rho": ("position of the element at ξ", "m"),
+    "u": ("elastic displacement of the element at ξ", "m"),
+    "udot": ("rate of the elastic displacement", "m/s"),
+    "udot_modal": ("rate of the elastic displacement", "m/s"),
+    "Phi": ("displacement shapes, a column for each mode", "-"),
+    "phi_row": ("displacement shapes in a row, whatever their direction", "-"),
+    "phi_t": ("torsion shapes in a row", "-"),
+    "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-"),
+    "Phi_tip": ("displacement shapes at the tip", "-"),
+    "Psi_tip": ("turn of the section at the tip by each mode", "1/m"),
+}
+"""What varies along the link, and has no signal of its own."""
+
+SYSTEM = (
+    (r"\mathcal{F}_i", "frame of link $i$", "", ""),
+    (r"\xi", "place on the centreline, from the origin of F_i", "m", ""),
+    (r"s", "place on the centreline from base to tip, 0 to 1", "-", ""),
+    (r"\mathbf{V}_i", "twist of F_i", "rad/s, m/s", "6"),
+    (r"\boldsymbol{\nu}_i", "twist and modal rates", "", "6 + r_i"),
+    (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", "N*m, N", "6"),
+    (r"\mathbf{w}_{ext,i}", "external wrench on the tip section, tip frame", "N*m, N", "6"),
+    (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", "N*m, N", "6"),
+    (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i"),
+    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "m_i"),
+    (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", "N*m, N", "6"),
+    (r"\mathbf{M}_i", "inertia of twist and modes together", "", "6 + r_i, square"),
+    (r"\mathbf{h}_i", "bias of twist and modal rows together", "", "6 + r_i"),
+    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist; columns J_V, J_eta", "", "6 × (6 + r_i)"),
+    (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6"),
+    (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point in F_i", "", "6 × 6"),
+    (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "", "6 × 6"),
+    (r"\boldsymbol{\beta}_i", "rate of the twist that the velocities cause at the joint", "rad/s^2, m/s^2", "6"),
+    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6"),
+    (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "m_i × m_i"),
+    (r"\mathbf{b}_i,\ \mathbf{k}_{q,i}", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "m_i × m_i"),
+    (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries, tip frame", "", "6 × 6, 6"),
+    (r"\mathbf{M}_T,\ \mathbf{h}_T", "inertia and bias of the bodies at the tip, tip frame", "", "6 × 6, 6"),
+    (r"\mathbf{R}_{oi},\ \mathbf{r}_{oi}", "rotation and position of F_i in the inertial frame", "-, m", "3 × 3, 3"),
+    (r"\mathbf{g}", "free fall, inertial frame", "m/s^2", "3"),
+)
+"""The symbols of the text: LaTeX, meaning, unit, shape."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One line of the table of symbols."""
+
+    display: str
+    meaning: str
+    unit: str
+    frame: str
+    shape: str
+    binding: Binding | None
+
+
+def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
+    """The symbols of the text, then those of the steps: fields, parameters and constants, state."""
+    found: dict[str, list[tuple[str, Signal]]] = {}
+    for block, view in blocks:
+        for signal in _signals(block, view):
+            found.setdefault(symbol(signal.display), []).append((block.name, signal))
+    steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
+    return [*_system(), *sorted(steps, key=lambda e: -1 if e.binding is None else int(e.binding))]
+
+
+def _system() -> Iterator[Entry]:
+    for display, meaning, unit_, shape in SYSTEM:
+        yield Entry(display, _marked(meaning), unit(unit_), "", _shape_text(shape), None)
+
+
+def _marked(meaning: str) -> str:
+    parts = words(meaning.replace("J_V, J_eta", "")).rstrip("; columns ") if "J_V" in meaning else words(meaning)
+    return parts + (r"; columns $\mathbf{J}_V$, $\mathbf{J}_{\eta}$" if "J_V" in meaning else "")
+
+
+def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
+    """The signals that the shown steps define or use."""
+    defined = {s.name for s in view.defined}
+    yield from view.defined
+    for used in view.used:
+        if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
+            yield block.signal(used.name)
+        elif used.name in FIELDS:
+            meaning, unit_ = FIELDS[used.name]
+            yield Signal(used.name, used.shape, used.display, unit_, "F_i", meaning, binding=None)
+
+
+def _entry(display: str, signals: list[Signal]) -> Entry:
+    first = signals[0]
+    shape = _shape([s.shape for s in signals], first.name)
+    return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, first.binding)
+
+
+def _shape(shapes: list[tuple[int, int]], name: str) -> str:
+    """The shape, with a letter where links differ."""
+    letter = "m_i" if name in ("q", "qdot", "A") else "r_i"
+    if set(shapes) == {(1, 1)}:
+        return ""
+    sizes = [{s[d] for s in shapes} for d in (0, 1)]
+    rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)
+    return _shape_text(rows if cols == "1" else rf"{rows} × {cols}")
+
+
+def _shape_text(shape: str) -> str:
+    formula = shape.replace("×", r"\times").replace(", square", "")
+    return f"${formula}$" if shape else ""
+
+
+def displays(table: Mapping[str, Entry] | Iterable[Entry]) -> set[str]:
+    """The symbols that a table explains."""
+    return {e.display for e in table}

@@ -1,0 +1,189 @@
+"""Bad command lines, state files and gains: one line on stderr, exit status 2, nothing written."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from screwgen.cli import main
+
+EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella.toml"
+RUN = "simulate ella.toml --duration 0.01 --step 1e-3 -o run.npz"
+GAINS = "kp = [1, 1, 1]\nkd = [1, 1, 1]\nq_des = [0, 0, 0]\n"
+
+LINES = {
+    "": "missing command",
+    "simulat ella.toml": "no such command 'simulat'",
+    "--quie": "no such option: --quie",
+    "paper": "'paper' is not yet available",
+    "analyse ella.toml --fast": "'analyse' is not yet available",
+    "equilibrium ella.toml -o x.json": "'equilibrium' is not yet available",
+    # robots
+    "modes": "missing argument 'ROBOT'",
+    "modes none.toml": "none.toml: there is no such file",
+    "modes folder": "folder: is a directory",
+    "modes bad.toml": "bad.toml: line 1: is not valid TOML",
+    "evaluate massless.toml": "links[0].section.rhoA",
+    "simulate massless.toml --duration 1 --step 1 -o run.npz": "links[0].section.rhoA",
+    "generate massless.toml -o out": "links[0].section.rhoA",
+    "latex massless.toml -o x.tex": "links[0].section.rhoA",
+    "modes ella.toml ella.toml": "unexpected extra argument",
+    # simulate
+    "simulate ella.toml --step 1e-3 -o run.npz": "missing option '--duration'",
+    "simulate ella.toml --duration 1 -o run.npz": "missing option '--step'",
+    "simulate ella.toml --duration 1 --step 1e-3": "missing option '-o'",
+    "simulate ella.toml --duration 1 --step 1e-3 -o": "option '-o' requires an argument",
+    "simulate ella.toml --duration one --step 1e-3 -o run.npz": "--duration",
+    "simulate ella.toml --duration -1 --step 1e-3 -o run.npz": "the duration is -1 s",
+    "simulate ella.toml --duration 0 --step 1e-3 -o run.npz": "the duration is 0 s",
+    "simulate ella.toml --duration nan --step 1e-3 -o run.npz": "the duration is nan s",
+    "simulate ella.toml --duration inf --step 1e-3 -o run.npz": "the duration is inf s",
+    "simulate ella.toml --duration 1 --step 0 -o run.npz": "the step is 0 s",
+    "simulate ella.toml --duration 1 --step -1e-3 -o run.npz": "the step is -0.001 s",
+    "simulate ella.toml --duration 1 --step nan -o run.npz": "the step is nan s",
+    "simulate ella.toml --duration 1e6 --step 1e-3 -o run.npz": "over 1e+08 steps",
+    "simulate ella.toml --duration 1e300 --step 1e-300 -o run.npz": "over 1e+08 steps",
+    "simulate ella.toml --duration 1e5 --step 1e-3 -o run.npz": "GB",
+    "simulate ella.toml --duration 1 --step 1e-3 -o run.txt": "run.txt: has an unknown suffix",
+    "simulate ella.toml --duration 1 --step 1e-3 -o run": "it must end in .npz or .csv",
+    "simulate ella.toml --duration 1 --step 1e-3 -o none/run.npz": "its folder does not exist",
+    "simulate ella.toml --duration 1 --step 1e-3 -o ella.toml/run.npz": "its folder does not exist",
+    "simulate ella.toml --duration 1 --step 1e-3 -o folder.npz": "is a directory",
+    "simulate ella.toml --duration 1 --step 1e-3 -o pipe.csv": "is not a regular file",
+    f"simulate ella.toml --duration 1 --step 1e-3 -o {'x' * 300}.npz": "File name too long",
+    f"{RUN} --plot run.jpg": "run.jpg: has an unknown suffix",
+    f"{RUN} --plot none/run.png": "its folder does not exist",
+    f"{RUN} --integrator heun": "known: euler",
+    f"{RUN} --form lagrange": "--form: there is no 'lagrange'",
+    f"{RUN} --controller pid:gains.toml": "there is no controller 'pid'",
+    f"{RUN} --controller pd": "names no file",
+    f"{RUN} --controller pd:": "names no file",
+    f"{RUN} --controller pd:none.toml": "none.toml: there is no such file",
+    f"{RUN} --controller pd:folder": "folder: is a directory",
+    f"{RUN} --controller pd:gains.toml --state torque.json": "torque.json: tau: is given beside --controller",
+    f"{RUN} --state none.json": "none.json: there is no such file",
+    f"{RUN} --verbose": "no such option: --verbose",
+    # evaluate, modes, latex, generate
+    "evaluate ella.toml --backend fortran": "--backend: there is no 'fortran'",
+    "evaluate ella.toml --form lagrange": "--form: there is no 'lagrange'",
+    "evaluate ella.toml --state none.json": "none.json: there is no such file",
+    "evaluate ella.toml --state binary.json": "binary.json: line 1: is not UTF-8 text",
+    "modes ella.toml --joints welded": "locked or free",
+    "modes ella.toml --posture folder": "folder: is a directory",
+    "latex ella.toml": "missing option '-o'",
+    "latex ella.toml -o x.docx": "it must end in .tex or .pdf or .html",
+    "latex ella.toml -o none/x.tex": "its folder does not exist",
+    "generate ella.toml": "missing option '-o'",
+    "generate ella.toml -o out --target fortran": "--target: there is no 'fortran'",
+    "generate ella.toml -o out --parameters cooked": "--parameters: there is no 'cooked'",
+    "generate ella.toml -o out --layout loose": "--layout: there is no 'loose'",
+}
+
+STATES = {
+    "": "line 1: is not valid JSON",
+    "{": "is not valid JSON",
+    "[1, 2": "is not valid JSON",
+    "1.0": "is 1.0; it must be a table",
+    '"q"': "it must be a table",
+    "null": "it must be a table",
+    "[1, 2]": "q: has length 2; it must have 9 numbers, or the 3",
+    "[1, 2, NaN]": "NaN is not a number",
+    "[1, 2, 1e999]": "q[2]: is inf; it must be a finite number",
+    '[1, 2, "3"]': 'q[2]: is "3"; it must be a number',
+    "[1, 2, true]": "q[2]: is true; it must be a number",
+    '{"q": 1}': "q: is 1; it must be an array",
+    '{"q": [[1, 2, 3]]}': "q: has length 1",
+    '{"v": [1, 2, 3, 4]}': "v: has length 4; it must have 9 numbers",
+    '{"tau": [1]}': "tau: has length 1; it must have 3 torques",
+    '{"tau": [1, 2, null]}': "tau[2]: ",
+    '{"w_ext": [1, 2]}': "w_ext[0]: is 1; it must be an array of 6",
+    '{"w_ext": [[0, 0, 0, 0, 0, 0]]}': "w_ext: has length 1; it must have 2",
+    '{"w_ext": [[0, 0, 0, 0, 0, 0], [0, 0]]}': "w_ext[1]: has length 2; it must have 6 numbers",
+    '{"w_ext": [[0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, -Infinity]]}': "-Infinity is not a number",
+    '{"torque": [1, 2, 3]}': "torque: is an unknown key; known here: q, v, tau, w_ext",
+    '{"Q": [1, 2, 3]}': "did you mean q?",
+    '{"q": [1, 2, 3], "q": [1, 2, 3]}': '"q" is given 2 times',
+    "[" * 100_000: "nested too deeply",
+    "[1, 2, " + "9" * 5000 + "]": "digits",
+}
+
+GAIN_FILES = {
+    "kp = [1, 1, 1": "is not valid TOML",
+    "kd = [1, 1, 1]\nq_des = [0, 0, 0]": "kp: is missing",
+    "kp = [1, 1, 1]\nkd = [1, 1, 1]": "q_des: is missing",
+    GAINS.replace("kp = [1, 1, 1]", "kp = [1, 1]"): "kp: has length 2; it must have 3 numbers, one per joint",
+    GAINS.replace("kp = [1, 1, 1]", "kp = 1"): "kp: is 1; it must be an array of 3",
+    GAINS.replace("kp = [1, 1, 1]", "kp = [1, 1, -1]"): "kp[2]: is -1; it must be >= 0",
+    GAINS.replace("kd = [1, 1, 1]", "kd = [1, 1, nan]"): "kd[2]: is nan; it must be a finite number",
+    GAINS.replace("q_des = [0, 0, 0]", 'q_des = [0, 0, "home"]'): 'q_des[2]: is "home"',
+    GAINS + "duration = 0": "duration: is 0; it must be > 0",
+    GAINS + 'duration = "1 s"': "duration: ",
+    GAINS + "tau_max = [1, 1, 0]": "tau_max[2]: is 0; it must be > 0",
+    GAINS + "ki = [1, 1, 1]": "ki: is an unknown key; did you mean",
+    GAINS + "tau_limit = [1, 1, 1]": "tau_limit: is an unknown key",
+    GAINS + "start = 2024-02-31": "is not valid TOML|cannot be read",
+}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(EXAMPLE, "ella.toml")
+    for name in ("folder", "folder.npz"):
+        Path(name).mkdir()
+    os.mkfifo("pipe.csv")
+    Path("bad.toml").write_text("name = \n")
+    Path("massless.toml").write_text(EXAMPLE.read_text().replace("rhoA = 1.6302", "rhoA = 0.0"))
+    Path("gains.toml").write_text(GAINS)
+    Path("torque.json").write_text('{"tau": [1, 0, 0]}')
+    Path("binary.json").write_bytes(b"\xff\xfe\x00")
+    return tmp_path
+
+
+def snapshot(folder: Path) -> dict:
+    return {path: path.read_bytes() if path.is_file() else None for path in sorted(folder.rglob("*"))}
+
+
+def refused(capsys, folder: Path, arguments: list[str], message: str) -> None:
+    """The arguments are refused in one line that holds the message (or one of several)."""
+    before = snapshot(folder)
+    status = main(arguments)
+    out, err = capsys.readouterr()
+    assert (status, out) == (2, ""), err
+    assert err.startswith("screwgen: error: ") and err.endswith("\n") and err.count("\n") == 1 and err.isprintable
+    assert any(part in err for part in message.split("|")), err
+    assert ";" in err, "an error says what is allowed"
+    assert len(err) < 700 and "Traceback" not in err
+    assert snapshot(folder) == before
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_bad_command_line(capsys, folder, line):
+    refused(capsys, folder, line.split(), LINES[line])
+
+
+@pytest.mark.parametrize("text", STATES, ids=lambda text: text[:40])
+@pytest.mark.parametrize("command", ["evaluate ella.toml --state", "modes ella.toml --posture", f"{RUN} --state"])
+def test_bad_state(capsys, folder, command, text):
+    Path("state.json").write_text(text)
+    refused(capsys, folder, [*command.split(), "state.json"], STATES[text])
+
+
+@pytest.mark.parametrize("text", GAIN_FILES, ids=lambda text: text[-40:])
+def test_bad_gains(capsys, folder, text):
+    Path("gains.toml").write_text(text)
+    refused(capsys, folder, [*RUN.split(), "--controller", "pd:gains.toml"], GAIN_FILES[text])
+
+
+@pytest.mark.parametrize("name", ["", "nul\0.npz", "new\nline.jpg", "\x1b[31m.jpg", "\udcff.jpg"])
+def test_strange_names_stay_on_one_line(capsys, folder, name):
+    arguments = ["simulate", "ella.toml", "--duration", "0.01", "--step", "1e-3", "-o", name]
+    refused(capsys, folder, arguments, "")
+    assert "\x1b" not in capsys.readouterr().err
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_folder_without_permission(capsys, folder):
+    os.chmod("folder", 0o500)
+    refused(capsys, folder, [*RUN.replace("run.npz", "folder/run.npz").split()], "cannot be written")
+    os.chmod("folder", 0o700)

@@ -1,0 +1,244 @@
+"""Every command end to end: what it prints, what it writes, how it ends."""
+
+import importlib.util
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from oracle import Oracle
+from screwgen import Model, __version__, derive, load
+from screwgen.cli import main
+from screwgen.cli_commands import EVALUATIONS
+from screwgen.modes import natural_frequencies
+from screwgen.simulate import FORMS, simulate
+
+ROOT = Path(__file__).resolve().parents[1]
+ELLA = str(ROOT / "examples" / "ella.toml")
+STATE = {
+    "q": [0.3, -0.4, 0.5, 1e-5, 0.01, -0.02, 2e-5, 0.01, 0.005],
+    "v": [0.5, 0.2, -0.6, 0.0, 0.1, 0.2, 0.0, -0.1, 0.1],
+    "tau": [1.0, -2.0, 3.0],
+    "w_ext": [[0.1, 0.2, 0.3, 1.0, 2.0, 3.0], [-0.1, 0.0, 0.2, 0.0, 5.0, 0.0]],
+}
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT)}
+
+needs_latex = pytest.mark.skipif(
+    importlib.util.find_spec("screwgen.emit.latex") is None, reason="no LaTeX back end in this build"
+)
+needs_write = pytest.mark.skipif(not hasattr(Model, "write"), reason="no generation of folders in this build")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A working folder with a robot, a state and gains in it."""
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(ELLA, "ella.toml")
+    Path("state.json").write_text(json.dumps(STATE))
+    Path("gains.toml").write_text("kp = [40, 40, 20]\nkd = [8, 8, 3]\nq_des = [-0.4928, 0.6922, 0.4270]\nduration = 0.5\n")
+    return tmp_path
+
+
+def run(capsys, *arguments: str) -> str:
+    """The stdout of a command that succeeds and says nothing on stderr."""
+    status = main(arguments)
+    out = capsys.readouterr()
+    assert (status, out.err) == (0, "")
+    return out.out
+
+
+def process(*arguments: str, **options) -> subprocess.Popen:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True} | options
+    return subprocess.Popen([sys.executable, "-m", "screwgen", *arguments], env=ENVIRONMENT, **pipes)
+
+
+# -------- help
+
+
+def test_help_lists_the_commands(capsys):
+    text = run(capsys, "--help")
+    assert all(name in text for name in ("generate", "simulate", "evaluate", "modes", "latex", "Exit status"))
+    assert "paper" not in text and "╭" not in text
+
+
+@pytest.mark.parametrize("command", ["generate", "simulate", "evaluate", "modes", "latex"])
+def test_every_command_has_help(capsys, command):
+    text = run(capsys, command, "--help")
+    assert text.startswith(f"Usage: screwgen {command}") and "ROBOT" in text and "Exit status" in text
+
+
+def test_version(capsys):
+    assert run(capsys, "--version") == f"screwgen {__version__}\n"
+
+
+def test_module_runs_as_the_command_does():
+    with process("--version") as p:
+        out, err = p.communicate()
+    assert (p.returncode, out, err) == (0, f"screwgen {__version__}\n", "")
+
+
+# -------- evaluate
+
+
+@pytest.mark.parametrize("cell", sorted(EVALUATIONS), ids="-".join)
+def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
+    backend, form = cell
+    if backend == "c" and importlib.util.find_spec("screwgen.compiled") is None:
+        pytest.skip("no compiled back end in this build")
+    found = json.loads(run(capsys, "evaluate", "ella.toml", "--state", "state.json", "--backend", backend, "--form", form))
+    assert set(found) == {"vdot", "wrench", "tip_position", "tip_rotation", "kinetic", "potential"}
+    oracle = Oracle(tomllib_of(folder / "ella.toml"))
+    assert max(oracle.errors(STATE, found["vdot"], found["wrench"]).values()) < oracle.tolerance(STATE["q"])
+    R, position = oracle.tip_pose(STATE["q"])
+    assert np.allclose(found["tip_rotation"], R, atol=1e-12) and np.allclose(found["tip_position"], position, atol=1e-12)
+    assert np.allclose([found["kinetic"], found["potential"]], oracle.energy(STATE["q"], STATE["v"]), rtol=1e-12)
+    assert np.shape(found["wrench"]) == (2, 6)
+
+
+def tomllib_of(path) -> dict:
+    import tomllib
+
+    return tomllib.loads(Path(path).read_text())
+
+
+@pytest.mark.parametrize("state", ["[0.3, -0.4, 0.5]", '{"q": [0.3, -0.4, 0.5]}', "[0.3, -0.4, 0.5, 0, 0, 0, 0, 0, 0]"])
+def test_joint_coordinates_alone_leave_the_rest_at_zero(capsys, folder, state):
+    Path("s.json").write_text(state)
+    Path("full.json").write_text(json.dumps({"q": [0.3, -0.4, 0.5] + [0.0] * 6, "v": [0.0] * 9, "tau": [0, 0, 0]}))
+    assert run(capsys, "evaluate", "ella.toml", "--state", "s.json") == run(
+        capsys, "evaluate", "ella.toml", "--state", "full.json"
+    )
+
+
+def test_evaluate_without_state_is_at_zero(capsys, folder):
+    Path("zero.json").write_text("{}")
+    assert run(capsys, "evaluate", "ella.toml") == run(capsys, "evaluate", "ella.toml", "--state", "zero.json")
+
+
+# -------- modes
+
+
+def test_modes_prints_hertz(capsys, folder):
+    Path("posture.json").write_text("[-0.4928, 0.6922, 0.4270]")
+    expected = natural_frequencies(derive(load("ella.toml")), [-0.4928, 0.6922, 0.4270] + [0.0] * 6)
+    found = json.loads(run(capsys, "modes", "ella.toml", "--posture", "posture.json", "--json"))
+    assert list(found) == ["frequencies_hz"] and np.allclose(found["frequencies_hz"], expected, rtol=1e-12)
+    lines = run(capsys, "modes", "ella.toml", "--posture", "posture.json").splitlines()
+    assert [float(line.removesuffix(" Hz")) for line in lines] == pytest.approx(expected, rel=1e-5)
+
+
+def test_modes_with_free_joints(capsys, folder):
+    found = json.loads(run(capsys, "modes", "ella.toml", "--joints", "free", "--json"))["frequencies_hz"]
+    assert found[:3] == [0.0, 0.0, 0.0] and len(found) == 9 and found == sorted(found)
+
+
+# -------- simulate
+
+
+SHORT = ("--duration", "0.02", "--step", "1e-3")
+
+
+@pytest.mark.parametrize("form", sorted(FORMS))
+def test_simulate_stores_the_run(capsys, folder, form):
+    arguments = ("--state", "state.json", "--form", form, "--plot", "run.png")
+    assert run(capsys, "simulate", "ella.toml", *SHORT, "-o", "run.npz", *arguments) == "run.npz\nrun.png\n"
+    expected = simulate(
+        derive(load("ella.toml")), 0.02, 1e-3, STATE["q"], STATE["v"], STATE["tau"], STATE["w_ext"], form=form
+    )
+    with np.load("run.npz") as stored:
+        for name in ("t", "q", "v", "tau", "wrench", "tip_position", "energy"):
+            assert np.array_equal(stored[name], getattr(expected, name))
+    assert Path("run.png").read_bytes().startswith(b"\x89PNG")
+    assert sorted(os.listdir()) == ["ella.toml", "gains.toml", "run.npz", "run.png", "state.json"]
+
+
+def test_simulate_with_a_controller_and_a_method(capsys, folder):
+    Path("start.json").write_text("[0.1, 0.2, 0.3]")
+    options = ("--state", "start.json", "--controller", "pd:gains.toml", "--integrator", "modal_implicit")
+    run(capsys, "simulate", "ella.toml", *SHORT, "-o", "run.csv", *options)
+    names = Path("run.csv").read_text().split("\n", 1)[0].split(",")
+    table = np.loadtxt("run.csv", delimiter=",", skiprows=1)
+    assert len(table) == 21 and table[0, names.index("forearm.joint[0]")] == 0.3
+    assert table[:, names.index("upper_arm.torque[0]")].any()
+
+
+def test_quiet_says_nothing(capsys, folder):
+    assert run(capsys, "--quiet", "simulate", "ella.toml", *SHORT, "-o", "a.npz") == ""
+    assert run(capsys, "simulate", "ella.toml", *SHORT, "-o", "b.npz", "--quiet") == ""
+    assert Path("a.npz").read_bytes() == Path("b.npz").read_bytes()
+
+
+def test_a_run_that_diverges_leaves_the_old_files(capsys, folder):
+    Path("run.npz").write_text("old")
+    status = main(["simulate", "ella.toml", "--duration", "1", "--step", "1e-3", "-o", "run.npz", "--integrator", "euler"])
+    err = capsys.readouterr().err
+    assert status == 1 and err.count("\n") == 1 and err.startswith("screwgen: error: t = 0.0")
+    assert Path("run.npz").read_text() == "old"
+    assert sorted(os.listdir()) == ["ella.toml", "gains.toml", "run.npz", "state.json"]
+
+
+def test_singular_posture_names_the_link(capsys, folder):
+    Path("ball.toml").write_text(
+        'name = "ball"\ngravity = [0, 0, -9.81]\n[[links]]\nname = "wrist"\nlength = 0.5\n'
+        'section = { rhoA = 1.0, rhoIp = 0.01 }\njoint = { axes = ["x", "z", "x"] }\n'
+    )
+    before = sorted(os.listdir())
+    for arguments in (("evaluate", "ball.toml"), ("simulate", "ball.toml", *SHORT, "-o", "run.npz")):
+        assert main(arguments) == 1
+        out, err = capsys.readouterr()
+        assert out == "" and err.startswith("screwgen: error: ") and "wrist" in err and err.count("\n") == 1
+    assert sorted(os.listdir()) == before
+
+
+def test_interrupt_leaves_nothing(folder):
+    before = sorted(os.listdir())
+    with process("simulate", "ella.toml", "--duration", "2000", "--step", "1e-3", "-o", "run.npz") as p:
+        for _ in range(200):
+            if any(name.endswith(".part") for name in os.listdir()):
+                break
+            time.sleep(0.05)
+        time.sleep(0.3)
+        p.send_signal(signal.SIGINT)
+        out, err = p.communicate(timeout=20)
+    assert (p.returncode, out, err) == (130, "", "screwgen: error: interrupted; nothing was written\n")
+    assert sorted(os.listdir()) == before
+
+
+def test_full_disk_is_one_line(folder):
+    if not os.path.exists("/dev/full"):
+        pytest.skip("no /dev/full here")
+    with open("/dev/full", "w") as full, process("evaluate", "ella.toml", stdout=full) as p:
+        err = p.communicate()[1]
+    assert p.returncode == 1 and err.startswith("screwgen: error: ") and err.count("\n") == 1
+
+
+def test_closed_pipe_is_no_traceback(folder):
+    reader, writer = os.pipe()
+    os.close(reader)
+    with process("evaluate", "ella.toml", stdout=writer) as p:
+        os.close(writer)
+        err = p.communicate()[1]
+    assert p.returncode == 1 and err == ""
+
+
+# -------- generate, latex
+
+
+@needs_write
+def test_generate_writes_what_it_lists(capsys, folder):
+    listed = run(capsys, "generate", "ella.toml", "-o", "out", "--target", "c").split()
+    written = {str(path) for path in Path("out").rglob("*") if path.is_file()}
+    assert listed and set(listed) <= written and "out/ella.h" in written
+
+
+@needs_latex
+@pytest.mark.parametrize("name", ["equations.tex", "equations.html"])
+def test_latex_writes_the_document(capsys, folder, name):
+    assert run(capsys, "latex", "ella.toml", "-o", name) == f"{name}\n"
+    assert "forearm" in Path(name).read_text()

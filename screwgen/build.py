@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 
 from .chain.chain import Chain
+from .chain.dae_functions import dae_names
 from .chain.scope import derived
 from .derive.block import Block
 from .emit.numeric import Numeric
@@ -55,12 +56,20 @@ class Model:
         """The derived blocks of a link (those of its class) by name."""
         return derived(self.chain.keys[link])
 
+    @property
+    def dae_names(self) -> dict[str, list[str]]:
+        """The names of the entries of ``x`` and ``z`` of the DAE form."""
+        return dae_names(self.chain)
+
     @cached_property
     def _casadi(self) -> Mapping:
         from .emit import casadi
 
-        functions = casadi.functions(self.chain)
-        return functions | {"ode": casadi.ode(self.chain, functions["forward_dynamics"])}
+        functions = casadi.functions(self.chain) | casadi.dae_functions(self.chain)
+        return functions | {
+            "ode": casadi.ode(self.chain, functions["forward_dynamics"]),
+            "dae": casadi.dae(self.chain, functions["assemble"]),
+        }
 
     def casadi(self) -> Mapping:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""

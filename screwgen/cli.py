@@ -30,7 +30,7 @@ app = typer.Typer(
     name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
 )
 
-RobotFile = Annotated[str, typer.Argument(help="The robot file, TOML.", show_default=False)]
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 StateFile = Annotated[
     str | None,

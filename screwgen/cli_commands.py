@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as json_format
 from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -100,21 +101,27 @@ def _numpy_joint(model: Model, s: State) -> Evaluation:
     return model.numpy().forward_dynamics(s.q, s.v, s.tau, s.w_ext)
 
 
+def _numpy_dae(model: Model, s: State) -> Evaluation:
+    return model.numpy().dae_forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+
+
 def _casadi_joint(model: Model, s: State) -> Evaluation:
     out = model.casadi()["forward_dynamics"](s.q, s.v, s.tau, s.w_ext.T, model.parameter_values)
     return np.array(out[0])[:, 0], np.array(out[1]).T
 
 
-def _c_joint(model: Model, s: State) -> Evaluation:
+def _c(model: Model, s: State, form: str) -> Evaluation:
     from .compiled import Compiled
 
-    return Compiled(model).forward_dynamics(s.q, s.v, s.tau, s.w_ext, form="joint")
+    return Compiled(model).forward_dynamics(s.q, s.v, s.tau, s.w_ext, form=form)
 
 
 EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
     ("numpy", "joint"): _numpy_joint,
+    ("numpy", "dae"): _numpy_dae,
     ("casadi", "joint"): _casadi_joint,
-    ("c", "joint"): _c_joint,
+    ("c", "joint"): partial(_c, form="joint"),
+    ("c", "dae"): partial(_c, form="dae"),
 }
 """Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
 

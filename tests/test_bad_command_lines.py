@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+
 from screwgen.cli import main
 
 EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella.toml"
@@ -31,7 +32,7 @@ LINES = {
     # simulate
     "simulate ella.toml --step 1e-3 -o run.npz": "missing option '--duration'",
     "simulate ella.toml --duration 1 -o run.npz": "missing option '--step'",
-    "simulate ella.toml --duration 1 --step 1e-3": "missing option '-o'",
+    "simulate ella.toml --duration 1 --step 1e-3": "missing option",
     "simulate ella.toml --duration 1 --step 1e-3 -o": "option '-o' requires an argument",
     "simulate ella.toml --duration one --step 1e-3 -o run.npz": "--duration",
     "simulate ella.toml --duration -1 --step 1e-3 -o run.npz": "the duration is -1 s",
@@ -70,10 +71,10 @@ LINES = {
     "evaluate ella.toml --state binary.json": "binary.json: line 1: is not UTF-8 text",
     "modes ella.toml --joints welded": "locked or free",
     "modes ella.toml --posture folder": "folder: is a directory",
-    "latex ella.toml": "missing option '-o'",
+    "latex ella.toml": "missing option",
     "latex ella.toml -o x.docx": "it must end in .tex or .pdf or .html",
     "latex ella.toml -o none/x.tex": "its folder does not exist",
-    "generate ella.toml": "missing option '-o'",
+    "generate ella.toml": "missing option",
     "generate ella.toml -o out --target fortran": "--target: there is no 'fortran'",
     "generate ella.toml -o out --parameters cooked": "--parameters: there is no 'cooked'",
     "generate ella.toml -o out --layout loose": "--layout: there is no 'loose'",
@@ -119,7 +120,7 @@ GAIN_FILES = {
     GAINS + "duration = 0": "duration: is 0; it must be > 0",
     GAINS + 'duration = "1 s"': "duration: ",
     GAINS + "tau_max = [1, 1, 0]": "tau_max[2]: is 0; it must be > 0",
-    GAINS + "ki = [1, 1, 1]": "ki: is an unknown key; did you mean",
+    GAINS + "ki = [1, 1, 1]": "ki: is an unknown key; known here: kp, kd",
     GAINS + "tau_limit = [1, 1, 1]": "tau_limit: is an unknown key",
     GAINS + "start = 2024-02-31": "is not valid TOML|cannot be read",
 }
@@ -150,7 +151,7 @@ def refused(capsys, folder: Path, arguments: list[str], message: str) -> None:
     status = main(arguments)
     out, err = capsys.readouterr()
     assert (status, out) == (2, ""), err
-    assert err.startswith("screwgen: error: ") and err.endswith("\n") and err.count("\n") == 1 and err.isprintable
+    assert err.startswith("screwgen: error: ") and err.endswith("\n") and err[:-1].isprintable()
     assert any(part in err for part in message.split("|")), err
     assert ";" in err, "an error says what is allowed"
     assert len(err) < 700 and "Traceback" not in err

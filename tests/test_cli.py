@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from oracle import Oracle
+
 from screwgen import Model, __version__, derive, load
 from screwgen.cli import main
 from screwgen.cli_commands import EVALUATIONS
@@ -27,6 +28,7 @@ STATE = {
     "tau": [1.0, -2.0, 3.0],
     "w_ext": [[0.1, 0.2, 0.3, 1.0, 2.0, 3.0], [-0.1, 0.0, 0.2, 0.0, 5.0, 0.0]],
 }
+GAINS = "kp = [40, 40, 20]\nkd = [8, 8, 3]\nq_des = [-0.4928, 0.6922, 0.4270]\nduration = 0.5\n"
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT)}
 
 needs_latex = pytest.mark.skipif(
@@ -41,7 +43,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     shutil.copy(ELLA, "ella.toml")
     Path("state.json").write_text(json.dumps(STATE))
-    Path("gains.toml").write_text("kp = [40, 40, 20]\nkd = [8, 8, 3]\nq_des = [-0.4928, 0.6922, 0.4270]\nduration = 0.5\n")
+    Path("gains.toml").write_text(GAINS)
     return tmp_path
 
 
@@ -91,12 +93,14 @@ def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
     backend, form = cell
     if backend == "c" and importlib.util.find_spec("screwgen.compiled") is None:
         pytest.skip("no compiled back end in this build")
-    found = json.loads(run(capsys, "evaluate", "ella.toml", "--state", "state.json", "--backend", backend, "--form", form))
+    options = ("--state", "state.json", "--backend", backend, "--form", form)
+    found = json.loads(run(capsys, "evaluate", "ella.toml", *options))
     assert set(found) == {"vdot", "wrench", "tip_position", "tip_rotation", "kinetic", "potential"}
     oracle = Oracle(tomllib_of(folder / "ella.toml"))
     assert max(oracle.errors(STATE, found["vdot"], found["wrench"]).values()) < oracle.tolerance(STATE["q"])
     R, position = oracle.tip_pose(STATE["q"])
-    assert np.allclose(found["tip_rotation"], R, atol=1e-12) and np.allclose(found["tip_position"], position, atol=1e-12)
+    assert np.allclose(found["tip_rotation"], R, atol=1e-12)
+    assert np.allclose(found["tip_position"], position, atol=1e-12)
     assert np.allclose([found["kinetic"], found["potential"]], oracle.energy(STATE["q"], STATE["v"]), rtol=1e-12)
     assert np.shape(found["wrench"]) == (2, 6)
 
@@ -176,7 +180,8 @@ def test_quiet_says_nothing(capsys, folder):
 
 def test_a_run_that_diverges_leaves_the_old_files(capsys, folder):
     Path("run.npz").write_text("old")
-    status = main(["simulate", "ella.toml", "--duration", "1", "--step", "1e-3", "-o", "run.npz", "--integrator", "euler"])
+    longer = ("--duration", "1", "--step", "1e-3", "--integrator", "euler")
+    status = main(["simulate", "ella.toml", *longer, "-o", "run.npz"])
     err = capsys.readouterr().err
     assert status == 1 and err.count("\n") == 1 and err.startswith("screwgen: error: t = 0.0")
     assert Path("run.npz").read_text() == "old"

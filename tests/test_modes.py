@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from oracle import Oracle
+
 from screwgen import Robot, SingularError, UsageError, derive
 from screwgen.modes import natural_frequencies
 

@@ -12,6 +12,7 @@ from ..lower.program import Program, Tracer, Value, inline, run
 from ..spec.parameters import parameters
 from .algorithms import EVERYTHING, Functions, GivenModes
 from .chain import Chain, preparation
+from .dae_functions import DaeFunctions, state_size, unknown_size
 
 COLUMNS = ("M_eta", "K", "D")
 DIGITS = 40
@@ -19,18 +20,19 @@ DIGITS = 40
 Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
 
 
-def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters") -> Program:
+def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters", kind=Functions) -> Program:
     """Trace a function of the whole robot into one program.
 
     ``constants`` says where the links' constants come from: prepared inside from an input ``p``
-    (``"parameters"``), inputs of their own (``"constants"``), or numbers (``"baked"``).
+    (``"parameters"``), inputs of their own (``"constants"``), or numbers (``"baked"``); ``kind`` is the class of
+    functions that ``body`` is given.
     """
     tracer = Tracer()
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
     links, gravity = _sources(chain, tracer, constants, read)
     apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i), i)  # noqa: E731
-    outputs = body(Functions(chain, links, gravity, apply), values)
+    outputs = body(kind(chain, links, gravity, apply), values)
     return Program(name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections,
                    list(tracer.origins))
 
@@ -219,3 +221,35 @@ def poses(chain: Chain, constants="parameters") -> Program:
                 "tip_R": flat(tips, 0), "tip_position": flat(tips, 1)}
 
     return fuse(chain, "poses", {"q": chain.nq}, body, constants)
+
+
+def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[int, int]]]:
+    """``(x, tau, w_ext) -> (M, H, W)`` of the DAE form, with the places of the entries of ``M``."""
+    inputs = {"x": state_size(chain), "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    places: list[tuple[int, int]] = []
+
+    def body(f: DaeFunctions, x):
+        entries, H, W = f.assemble(x["x"], x["tau"], x["w_ext"])
+        places.extend(entries)
+        return {"M": list(entries.values()), "H": H, "W": W}
+
+    return fuse(chain, "assemble", inputs, body, constants, DaeFunctions), places
+
+
+def kinematic_rates(chain: Chain, constants="parameters") -> Program:
+    """``(x, z) -> (ode)``: the differential equations of the DAE form, the accelerations given."""
+
+    def body(f: DaeFunctions, x):
+        return {"ode": f.kinematic_rates(x["x"], x["z"])}
+
+    sizes = {"x": state_size(chain), "z": unknown_size(chain)}
+    return fuse(chain, "kinematic_rates", sizes, body, constants, DaeFunctions)
+
+
+def placement(chain: Chain, constants="parameters") -> Program:
+    """``(q, v) -> (x)``: the state of the DAE form on the joints."""
+
+    def body(f: DaeFunctions, x):
+        return {"x": f.place(x["q"], x["v"])}
+
+    return fuse(chain, "placement", {"q": chain.nq, "v": chain.nq}, body, constants, DaeFunctions)

@@ -12,6 +12,7 @@ import casadi as ca
 
 from ..chain import fuse
 from ..chain.chain import Chain
+from ..chain.dae_functions import state_size, unknown_size
 from ..lower.program import Program, run
 
 LIMIT = 4.0
@@ -45,6 +46,41 @@ def functions(chain: Chain) -> dict[str, ca.Function]:
             function("link_pose", dict(q=q, p=p), R=link_R, position=positions),
         )
     }
+
+
+def dae_functions(chain: Chain) -> dict[str, ca.Function]:
+    """The DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
+    given = _dae_symbols(chain)
+    program, places = fuse.assembly(chain)
+    parts, size = expressions(program, given), unknown_size(chain)
+    rows, columns = [i for i, _ in places], [j for _, j in places]
+    M = ca.SX.triplet(rows, columns, parts["M"], size, size)
+    order = ("x", "tau", "w_ext", "p")
+    assemble = function("assemble", {k: given[k] for k in order}, M_sys=M, H_sys=parts["H"], W_sys=parts["W"])
+    q, v = ca.SX.sym("q", chain.nq), ca.SX.sym("v", chain.nq)
+    x = expressions(fuse.placement(chain), {"q": q, "v": v, "p": given["p"]})["x"]
+    return {"assemble": assemble, "dae_state": function("dae_state", {"q": q, "v": v, "p": given["p"]}, x=x)}
+
+
+def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:
+    sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_joints}
+    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+    parameters = ca.SX.sym("p", len(fuse.parameters(chain.robot)))
+    return given | {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": parameters}
+
+
+def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
+    """``dict(x, z, u, p, ode, alg)`` for ``casadi.integrator``: ``alg = M_sys z + H_sys - W_sys``.
+
+    The order of x and z is ``model.dae_names``.  Integrators of CasADi do not project: the joints drift
+    by the integrator's own error.
+    """
+    given = _dae_symbols(chain)
+    u = ca.SX.sym("u", chain.n_joints + 6 * chain.n)
+    tau, w_ext = u[: chain.n_joints], ca.reshape(u[chain.n_joints :], 6, chain.n)
+    M, H, W = assemble(given["x"], tau, w_ext, given["p"])
+    ode = expressions(fuse.kinematic_rates(chain), given)["ode"]
+    return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
 
 
 def modal_functions(chain: Chain) -> dict[str, ca.Function]:

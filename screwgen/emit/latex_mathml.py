@@ -9,10 +9,13 @@ from latex2mathml.converter import convert
 
 from .latex_layout import Formula
 
-BOLD_GREEK, BOLD_ITALIC_GREEK = 0x1D6A8, 0x1D736
-"""Where the bold Greek letters start in Unicode, capital and upright, or small and italic."""
-
-SCRIPT, BOLD_SCRIPT = 0x1D49C, 0x1D4D0
+BOLD = (
+    ("0", "9", 0x1D7CE),
+    ("\u0391", "\u03a9", 0x1D6A8),  # capital Greek, upright
+    ("\u03b1", "\u03c9", 0x1D736),  # small Greek, italic
+    ("\U0001d49c", "\U0001d4cf", 0x1D4D0),  # script
+)
+"""Ranges of characters, and where Unicode has them in bold."""
 
 
 def inline(tex: str) -> str:
@@ -37,9 +40,8 @@ def _inner(tex: str) -> str:
     raw = convert(tex.replace(r"\!", ""))
     body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
     body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
-    body = re.sub(r'<mi mathvariant="bold-italic">([^<]+)</mi>', lambda m: f"<mi>{_bold(m[1])}</mi>", body)
-    body = re.sub(r'<mo>(\u2a4a|[~\u02d9\u00a8])</mo>', _accent, body.replace(' stretchy="false">~', ">~"))
-    return body.replace('mathvariant="normal"', 'mathvariant="normal"')
+    body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)
+    return re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
 
 
 def _character(match: re.Match) -> str:
@@ -48,21 +50,18 @@ def _character(match: re.Match) -> str:
 
 
 def _accent(match: re.Match) -> str:
-    """Dots and tildes above a letter, in the characters that fonts place there."""
-    return f'<mo accent="true" stretchy="false">{"˜" if match[1] == "~" else match[1]}</mo>'
+    """Dots, hats and tildes above a letter, in the characters that fonts place there."""
+    character = {"~": "\u02dc", "^": "\u02c6"}.get(match[1], match[1])
+    return f'<mo accent="true" stretchy="false">{character}</mo></mover>'
 
 
-def _bold(letters: str) -> str:
+def _bold(match: re.Match) -> str:
     """Bold letters as characters of their own: browsers do not make them from a style."""
-    return "".join(_bold_letter(c) for c in letters)
+    return f"<{match[1]}>{''.join(map(_bold_letter, match[2]))}</{match[1]}>"
 
 
 def _bold_letter(c: str) -> str:
-    code = ord(c)
-    if 0x391 <= code <= 0x3A9:
-        return chr(BOLD_GREEK + code - 0x391)
-    if 0x3B1 <= code <= 0x3C9:
-        return chr(BOLD_ITALIC_GREEK + 26 + code - 0x3B1)
-    if SCRIPT <= code < SCRIPT + 52:
-        return chr(BOLD_SCRIPT + code - SCRIPT)
-    return {"ϕ": "𝝓", "ε": "𝜺", "ϵ": "𝝐"}.get(c, c)
+    for first, last, bold in BOLD:
+        if first <= c <= last:
+            return chr(bold + ord(c) - ord(first))
+    return "\U0001d753" if c == "\u03d5" else c

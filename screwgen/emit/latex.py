@@ -1,0 +1,126 @@
+"""The equations of a robot as a document: LaTeX, PDF, HTML, and in a notebook."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from ..chain.chain import Chain
+from ..chain.scope import derived
+from ..derive.link_class import LinkClass
+from ..errors import ScrewgenError
+from ..spec.parameters import parameters
+from ..spec.robot import Robot
+from . import latex_tables as tables
+from . import latex_text as text
+from .latex_class import class_section, ordered
+from .latex_content import Document, Paragraph, Section, parse
+from .latex_steps import BlockView, block_view
+from .latex_symbols import entries
+from .templates import render
+
+KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
+"""What a notebook shows of a link: the blocks by which the paper calls them."""
+
+
+def document(robot: Robot) -> str:
+    """A LaTeX document with the equations of ``robot``; needs amsmath, booktabs and longtable alone."""
+    return render("latex/document.tex.jinja", document=content(robot), text=text.tex, rows=text.tex_rows)
+
+
+def html(robot: Robot) -> str:
+    """The same document as one HTML page with MathML, which needs nothing else."""
+    return render("latex/document.html.jinja", document=content(robot), text=text.in_html, rows=text.html_rows)
+
+
+def notebook(robot: Robot) -> str:
+    """A short piece of HTML: the robot's links and the blocks of each class, for notebooks."""
+    chain = Chain(robot)
+    classes = []
+    for number, key in enumerate(chain.classes, 1):
+        steps = [s for s in block_view(derived(key)["link"]).steps if s.name in KEY_STEPS]
+        classes.append((number, [(s.meaning, s.formula[:1]) for s in steps]))
+    table = tables.links(robot, chain.keys, chain.classes)
+    return render("latex/notebook.html.jinja", name=robot.name, table=table, classes=classes, text=text.in_html,
+                  rows=text.html_rows)
+
+
+def write_pdf(tex: str, path: str | Path) -> None:
+    """Compile ``tex`` with pdflatex and put the result at ``path``.
+
+    Raises ScrewgenError if pdflatex is missing or fails.
+    """
+    program = shutil.which("pdflatex")
+    if program is None:
+        raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "equations.tex").write_text(tex, encoding="utf-8")
+        for _ in range(2):  # the second run knows the table of contents
+            _run(program, folder)
+        shutil.copyfile(Path(folder) / "equations.pdf", path)
+
+
+def _run(program: str, folder: str) -> None:
+    command = [program, "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
+    if done.returncode:
+        wrong = next((line for line in done.stdout.splitlines() if line.startswith("!")), "no message")
+        raise ScrewgenError(f"pdflatex failed: {wrong.lstrip('! ')}")
+
+
+# -------------------------------------------------------------------------------------------- content
+
+
+def content(robot: Robot) -> Document:
+    """The document of a robot, whatever it is printed with."""
+    chain = Chain(robot)
+    views = {key: class_views(key) for key in chain.classes}
+    first: dict[BlockView, int] = {}
+    sections = [_robot(robot, chain), *_theory(robot, chain)]
+    for number, key in enumerate(chain.classes, 1):
+        members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
+        pairs = [(view, first.setdefault(_shown(view), number)) for view in views[key]]
+        sections.append(class_section(number, key, members, pairs))
+    known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
+    sections += [Section("Symbols", [tables.symbols(entries(known))]),
+                 Section("Parameters", [tables.parameters(parameters(robot))])]
+    return Document(robot.name, _version(), tuple(sections))
+
+
+def class_views(key: LinkClass) -> list[BlockView]:
+    """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
+    seen: dict[str, str] = {}
+    blocks = derived(key)
+    return [block_view(blocks[name], seen) for name in ordered(blocks)]
+
+
+def _shown(view: BlockView) -> BlockView:
+    """What two classes may have in common: what is printed, not the symbols behind it."""
+    return BlockView(view.name, view.title, view.steps, (), ())
+
+
+def _robot(robot: Robot, chain: Chain) -> Section:
+    count = f"{chain.n} link{'s' if chain.n > 1 else ''}, {chain.n_joints} joint coordinates, {chain.n_modes} modal ones"
+    items = [Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
+             tables.links(robot, chain.keys, chain.classes)]
+    return Section("The robot", items)
+
+
+def _theory(robot: Robot, chain: Chain) -> list[Section]:
+    gravity = ", ".join(f"{g:g}" for g in robot.gravity)
+    conventions = render("latex/conventions.tex.jinja", gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "))
+    equations = render("latex/equations.tex.jinja", section_rotation=robot.section_rotation,
+                       unknowns=12 * chain.n + chain.n_modes)
+    return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]
+
+
+def _version() -> str:
+    try:
+        return version("screwgen")
+    except PackageNotFoundError:
+        from .. import __version__
+
+        return __version__

@@ -1,0 +1,62 @@
+"""The small markup of a document's text as LaTeX and as HTML."""
+
+from __future__ import annotations
+
+import html
+import re
+
+from . import latex_mathml as mathml
+from .latex_layout import Formula
+from .templates import markup
+
+PIECES = re.compile(r"(\$[^$]*\$|`[^`]*`)")
+SPECIAL = {"\\": r"\textbackslash{}", "_": r"\_", "%": r"\%", "&": r"\&", "#": r"\#", "{": r"\{", "}": r"\}",
+           "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "ξ": r"$\xi$", "×": r"$\times$", "²": "$^2$",
+           "³": "$^3$", "·": r"$\cdot$", "η": r"$\eta$", "−": "$-$", "ζ": r"$\zeta$", "ρ": r"$\rho$"}
+RUN = 10
+"""An identifier may be broken after that many characters, and after any that is no letter."""
+
+
+def tex(text: str) -> str:
+    """Text for LaTeX."""
+    return "".join(_tex_piece(p) for p in PIECES.split(text))
+
+
+def _tex_piece(piece: str) -> str:
+    if piece.startswith("$"):
+        return piece
+    if piece.startswith("`"):
+        return rf"\texttt{{{_breakable(piece[1:-1])}}}"
+    return _escaped(piece)
+
+
+def _escaped(text: str) -> str:
+    return "".join(SPECIAL.get(c, c) for c in text)
+
+
+def _breakable(name: str) -> str:
+    parts = re.findall(rf"[A-Za-z0-9]{{1,{RUN}}}|.", name)
+    return r"\allowbreak{}".join(map(_escaped, parts))
+
+
+def tex_rows(formula: Formula) -> str:
+    """The rows of an aligned environment."""
+    return " \\\\\n".join("  " + " & ".join(row) for row in formula)
+
+
+def in_html(text: str) -> str:
+    """Text for HTML."""
+    return markup("".join(_html_piece(p) for p in PIECES.split(text)))
+
+
+def _html_piece(piece: str) -> str:
+    if piece.startswith("$"):
+        return mathml.inline(piece[1:-1])
+    if piece.startswith("`"):
+        return f"<code>{html.escape(piece[1:-1])}</code>"
+    return html.escape(piece)
+
+
+def html_rows(formula: Formula) -> str:
+    """A displayed formula as MathML."""
+    return markup(mathml.display(formula))

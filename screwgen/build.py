@@ -14,6 +14,8 @@ from .chain.dae_functions import dae_names
 from .chain.scope import derived
 from .derive.block import Block
 from .emit.numeric import Numeric
+from .errors import UsageError
+from .folder import check_folder, write_folder
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 
@@ -74,6 +76,39 @@ class Model:
     def casadi(self) -> Mapping:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""
         return self._casadi
+
+    def write(self, folder, targets=TARGETS, parameters="runtime", layout="auto") -> list[str]:
+        """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
+
+        ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
+        ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``.  Writes all or
+        nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
+        """
+        check_folder(Path(folder))
+        makers = {"c": lambda: self.c_files(parameters, layout), "casadi": self._casadi_files, "latex": self._latex_files}
+        unknown = [t for t in targets if t not in makers]
+        if unknown:
+            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(TARGETS)}")
+        files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
+        return write_folder(folder, files, tuple(targets))
+
+    def c_files(self, parameters="runtime", layout="auto") -> dict[str, bytes]:
+        """The files of the C target."""
+        from .emit.c import CProject
+
+        project = CProject(self.chain, VERSION, parameters, layout)
+        return {name: text.encode() for name, text in project.files().items()}
+
+    def _casadi_files(self) -> dict[str, bytes]:
+        from .emit.casadi_files import casadi_files
+
+        return casadi_files(self.robot, self.casadi(), self.parameter_names, VERSION)
+
+    def _latex_files(self) -> dict[str, bytes]:
+        from .emit import latex
+
+        name = self.robot.name
+        return {f"{name}.tex": latex.document(self.robot).encode(), f"{name}.html": latex.html(self.robot).encode()}
 
     def numpy(self, p: Sequence[float] | None = None) -> Numeric:
         """The functions on NumPy arrays, at the file's parameters or at ``p``."""

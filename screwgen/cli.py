@@ -8,6 +8,7 @@ the commands that need them, so that help is quick.
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from typing import Annotated
@@ -195,7 +196,16 @@ for _name in RESERVED:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command line (default: this process's) and return its exit status."""
+    if arguments is None:
+        _tidy_when_told_to_end()
     return _guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
+
+
+def _tidy_when_told_to_end() -> None:
+    """Let a closed terminal or a plain `kill` end the process as an exception does: temporary files go."""
+    for name in ("SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), lambda number, _: sys.exit(128 + number))
 
 
 def _command(arguments: list[str]) -> int:

@@ -133,3 +133,22 @@ class Compiled:
             raise SingularError(f"the joint of link '{link}' is singular in this posture")
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
+
+
+class CompiledStepper:
+    """A stepper of :mod:`screwgen.simulate` that steps the joint form in the generated C."""
+
+    default = "modal_implicit"
+
+    def __init__(self, compiled: Compiled, model: Model, integrator: str, p):
+        self.compiled, self.integrator = compiled, integrator
+        compiled.prepare(p)
+
+    def initial(self, q, v):
+        return np.array(q, float), np.array(v, float)
+
+    def step(self, state, tau, w_ext, dt: float):
+        return self.compiled.step(*state, tau, w_ext, dt, self.integrator)
+
+    def coordinates(self, state):
+        return state

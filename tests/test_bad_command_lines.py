@@ -75,6 +75,8 @@ LINES = {
     "latex ella.toml -o x.docx": "it must end in .tex or .pdf or .html",
     "latex ella.toml -o none/x.tex": "its folder does not exist",
     "generate ella.toml": "missing option",
+    "generate ella.toml -o ella.toml": "ella.toml",
+    "generate ella.toml -o .": ".",
     "generate ella.toml -o out --target fortran": "--target: there is no 'fortran'",
     "generate ella.toml -o out --parameters cooked": "--parameters: there is no 'cooked'",
     "generate ella.toml -o out --layout loose": "--layout: there is no 'loose'",

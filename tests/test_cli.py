@@ -201,7 +201,15 @@ def test_singular_posture_names_the_link(capsys, folder):
     assert sorted(os.listdir()) == before
 
 
-def test_interrupt_leaves_nothing(folder):
+@pytest.mark.parametrize(
+    ("number", "status", "message"),
+    [
+        (signal.SIGINT, 130, "screwgen: error: interrupted; nothing was written\n"),
+        (signal.SIGTERM, 143, ""),
+        (signal.SIGHUP, 129, ""),
+    ],
+)
+def test_interrupted_work_leaves_nothing(folder, number, status, message):
     before = sorted(os.listdir())
     with process("simulate", "ella.toml", "--duration", "2000", "--step", "1e-3", "-o", "run.npz") as p:
         for _ in range(200):
@@ -209,9 +217,9 @@ def test_interrupt_leaves_nothing(folder):
                 break
             time.sleep(0.05)
         time.sleep(0.3)
-        p.send_signal(signal.SIGINT)
+        p.send_signal(number)
         out, err = p.communicate(timeout=20)
-    assert (p.returncode, out, err) == (130, "", "screwgen: error: interrupted; nothing was written\n")
+    assert (p.returncode, out, err) == (status, "", message)
     assert sorted(os.listdir()) == before
 
 
@@ -239,7 +247,11 @@ def test_closed_pipe_is_no_traceback(folder):
 def test_generate_writes_what_it_lists(capsys, folder):
     listed = run(capsys, "generate", "ella.toml", "-o", "out", "--target", "c").split()
     written = {str(path) for path in Path("out").rglob("*") if path.is_file()}
-    assert listed and set(listed) <= written and "out/ella.h" in written
+    assert listed and set(listed) <= written and any(name.endswith("/ella.h") for name in listed)
+    run(capsys, "generate", "ella.toml", "-o", "out", "--target", "c", "--quiet")  # over its own files
+    Path("out/mine.txt").write_text("precious")
+    assert main(["generate", "ella.toml", "-o", "out"]) == 2
+    assert capsys.readouterr().err.count("\n") == 1 and Path("out/mine.txt").read_text() == "precious"
 
 
 @needs_latex

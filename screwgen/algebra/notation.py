@@ -28,6 +28,8 @@ from .expression import (
     transpose,
 )
 
+TRANSPOSED = r"^{\top}"
+
 HEAD = re.compile(r"(\\(?:mathbf|boldsymbol|dot|ddot)\{(?:[^{}]|\{[^{}]*\})*\}|[A-Za-z])(.*)", re.DOTALL)
 """The letter of a symbol with what decorates it, and its scripts."""
 
@@ -121,6 +123,8 @@ def _transpose(e: Transpose) -> str:
     if isinstance(e.arg, Rotation):
         return _rotation(e.arg, "-")
     text = _factor(e.arg)
+    if isinstance(e.arg, Symbol) and text.endswith(TRANSPOSED):
+        return text.removesuffix(TRANSPOSED)
     return rf"\left({text}\right)^{{\top}}" if "^" in text and not text.endswith(")") else rf"{text}^{{\top}}"
 
 
@@ -155,7 +159,7 @@ def _integral(e: Integral) -> str:
 
 
 _LATEX: dict[type, Callable] = {
-    Symbol: lambda e: symbol(e.display),
+    Symbol: lambda e: symbol(e.display.removesuffix(TRANSPOSED) if e.shape == (1, 1) else e.display),
     Constant: _constant,
     Sum: lambda e: " ".join(terms(e)),
     Product: _product,

@@ -34,15 +34,15 @@ def joint_block(key: LinkClass) -> Block:
     the parent's tip and the joint coordinates do not accelerate.
     """
     b = Block("joint", "Joint")
-    q = b.input("q", (key.joints, 1), r"\mathbf{q}", "rad", "-", "joint coordinates, in the order of the axes")
-    qdot = b.input("qdot", (key.joints, 1), r"\dot{\mathbf{q}}", "rad/s", "-", "joint rates")
+    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", "rad", "-", "joint coordinates, in the order of the axes")
+    qdot = b.input("qdot", (key.joints, 1), r"\dot{\mathbf{q}}_i", "rad/s", "-", "joint rates")
     omega_P = b.input("omega_P", (3, 1), r"\boldsymbol{\omega}_P", "rad/s", TIP, "angular velocity of the parent's tip")
     v_P = b.input("v_P", (3, 1), r"\mathbf{v}_P", "m/s", TIP, "velocity of the parent's tip point")
     turns, angles, speeds = rotations(key, b, q, qdot)
     r_m, r_B = joint_points(key, b)
 
     R = relative_rotation(key, b, turns)
-    A = b.step("A", axes_matrix(key, turns), r"\mathbf{A}", unit="-", frame=LINK, equation="43",
+    A = b.step("A", axes_matrix(key, turns), r"\mathbf{A}_i", unit="-", frame=LINK, equation="43",
                meaning="columns: the joint's axes", numbered=(1,))
     omega_J = b.step("omega_J", A @ qdot, r"\boldsymbol{\omega}_J", unit="rad/s", frame=LINK,
                      meaning="angular velocity of the link relative to its parent's tip")
@@ -73,11 +73,11 @@ def _axis_rate(key: LinkClass, turns, angles, speeds) -> Expression:
 def posture_block(key: LinkClass) -> Block:
     """The relative rotation and the joint's axes alone, as functions of q (DAE form, poses)."""
     b = Block("posture", "Posture of the joint")
-    q = b.input("q", (key.joints, 1), r"\mathbf{q}", "rad", "-", "joint coordinates, in the order of the axes")
+    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", "rad", "-", "joint coordinates, in the order of the axes")
     turns, _, _ = rotations(key, b, q, q)
     joint_points(key, b)
     relative_rotation(key, b, turns)
-    b.step("A", axes_matrix(key, turns), r"\mathbf{A}", unit="-", frame=LINK, equation="43",
+    b.step("A", axes_matrix(key, turns), r"\mathbf{A}_i", unit="-", frame=LINK, equation="43",
            meaning="columns: the joint's axes", numbered=(1,))
     return b
 

@@ -78,12 +78,11 @@ def content(robot: Robot) -> Document:
     """The document of a robot, whatever it is printed with."""
     chain = Chain(robot)
     views = {key: class_views(key) for key in chain.classes}
-    first: dict[BlockView, int] = {}
+    printed: dict = {}
     sections = [_robot(robot, chain), *_theory(robot, chain)]
     for number, key in enumerate(chain.classes, 1):
         members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
-        pairs = [(view, first.setdefault(_shown(view), number)) for view in views[key]]
-        sections.append(class_section(number, key, members, pairs))
+        sections.append(class_section(number, key, members, views[key], printed))
     known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
     sections += [Section("Symbols", [tables.symbols(entries(known))]),
                  Section("Parameters", [tables.parameters(parameters(robot))])]
@@ -95,11 +94,6 @@ def class_views(key: LinkClass) -> list[BlockView]:
     seen: dict[str, str] = {}
     blocks = derived(key)
     return [block_view(blocks[name], seen) for name in ordered(blocks)]
-
-
-def _shown(view: BlockView) -> BlockView:
-    """What two classes may have in common: what is printed, not the symbols behind it."""
-    return BlockView(view.name, view.title, view.steps, (), ())
 
 
 def _robot(robot: Robot, chain: Chain) -> Section:

@@ -26,35 +26,41 @@ def ordered(blocks: Mapping[str, Block]) -> list[str]:
     return sorted(blocks, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))
 
 
-def class_section(number: int, key: LinkClass, members: Sequence[str], views: Sequence[tuple[BlockView, int]]) -> Section:
-    """The section of a class; a view that an earlier class has too comes with that class's number."""
+Part = tuple[str, tuple[Item, ...]]
+"""A heading with what stands below it."""
+
+
+def class_section(number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView],
+                  printed: dict[Part, int]) -> Section:
+    """The section of a class; parts that an earlier class has ``printed`` are only named."""
     names = ", ".join(f"`{name}`" for name in members)
-    items: list[Item] = [Paragraph(f"Links of this class: {names}."), *_field(key)]
-    for view, same_as in views:
-        if same_as != number and view.steps:
-            items += [Heading(view.title), Paragraph(f"As for class {same_as}.")]
-        else:
-            items += _block(view)
+    items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
+    parts = list(_parts(key, views))
+    for earlier in sorted({printed[part] for part in parts if part in printed}):
+        titles = [part[0] for part in parts if printed.get(part) == earlier]
+        items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
+    for title, below in parts:
+        if (title, below) not in printed:
+            printed[title, below] = number
+            items += [Heading(title), *below]
     return Section(f"Link class {number}", items)
 
 
-def _block(view: BlockView) -> Iterator[Item]:
-    """A block under its heading; what follows from the parameters alone comes first in the link block."""
-    groups = [(view.title, view.steps)]
-    if view.name == "link":
-        known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
-        groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
-    for title, steps in groups:
-        if steps:
-            yield Heading(title)
-            yield from map(equation, steps)
+def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
+    """The field, then every block; what follows from the parameters alone comes first in the link block."""
+    yield "Kinematic field", tuple(_field(key))
+    for view in views:
+        groups = [(view.title, view.steps)]
+        if view.name == "link":
+            known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
+            groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
+        yield from ((title, tuple(map(equation, steps))) for title, steps in groups if steps)
 
 
 # ------------------------------------------------------------------------------------ kinematic field
 
 
 def _field(key: LinkClass) -> Iterator[Item]:
-    yield Heading("Kinematic field")
     if not key.modes:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
         return
@@ -88,13 +94,8 @@ def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
 
 def _side_by_side(formulas: list[str]) -> Formula:
     """Short formulas share a line."""
-    lines = fill([f + (r",\qquad" if f is not formulas[-1] else "") for f in formulas], PAGE)
-    return tuple(tuple(line.removesuffix(r",\qquad").split(" = ", 1)[0:1]) + _rest(line) for line in lines)
-
-
-def _rest(line: str) -> tuple[str, ...]:
-    _, equals, right = line.removesuffix(r",\qquad").partition(" = ")
-    return (f"= {right}" if equals else "",)
+    lines = fill([f if f is formulas[-1] else rf"{f},\qquad" for f in formulas], PAGE)
+    return tuple(("", line.removesuffix(r"\qquad")) for line in lines)
 
 
 def _polynomial(k: int, text: str) -> Formula:

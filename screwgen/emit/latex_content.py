@@ -99,24 +99,33 @@ def split_row(line: str) -> tuple[str, ...]:
 
 # ---------------------------------------------------------------------------------------------- words
 
-_WORDS = {
-    r"M\*": r"\mathbf{M}^*",
-    r"F_i": r"\mathcal{F}_i",
-    r"R_o([iT])\^T g": r"\mathbf{R}_{o\1}^{\top}\mathbf{g}",
-    r"u_([yz])'": r"u_\1'",
-    r"etaddot": r"\ddot{\eta}",
-    r"nudot": r"\dot{\nu}",
-    r"qddot": r"\ddot{q}",
-    r"\bc(\d)\b": r"c_\1",
+_LETTERS = {
+    "M*": r"\mathbf{M}^*",
+    "F_i": r"\mathcal{F}_i",
+    "R_oi^T g": r"\mathbf{R}_{oi}^{\top}\mathbf{g}",
+    "R_oT^T g": r"\mathbf{R}_{oT}^{\top}\mathbf{g}",
+    "etaddot": r"\ddot{\boldsymbol{\eta}}",
 }
+_MATHEMATICS = re.compile(
+    "|".join(map(re.escape, _LETTERS)) + r"|(?P<symbol>\b[uc]_?[xyz\d]'*(?!\w))"
+    r"|(?P<unit>kg\*m\^2|N\*m(?:\*s)?(?:/rad)?)|(?P<marked>\$[^$]*\$)"
+)
 
 
 def words(meaning: str) -> str:
     """The words of a signal with what is mathematics in them marked as such."""
-    meaning = re.sub(r"kg\*m\^2|N\*m(?:\*s)?(?:/rad)?", lambda m: f"${_unit(m[0])}$", meaning)
-    for pattern, replacement in _WORDS.items():
-        meaning = re.sub(pattern, f"${replacement}$", meaning)
-    return meaning
+    return _MATHEMATICS.sub(_marked, meaning)
+
+
+def _marked(match: re.Match) -> str:
+    if match["marked"]:
+        return match["marked"]
+    if match["unit"]:
+        return f"${_unit(match['unit'])}$"
+    if match["symbol"]:
+        letter, place, primes = re.fullmatch(r"([uc])_?(\w)('*)", match["symbol"]).groups()
+        return f"${letter}_{place}{primes}$"
+    return f"${_LETTERS[match[0]]}$"
 
 
 def unit(text: str) -> str:

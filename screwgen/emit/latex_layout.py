@@ -135,7 +135,8 @@ def _groups(rows: list[Row], size: int) -> Iterator[list[Row]]:
 
 
 def _joined(rows: list[Row]) -> Row:
-    return tuple(cell for row in rows for cell in row)
+    first, *others = rows
+    return (*first, *(cell for head, *tail in others for cell in (rf"\qquad {head}", *tail)))
 
 
 def matrix(entries: Sequence[Sequence[str]]) -> str:

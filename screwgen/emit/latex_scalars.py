@@ -29,15 +29,16 @@ def entry(signal: Signal, index: tuple[int, int]) -> str:
 
 def subscripted(display: str, place: str) -> str:
     """The letter of ``display`` with ``place`` among its subscripts; a power stays inside a bracket."""
-    if not place:
+    bold = re.search(r"\\(?:mathbf|boldsymbol)", display)
+    if not place and not bold:
         return display
     head, below, above = _scripts(re.sub(r"\\(?:mathbf|boldsymbol)\{([^{}]*)\}", r"\1", display))
     below = "" if OWN_LINK.fullmatch(below) else re.sub(r",i$", "", below)
     if above not in ("", "*"):
         inner = f"_{{{below}}}" if below else ""
         return rf"({head}{inner}^{{{above}}})_{{{place}}}"
-    star = "^*" if above else ""
-    return rf"{head}{star}_{{{below + ',' if below else ''}{place}}}"
+    star, place = "^*" if above else "", ",".join(filter(None, (below, place)))
+    return rf"{head}{star}_{{{place}}}" if place else head + star
 
 
 def _scripts(display: str) -> tuple[str, str, str]:

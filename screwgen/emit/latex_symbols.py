@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from ..algebra.notation import symbol
+from ..algebra.expression import Symbol
+from ..algebra.notation import latex
 from ..derive.block import Binding, Block, Signal
 from .latex_content import frame, unit, words
 from .latex_steps import BlockView
@@ -22,6 +24,10 @@ FIELDS = {
     "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-"),
     "Phi_tip": ("displacement shapes at the tip", "-"),
     "Psi_tip": ("turn of the section at the tip by each mode", "1/m"),
+    "x_of": ("axial shapes in a row", "-"),
+    "y_of": ("shapes of bending in y in a row", "-"),
+    "z_of": ("shapes of bending in z in a row", "-"),
+    "ones": ("column of ones", "-"),
 }
 """What varies along the link, and has no signal of its own."""
 
@@ -35,7 +41,7 @@ SYSTEM = (
     (r"\mathbf{w}_{ext,i}", "external wrench on the tip section, tip frame", "N*m, N", "6"),
     (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", "N*m, N", "6"),
     (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i"),
-    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "m_i"),
+    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}"),
     (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", "N*m, N", "6"),
     (r"\mathbf{M}_i", "inertia of twist and modes together", "", "6 + r_i, square"),
     (r"\mathbf{h}_i", "bias of twist and modal rows together", "", "6 + r_i"),
@@ -45,11 +51,11 @@ SYSTEM = (
     (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "", "6 × 6"),
     (r"\boldsymbol{\beta}_i", "rate of the twist that the velocities cause at the joint", "rad/s^2, m/s^2", "6"),
     (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6"),
-    (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "m_i × m_i"),
-    (r"\mathbf{b}_i,\ \mathbf{k}_{q,i}", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "m_i × m_i"),
+    (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "n_{q,i} × n_{q,i}"),
+    (r"\mathbf{b}_i,\ \mathbf{k}_{q,i}", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "n_{q,i} × n_{q,i}"),
     (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries, tip frame", "", "6 × 6, 6"),
     (r"\mathbf{M}_T,\ \mathbf{h}_T", "inertia and bias of the bodies at the tip, tip frame", "", "6 × 6, 6"),
-    (r"\mathbf{R}_{oi},\ \mathbf{r}_{oi}", "rotation and position of F_i in the inertial frame", "-, m", "3 × 3, 3"),
+    (r"\mathbf{R}_{oi},\ \mathbf{r}_{oi}", "rotation and position of F_i in the inertial frame", "m", "3 × 3, 3"),
     (r"\mathbf{g}", "free fall, inertial frame", "m/s^2", "3"),
 )
 """The symbols of the text: LaTeX, meaning, unit, shape."""
@@ -72,9 +78,14 @@ def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
     found: dict[str, list[tuple[str, Signal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
-            found.setdefault(symbol(signal.display), []).append((block.name, signal))
+            found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
     return [*_system(), *sorted(steps, key=lambda e: -1 if e.binding is None else int(e.binding))]
+
+
+def written(signal: Signal) -> str:
+    """A signal as the formulas have it."""
+    return latex(Symbol(signal.name, signal.shape, signal.display))
 
 
 def _system() -> Iterator[Entry]:
@@ -94,9 +105,15 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
     for used in view.used:
         if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
             yield block.signal(used.name)
-        elif used.name in FIELDS:
-            meaning, unit_ = FIELDS[used.name]
+        elif (key := field_key(used.name)) is not None:
+            meaning, unit_ = FIELDS[key]
             yield Signal(used.name, used.shape, used.display, unit_, "F_i", meaning, binding=None)
+
+
+def field_key(name: str) -> str | None:
+    """The field of that name; shapes of one direction and columns of ones have names of their own."""
+    keys = (name, *re.findall(r"^phi_([xyz]_of)_", name), *re.findall(r"_(ones)$", name))
+    return next((key for key in keys if key in FIELDS), None)
 
 
 def _entry(display: str, signals: list[Signal]) -> Entry:
@@ -107,7 +124,7 @@ def _entry(display: str, signals: list[Signal]) -> Entry:
 
 def _shape(shapes: list[tuple[int, int]], name: str) -> str:
     """The shape, with a letter where links differ."""
-    letter = "m_i" if name in ("q", "qdot", "A") else "r_i"
+    letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
     if set(shapes) == {(1, 1)}:
         return ""
     sizes = [{s[d] for s in shapes} for d in (0, 1)]

@@ -91,4 +91,4 @@ def symbols(entries: Iterable[Entry]) -> Table:
     """Every symbol with what it means, and when it is known."""
     head = ("symbol", "meaning", "unit", "frame", "shape", "follows from")
     rows = ((f"${e.display}$", e.meaning, e.unit, e.frame, e.shape, KNOWN.get(e.binding, "")) for e in entries)
-    return Table(head, (0.13, 0.38, 0.16, 0.13, 0.09, 0.11), tuple(rows))
+    return Table(head, (0.13, 0.35, 0.16, 0.13, 0.1, 0.13), tuple(rows))

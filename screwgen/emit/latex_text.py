@@ -40,8 +40,10 @@ def _breakable(name: str) -> str:
 
 
 def tex_rows(formula: Formula) -> str:
-    """The rows of an aligned environment."""
-    return " \\\\\n".join("  " + " & ".join(row) for row in formula)
+    """Aligned rows of cells."""
+    pairs = max(len(row) + 1 for row in formula) // 2
+    rows = " \\\\\n".join("  " + " & ".join(row) for row in formula)
+    return f"\\begin{{alignat*}}{{{pairs}}}\n{rows}\n\\end{{alignat*}}"
 
 
 def in_html(text: str) -> str:

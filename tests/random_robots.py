@@ -86,7 +86,7 @@ def random_link(rng, index: int, limits: dict, soft: bool) -> dict:
         link["damping"] = {"ratio": float(rng.uniform(0.0, 0.05))}
     link["joint"] = random_joint(rng, limits)
     if chance(rng, limits["frame_at"]):
-        link["frame_at"] = float(rng.choice([0.5, 1.0, rng.uniform(-0.2, 1.0)])) * length
+        link["frame_at"] = float(rng.choice([0.5, 1.0, rng.uniform(0.0, 1.0)])) * length
     if bodies := random_bodies(rng, limits):
         link["bodies"] = bodies
     return link

@@ -25,7 +25,7 @@ from .c_fields import (
 from .c_links import RUNS, Links, sparsity
 from .templates import render
 
-METHODS = ("euler", "semi_implicit", "modal_implicit", "rk4")
+METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
 FUSED_LIMIT = 8
 """Up to this many links ``auto`` writes the joint form in one piece."""
 

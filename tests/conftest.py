@@ -1,0 +1,38 @@
+"""What all tests share: outside tools, the summary of what they kept from running, and hypothesis' manners."""
+
+import os
+import shutil
+import tempfile
+from collections import Counter
+
+import hypothesis.configuration
+import pytest
+from hypothesis import settings
+
+MISSING = "tool not installed: "
+
+# The same examples on every machine and every day, and nothing written into the checkout.
+hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdir(), "screwgen-hypothesis"))
+settings.register_profile("screwgen", derandomize=True, deadline=None, database=None, print_blob=False)
+settings.load_profile("screwgen")
+
+
+def require_tool(name: str) -> str:
+    """The path of an outside tool. Where it is missing the test is skipped, or fails if REQUIRE_TOOLS=1."""
+    path = shutil.which(name)
+    if path is None:
+        refuse = pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip
+        refuse(MISSING + name)
+    return path
+
+
+def missing_tools(reports) -> Counter:
+    """How many tests were skipped for want of which tool; reports of xdist's workers count too."""
+    reasons = (r.longrepr[2] for r in reports if isinstance(r.longrepr, tuple))
+    return Counter(reason.partition(MISSING)[2] for reason in reasons if MISSING in reason)
+
+
+def pytest_terminal_summary(terminalreporter):
+    for tool, count in sorted(missing_tools(terminalreporter.stats.get("skipped", [])).items()):
+        tests = "test" if count == 1 else "tests"
+        terminalreporter.write_line(f"could not run for want of a tool: {tool} ({count} {tests})", yellow=True)

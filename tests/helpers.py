@@ -1,0 +1,130 @@
+"""Robots, models and measures that several test files use."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import random_robots as rr
+from oracle import Oracle, part_error
+
+from screwgen import Model, Robot, derive, load
+from screwgen.compiled import Compiled
+
+ROOT = Path(__file__).resolve().parents[1]
+EPS, EPS32 = float(np.finfo(np.float64).eps), float(np.finfo(np.float32).eps)
+COMPANION = {"qdd": "etadd", "etadd": "qdd", "tau": "F", "F": "tau"}
+QUICK = ("-O0",)
+G = 9.81
+
+
+class Case(NamedTuple):
+    """A random robot in a random state, with its judge."""
+
+    robot: dict
+    state: dict
+    oracle: Oracle
+    model: Model
+
+    @property
+    def inputs(self) -> tuple:
+        """q, v, tau, w_ext: what every forward dynamics takes."""
+        return tuple(np.array(self.state[name]) for name in ("q", "v", "tau", "w_ext"))
+
+    @property
+    def tolerance(self) -> float:
+        """What double precision allows, MODEL.md 7."""
+        return self.oracle.tolerance(self.state["q"])
+
+    @property
+    def agreement(self) -> float:
+        """How well two back ends agree in double precision, MODEL.md 7."""
+        return max(1e-12, 50 * EPS * self.oracle.condition(self.state["q"]))
+
+
+def model_of(robot: dict) -> Model:
+    """The model of a robot given as a plain dict."""
+    return derive(Robot.model_validate(robot))
+
+
+@cache
+def example(name: str) -> Model:
+    return derive(load(ROOT / "examples" / f"{name}.toml"))
+
+
+def example_dict(name: str) -> dict:
+    """An example robot as the oracle takes it."""
+    import tomllib
+
+    return tomllib.loads((ROOT / "examples" / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+def drawn(seed: int, n_links: int | None = None, **limits) -> Case:
+    """A random robot with a regular mass matrix; see random_robots.draw_regular."""
+    robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), n_links, **limits)
+    return Case(robot, state, oracle, model_of(robot))
+
+
+def case_of(robot: dict, state: dict) -> Case:
+    return Case(robot, state, Oracle(robot), model_of(robot))
+
+
+def quick(model: Model, **options) -> Compiled:
+    """The generated C, compiled without optimisation."""
+    return Compiled(model, flags=QUICK, **options)
+
+
+def casadi_forward(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    """Forward dynamics by CasADi in the shapes of the others: (nq,) and (n, 6)."""
+    vdot, wrench = model.casadi()["forward_dynamics"](q, v, tau, np.reshape(w_ext, (-1, 6)).T, model.parameter_values)
+    return flat(vdot), np.array(wrench).T
+
+
+def flat(value) -> np.ndarray:
+    return np.array(value).ravel(order="F")
+
+
+def relative(value, reference) -> float:
+    """Largest error over the reference's largest entry; absolute where the reference vanishes."""
+    value, reference = np.asarray(value, float), np.asarray(reference, float)
+    scale = np.max(np.abs(reference), initial=0.0)
+    return float(np.max(np.abs(value - reference), initial=0.0) / (scale or 1.0))
+
+
+def disagreement(oracle: Oracle, expected: tuple, given: tuple) -> float:
+    """The worst of the four parts of two forward dynamics, measured as Oracle.errors does."""
+    a, b = oracle.parts(*expected), oracle.parts(*given)
+    return max(part_error(a[k], b[k], a[other]) for k, other in COMPANION.items())
+
+
+def link(name="arm", length=1.0, axes=("z",), rhoA=1.0, modes=None, bodies=None, joint=None, section=None, **more) -> dict:
+    """One `[[links]]` table: rigid unless `modes` are given; all stiffnesses that modes need are 1 or `section`'s."""
+    stiff = {"EA": 1.0, "EIy": 1.0, "EIz": 1.0, "GJ": 1.0, "rhoIp": 1e-2} if modes else {"rhoIp": 1e-2}
+    table = {"name": name, "length": length, "section": {"rhoA": rhoA, **stiff, **(section or {})}}
+    table |= {"joint": {"axes": list(axes), **(joint or {})}, **more}
+    return table | ({"modes": modes} if modes else {}) | ({"bodies": bodies} if bodies else {})
+
+
+def arm(*links, gravity=(0.0, 0.0, -G), **more) -> dict:
+    return {"name": "arm", "gravity": list(gravity), "links": list(links), **more}
+
+
+def equal_links(count: int, classes: int = 1) -> dict:
+    """A chain of flexible links that belong to as many link classes as asked for, mixed."""
+    soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
+    kinds = [{"bending_y": 1}, {"bending_z": 1}, {"bending_y": 1, "bending_z": 1}][:classes]
+    names = [f"link{i}" for i in range(count)]
+    return arm(*(link(n, 0.3, "yz"[i % 2 :][:1] if classes > 1 else "y", modes=kinds[i % classes], section=soft)
+                 for i, n in enumerate(names)))
+
+
+def rotation_of(quaternion) -> np.ndarray:
+    """The matrix of a unit quaternion (w, x, y, z), by the textbook formula."""
+    w, x, y, z = quaternion
+    return np.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ])  # fmt: skip

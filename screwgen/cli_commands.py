@@ -110,6 +110,17 @@ def _casadi_joint(model: Model, s: State) -> Evaluation:
     return np.array(out[0])[:, 0], np.array(out[1]).T
 
 
+def _casadi_dae(model: Model, s: State) -> Evaluation:
+    from .emit.casadi import modal_functions
+
+    functions, p = modal_functions(model.chain), model.parameter_values
+    x = model.casadi()["dae_state"](s.q, s.v, p)
+    M_eta, K, D = functions["modal_properties"](p)
+    force = K * s.q[model.n_joints :] + D * s.v[model.n_joints :]
+    _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
+    return np.array(vdot)[:, 0], np.array(wrench).T
+
+
 def _c(model: Model, s: State, form: str) -> Evaluation:
     from .compiled import Compiled
 
@@ -120,6 +131,7 @@ EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
     ("numpy", "joint"): _numpy_joint,
     ("numpy", "dae"): _numpy_dae,
     ("casadi", "joint"): _casadi_joint,
+    ("casadi", "dae"): _casadi_dae,
     ("c", "joint"): partial(_c, form="joint"),
     ("c", "dae"): partial(_c, form="dae"),
 }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .controllers import Controller
+from .dae import DaeStepper
 from .errors import ScrewgenError, SingularError, UsageError
 from .integrate import Dynamics, Evaluator, JointStepper, Stepper
 from .runs import Run
@@ -16,7 +17,7 @@ from .runs import Run
 if TYPE_CHECKING:
     from .build import Model
 
-FORMS: dict[str, type[Stepper]] = {"joint": JointStepper}
+FORMS: dict[str, type[Stepper]] = {"joint": JointStepper, "dae": DaeStepper}
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
 MAX_STEPS = 10**8

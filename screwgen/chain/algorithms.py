@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from ..lower.program import Value
 from . import dae
@@ -44,8 +45,11 @@ class Functions:
     """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    columns ``M_eta``, ``K``, ``D``; ``gravity`` three entries.
+    columns ``M_eta``, ``K``, ``D``; ``gravity`` three entries.  ``given_modes``, where it is set, holds the
+    modes' inertia and force instead of ``M_eta`` and ``K eta + D etadot``: an integrator decides what they are.
     """
+
+    given_modes: tuple[Sequence, Sequence] | None = None
 
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
@@ -64,7 +68,11 @@ class Functions:
         return [x | y for x, y in zip(state, self.modal(state), strict=True)]
 
     def modal(self, state: Sequence[Mapping]) -> list[dict[str, list]]:
-        """Modal inertia and force ``K eta + D etadot`` of every link."""
+        """Modal inertia and force ``K eta + D etadot`` of every link, or what is given in their place."""
+        if self.given_modes is not None:
+            inertia, force = self.given_modes
+            spans = pairwise(self.chain.eta_offset)
+            return [{"m_eta": list(inertia[a:b]), "f_eta": list(force[a:b])} for a, b in spans]
         out = []
         for c, x in zip(self.constants, state, strict=True):
             pairs = zip(c["K"], x["eta"], c["D"], x["etadot"], strict=True)
@@ -99,19 +107,6 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
-
-
-class GivenModes(Functions):
-    """The same functions with modal inertia and force as inputs: the integrator decides what they are."""
-
-    def __init__(self, functions: Functions, m_eta: Sequence, f_eta: Sequence):
-        super().__init__(functions.chain, functions.constants, functions.gravity, functions.apply)
-        self.m_eta, self.f_eta = m_eta, f_eta
-
-    def modal(self, state: Sequence[Mapping]) -> list[dict[str, list]]:
-        o = self.chain.eta_offset
-        return [{"m_eta": list(self.m_eta[o[i] : o[i + 1]]), "f_eta": list(self.f_eta[o[i] : o[i + 1]])}
-                for i in range(self.chain.n)]
 
 
 def sum_of(links: Sequence[Mapping[str, list]], name: str) -> Value:

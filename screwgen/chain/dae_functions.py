@@ -91,15 +91,11 @@ class DaeFunctions(Functions):
         parts = (self._with_modes(x), self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._run(DAE_FORWARD, *parts)[0]
 
-    def accelerations(self, x, tau, w_ext) -> tuple[list, list]:
-        """``vdot`` of the joint form and the joint wrenches, by block elimination."""
+    def rates(self, x, tau, w_ext) -> tuple[list, list, list]:
+        """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
         links = self._solve(x, tau, w_ext)
-        return self.chain.join(links, "qddot", "etaddot"), [w for link in links for w in link["wrench"]]
-
-    def rates(self, x, tau, w_ext) -> tuple[list, list]:
-        """``xdot`` and the joint wrenches, by block elimination."""
-        links = self._solve(x, tau, w_ext)
-        return self._state_rates(x, links), [w for link in links for w in link["wrench"]]
+        wrench = [w for link in links for w in link["wrench"]]
+        return self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot"), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:
         poses, _ = self._run(DAE_RATES, self.unpack(x))

@@ -10,7 +10,7 @@ import mpmath
 from ..derive.link_class import LinkClass
 from ..lower.program import Program, Tracer, Value, inline, run
 from ..spec.parameters import parameters
-from .algorithms import EVERYTHING, Functions, GivenModes
+from .algorithms import EVERYTHING, Functions
 from .chain import Chain, preparation
 from .dae_functions import DaeFunctions, state_size, unknown_size
 
@@ -140,8 +140,8 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
               "m_eta": chain.n_modes, "f_eta": chain.n_modes}
 
     def body(f: Functions, x):
-        g = GivenModes(f, x["m_eta"], x["f_eta"])
-        vdot, wrench = g.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        f.given_modes = (x["m_eta"], x["f_eta"])
+        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         return {"vdot": vdot, "wrench": wrench}
 
     return fuse(chain, "modal_dynamics", inputs, body, constants)
@@ -153,8 +153,8 @@ def complete_dynamics(chain: Chain, constants="constants") -> Program:
               "m_eta": chain.n_modes, "f_eta": chain.n_modes}
 
     def body(f: Functions, x):
-        g = GivenModes(f, x["m_eta"], x["f_eta"])
-        vdot, wrench = g.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        f.given_modes = (x["m_eta"], x["f_eta"])
+        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         R, position = f.poses(x["q"])[1][-1]
         return {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
 
@@ -244,6 +244,28 @@ def kinematic_rates(chain: Chain, constants="parameters") -> Program:
 
     sizes = {"x": state_size(chain), "z": unknown_size(chain)}
     return fuse(chain, "kinematic_rates", sizes, body, constants, DaeFunctions)
+
+
+def dae_dynamics(chain: Chain, constants="parameters") -> Program:
+    """``(x, tau, w_ext, m_eta, f_eta) -> (xdot, vdot, wrench)``: the DAE form by block elimination."""
+    inputs = {"x": state_size(chain), "tau": chain.n_joints, "w_ext": 6 * chain.n,
+              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+
+    def body(f: DaeFunctions, x):
+        f.given_modes = (x["m_eta"], x["f_eta"])
+        xdot, vdot, wrench = f.rates(x["x"], x["tau"], x["w_ext"])
+        return {"xdot": xdot, "vdot": vdot, "wrench": wrench}
+
+    return fuse(chain, "dae_dynamics", inputs, body, constants, DaeFunctions)
+
+
+def projection(chain: Chain, constants="parameters") -> Program:
+    """``(x) -> (projected)``: the state taken back onto the joints."""
+
+    def body(f: DaeFunctions, x):
+        return {"projected": f.project(x["x"])}
+
+    return fuse(chain, "project", {"x": state_size(chain)}, body, constants, DaeFunctions)
 
 
 def placement(chain: Chain, constants="parameters") -> Program:

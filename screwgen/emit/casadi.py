@@ -84,7 +84,7 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
 
 
 def modal_functions(chain: Chain) -> dict[str, ca.Function]:
-    """What an integrator needs: ``modal_dynamics`` and ``modal_properties``."""
+    """What integrators need: ``modal_dynamics``, ``modal_properties``, and ``dae_dynamics``, ``project``."""
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_modes, "f_eta": chain.n_modes}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fuse.parameters(chain.robot)))}
@@ -92,7 +92,13 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
     wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
     properties = expressions(fuse.modal_properties(chain), given)
+    given["x"] = ca.SX.sym("x", state_size(chain))
+    dae, projected = expressions(fuse.dae_dynamics(chain), given), expressions(fuse.projection(chain), given)
+    dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
+    dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
     return {
+        "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
+        "project": function("project", {k: given[k] for k in ("x", "p")}, **projected),
         "modal_dynamics": function("modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench),
         "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
     }

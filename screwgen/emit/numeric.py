@@ -110,7 +110,7 @@ class Numeric:
 
     def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``xdot`` and the joint wrenches (n, 6), by block elimination."""
-        xdot, wrench = self.dae_functions.rates(_flat(x), _flat(tau), _flat(w_ext))
+        xdot, _, wrench = self.dae_functions.rates(_flat(x), _flat(tau), _flat(w_ext))
         return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def project(self, x) -> np.ndarray:
@@ -128,7 +128,7 @@ class Numeric:
     def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
         x = self.dae_functions.place(_flat(q), _flat(v))
-        vdot, wrench = self.dae_functions.accelerations(x, _flat(tau), _flat(w_ext))
+        _, vdot, wrench = self.dae_functions.rates(x, _flat(tau), _flat(w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:

@@ -17,7 +17,7 @@ import screwgen
 from screwgen import plot
 from screwgen.compiled import Compiled, CompiledStepper
 from screwgen.controllers import PD
-from screwgen.simulate import FORMS, simulate
+from screwgen.simulation import FORMS, simulate
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"
@@ -83,12 +83,19 @@ def summary(model, compiled, run) -> None:
     torque = np.linalg.norm(run.wrench[:, :, :3], axis=2)
     link = model.robot.links[int(np.argmax(worst.max(axis=0)))].name
     error = np.abs(run.q[-1, :3] - SET_POINTS).max()
-    print(f"model                   {model.nq} coordinates, {len(model.parameter_values)} parameters, "
-          f"{operations} operations per forward dynamics, scratch {scratch} bytes")
-    print(f"time in C               {timing(compiled, run):6.2f} µs per step of 1 ms (modal midpoint rule: two forward dynamics)")
+    print(
+        f"model                   {model.nq} coordinates, {len(model.parameter_values)} parameters, "
+        f"{operations} operations per forward dynamics, scratch {scratch} bytes"
+    )
+    print(
+        f"time in C               {timing(compiled, run):6.2f} µs per step of 1 ms "
+        "(modal midpoint rule: two forward dynamics)"
+    )
     print(f"set points              reached within {error * 1e3:.2f} mrad after {DURATION:g} s")
-    print(f"energy                  largest kinetic {run.energy[:, 0].max():.2f} J, motors' work {power.sum():+.2f} J; balance "
-          f"open by at most {np.abs(balance).max() * 1e3:.1f} mJ")
+    print(
+        f"energy                  largest kinetic {run.energy[:, 0].max():.2f} J, motors' work {power.sum():+.2f} J; "
+        f"balance open by at most {np.abs(balance).max() * 1e3:.1f} mJ"
+    )
     print("                        (what the time step of 1 ms leaves; the torque is held over it)")
     print(f"largest joint wrench    {worst.max():.1f} N at the joint of {link}, torque {torque.max():.1f} N·m")
 

@@ -3,14 +3,39 @@
 One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 """
 
-from .build import VERSION as __version__
 from .build import Model, derive
+from .controllers import PD
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
-from .spec.load import load
+from .integrate import DivergedError
+from .modes import natural_frequencies
+from .runs import Run
+from .simulation import simulate
+from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
 from .spec.section import Section
+from .version import __version__
 
 __all__ = [
-    "Body", "Damping", "Joint", "Link", "Model", "Modes", "Mount", "Robot", "RobotFileError", "ScrewgenError",
-    "Section", "SingularError", "UsageError", "derive", "load",
+    "PD",
+    "Body",
+    "Damping",
+    "DivergedError",
+    "Joint",
+    "Link",
+    "Model",
+    "Modes",
+    "Mount",
+    "Robot",
+    "RobotFileError",
+    "Run",
+    "ScrewgenError",
+    "Section",
+    "SingularError",
+    "UsageError",
+    "__version__",
+    "derive",
+    "dump",
+    "load",
+    "natural_frequencies",
+    "simulate",
 ]

@@ -18,8 +18,8 @@ from .errors import UsageError
 from .folder import check_folder, write_folder
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
+from .version import __version__ as VERSION
 
-VERSION = "0.1.0"
 TARGETS = ("c", "casadi", "latex")
 
 
@@ -85,7 +85,11 @@ class Model:
         nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
         """
         check_folder(Path(folder))
-        makers = {"c": lambda: self.c_files(parameters, layout), "casadi": self._casadi_files, "latex": self._latex_files}
+        makers = {
+            "c": lambda: self.c_files(parameters, layout),
+            "casadi": self._casadi_files,
+            "latex": self._latex_files,
+        }
         unknown = [t for t in targets if t not in makers]
         if unknown:
             raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(TARGETS)}")

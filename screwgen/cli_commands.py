@@ -61,8 +61,8 @@ def run_simulate(
     """Simulate and store; the run and its picture appear together or not at all."""
     from .controllers import read_controller
     from .runs import FORMATS, check_output, outputs
-    from .simulate import FORMS as known_forms
-    from .simulate import simulate, step_count
+    from .simulation import FORMS as known_forms
+    from .simulation import simulate, step_count
 
     check_output(output, FORMATS)
     check_choice("--form", form, known_forms)

@@ -72,7 +72,9 @@ class Compiled:
         """The state after ``count`` steps of the joint form, the input held."""
         q, v = self._copy(q, self.chain.nq), self._copy(v, self.chain.nq)
         number = METHODS.index(method)
-        self._check(self.library.shim_step(number, count, self._real(dt), *self._input(tau, w_ext), *map(self._out, (q, v))))
+        self._check(
+            self.library.shim_step(number, count, self._real(dt), *self._input(tau, w_ext), *map(self._out, (q, v)))
+        )
         return q[: self.chain.nq], v[: self.chain.nq]
 
     def dae_state(self, q, v) -> np.ndarray:
@@ -136,7 +138,7 @@ class Compiled:
 
 
 class CompiledStepper:
-    """A stepper of :mod:`screwgen.simulate` that steps the joint form in the generated C."""
+    """A stepper of :mod:`screwgen.simulation` that steps the joint form in the generated C."""
 
     default = "modal_implicit"
 

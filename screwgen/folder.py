@@ -52,9 +52,13 @@ def check_folder(target: Path) -> dict[str, str]:
         if name == MANIFEST and known:
             continue
         if name not in known:
-            raise UsageError(f"{target}: holds '{name}', which screwgen did not write; choose an empty folder or remove it")
+            raise UsageError(
+                f"{target}: holds '{name}', which screwgen did not write; choose an empty folder or remove it"
+            )
         if file.is_symlink() or _digest(file.read_bytes()) != known[name]:
-            raise UsageError(f"{target}: '{name}' was changed since it was generated; choose another folder or remove it")
+            raise UsageError(
+                f"{target}: '{name}' was changed since it was generated; choose another folder or remove it"
+            )
     return {name: digest for name, digest in known.items() if (target / name).is_file()}
 
 

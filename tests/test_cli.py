@@ -18,7 +18,7 @@ from screwgen import Model, __version__, derive, load
 from screwgen.cli import main
 from screwgen.cli_commands import EVALUATIONS
 from screwgen.modes import natural_frequencies
-from screwgen.simulate import FORMS, simulate
+from screwgen.simulation import FORMS, simulate
 
 ROOT = Path(__file__).resolve().parents[1]
 ELLA = str(ROOT / "examples" / "ella.toml")

@@ -6,10 +6,10 @@ import casadi as ca
 import numpy as np
 import pytest
 import random_robots as rr
-from helpers import COMPANION, Case, case_of, disagreement, drawn, flat, link, model_of, quick, relative
-from oracle import Oracle, part_error
+from helpers import Case, case_of, disagreement, drawn, flat, link, model_of, quick, relative, rotation_of
+from oracle import part_error
 
-SEEDS = range(300, 310)
+SEEDS = range(300, 308)
 every_robot = pytest.mark.parametrize("seed", SEEDS)
 
 
@@ -216,7 +216,7 @@ def test_rigid_chains_equal_pinocchio(n_links):
     expected = pin.aba(model, model.createData(), q, v, tau - passive, external)
     assert relative(vdot, expected) <= case.tolerance
     data = model.createData()
-    force = pin.rnea(model, data, q, v, vdot, external) + model.armature * 0
+    force = pin.rnea(model, data, q, v, vdot, external)
     assert relative(numeric.inverse_dynamics(q, v, vdot, w_ext), force + passive) <= 1e-10
     for i, (joint, _) in enumerate(found):
         if case.robot["links"][i]["joint"]["axes"]:
@@ -237,22 +237,15 @@ def test_long_flexible_chains(n_links):
 # -------- projection
 
 
-def perturbed(x, rng, n: int, size: float) -> np.ndarray:
-    """A state off its joints: poses and twists moved, q with them."""
-    return x + size * rng.standard_normal(len(x))
-
-
 @every_robot
 def test_projection_puts_states_onto_the_joints(seed):
     """Poses and twists then follow from q, eta and their rates to 1e-12, as the oracle places them."""
     case, oracle, numeric = robot_case(seed), robot_case(seed).oracle, robot_case(seed).model.numpy()
     n, m, r = case.model.n_links, case.model.n_joints, case.model.nq - case.model.n_joints
     x = numeric.dae_state(*case.inputs[:2])
-    moved = perturbed(x, np.random.default_rng(seed), n, 1e-4)
+    moved = x + 1e-4 * np.random.default_rng(seed).standard_normal(len(x))
     projected = numeric.project(moved)
     q = np.concatenate([projected[-m:] if m else [], projected[7 * n : 7 * n + r]])
-    from helpers import rotation_of
-
     poses, frames = oracle.poses(q), projected[: 7 * n].reshape(n, 7)
     assert np.allclose(np.linalg.norm(frames[:, :4], axis=1), 1, atol=1e-12)
     assert np.allclose([rotation_of(f[:4]) for f in frames], poses["R"], atol=1e-12)
@@ -277,7 +270,3 @@ def test_a_link_without_spin_inertia_is_semidefinite():
     model = model_of({"name": "bare", "gravity": [0, 0, 0], "links": [table]})
     values = np.linalg.eigvalsh(model.numpy().mass_matrix(np.zeros(4)))
     assert abs(values[0]) < 1e-15 and values[1] > 1e-3
-
-
-def test_parts_are_measured_as_the_oracle_does():
-    assert set(COMPANION) == {"qdd", "etadd", "tau", "F"} and isinstance(robot_case(300).oracle, Oracle)

@@ -12,7 +12,7 @@ from screwgen import Robot, ScrewgenError, SingularError, UsageError, derive, lo
 from screwgen.controllers import PD
 from screwgen.integrate import METHODS, DivergedError
 from screwgen.runs import ARRAYS
-from screwgen.simulate import simulate, time_grid
+from screwgen.simulation import simulate, time_grid
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
 

@@ -60,5 +60,5 @@ def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
 
 
 def turned_rate(R: Expression, omega: Expression, y: Expression, rates: Mapping[str, Expression]) -> Expression:
-    """``d/dt (R^T y)``, (14): ``R`` takes components to those of ``y`` and turns with ``omega`` (as y's frame sees it)."""
+    """``d/dt (R^T y)`` by the transport theorem, (14): ``R`` turns with ``omega``, in components of y's frame."""
     return R.T @ add(rate(y, rates), -(hat(omega) @ y))

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..lower.program import Array, Tracer
 from . import matrices as mx
-from .phases import armature, joint_point, keep_joint, link_terms, mount, passive
+from .phases import joint_point, keep_joint, link_terms, mount
 from .scope import Scope
 
 
@@ -165,69 +165,55 @@ def _tip_quaternion(s: Scope, eta: Array) -> Array:
 # ------------------------------------------------------------------------------------------- assembly
 
 
+JOINT_ROWS = ("joint_w", "joint_V", "joint_H", "joint_W")
+LINK_ROWS = (
+    "next_V",
+    "next_eta",
+    "V_w",
+    "V_V",
+    "V_eta",
+    "V_next",
+    "eta_V",
+    "eta_eta",
+    "eta_next",
+    "V_H",
+    "eta_H",
+    "V_W",
+    "eta_W",
+)
+
+
 def joint_rows(s: Scope) -> None:
     """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
-    twist, eta, etadot = s.read("twist", 6), *_modal(s)
+    twist = s.read("twist", 6)
     qdot = _joint_from_twist(s, twist)
     g = mx.multiply(quaternion_matrix(s.read("quaternion", 4)).T, s.read("gravity", 3))
     link_terms(s, twist[:3], twist[3:], g)
-    _completed_rows(s, qdot)
-    s.write("tip.b", s.kept("b_T"))
-
-
-def _completed_rows(s: Scope, qdot: Array) -> None:
-    R, A, r_B = s.kept("R_rel"), s.kept("A")[:3], joint_point(s)
-    plus = pseudo_inverse(A, s.tracer)
-    motor = mx.multiply(A, plus)
-    free = mx.identity(3) - motor
-    operator = mx.identity(6)
-    operator[:3, :3] = free + mx.chain(plus.T, armature(s), plus)
-    X = mx.multiply(_twice(R.T), _lever(mount(s)))
-    from_parent = mx.multiply(operator, X)
-    bias = -mx.chain(operator, _lever(r_B), s.kept("beta")) - mx.multiply(from_parent, s.read("base.b", 6))
-    joint = mx.zeros(6, 6)
-    joint[:3, :3] = motor
-    s.write("joint_w", joint)
-    s.write("joint_V", mx.multiply(operator, _lever(r_B)))
-    s.write("joint_H", bias + np.concatenate([mx.multiply(plus.T, passive(s, qdot)), mx.zeros(3)]))
-    s.write("joint_W", np.concatenate([mx.multiply(plus.T, s.read("tau", s.key.joints)), mx.zeros(3)]))
+    A = s.kept("A")[:3]
+    given = {
+        "R_rel": s.kept("R_rel"),
+        "A": A,
+        "A_plus": pseudo_inverse(A, s.tracer),
+        "beta": s.kept("beta"),
+        "b_P": s.read("base.b", 6),
+        "tau": s.read("tau", s.key.joints),
+        "qdot": qdot,
+        "q": s.read("q", s.key.joints),
+    }
+    for name, value in zip(JOINT_ROWS, s.lower("joint_rows", given, *JOINT_ROWS), strict=True):
+        s.write(name, value)
+    X, PX = s.lower("joint_rows", given, "X", "PX")
     s.write("base.X", X)
-    s.write("base.PX", from_parent)
+    s.write("base.PX", PX)
+    s.write("tip.b", s.kept("b_T"))
 
 
 def link_rows(s: Scope) -> None:
     """Tip to base: the link's six rows and its modal rows, and its columns in the next joint's rows."""
-    X, PX, r = s.read("tip.X", 6, 6), s.read("tip.PX", 6, 6), s.key.modes
-    turn = _twice(s.kept("R_T").T)
-    J_V, J_eta = mx.multiply(turn, _lever(s.kept("r_T"))), mx.chain(turn, s.kept("G"), s.kept("E"))
-    M_T, M_D = s.kept("M_T"), s.kept("M_D")
-    carried = mx.multiply(M_T, s.kept("b_T")) + s.kept("h_T")
-    rigid, coupled = mx.congruence(J_V, M_T), mx.chain(J_V.T, M_T, J_eta) + M_D
-    elastic, m_eta = mx.congruence(J_eta, M_T), s.read("m_eta", r)
-    s.write("next_V", -mx.multiply(PX, J_V))
-    s.write("next_eta", -mx.multiply(PX, J_eta))
-    s.write("V_w", -_lever(joint_point(s)).T)
-    s.write("V_V", s.kept("M_V") + rigid)
-    s.write("V_eta", coupled)
-    s.write("V_next", mx.multiply(J_V.T, X.T))
-    s.write("eta_V", coupled.T)
-    s.write("eta_eta", mx.symmetric(r, lambda i, j: elastic[i, j] + (m_eta[i] if i == j else 0.0)))
-    s.write("eta_next", mx.multiply(J_eta.T, X.T))
-    s.write("V_H", s.kept("h_V") + mx.multiply(J_V.T, carried))
-    s.write("eta_H", s.kept("h_eta") + s.read("f_eta", r) + mx.multiply(J_eta.T, carried))
-    w_ext = s.read("w_ext", 6)
-    s.write("V_W", mx.multiply(J_V.T, w_ext))
-    s.write("eta_W", mx.multiply(J_eta.T, w_ext))
-
-
-def _lever(r: Array) -> Array:
-    """``[[I, 0], [-hat(r), I]]``: the twist of the point ``r`` from that of the origin."""
-    out = mx.identity(6)
-    out[3:, :3] = -mx.hat(r)
-    return out
-
-
-def _twice(R: Array) -> Array:
-    out = mx.zeros(6, 6)
-    out[:3, :3] = out[3:, 3:] = R
-    return out
+    r = s.key.modes
+    given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
+    given |= {"J_l": s.kept("G")[:3, :3], "Psi_c": s.kept("E")[:3], "Phi_c": s.kept("E")[3:]}
+    given |= {"m_eta": s.read("m_eta", r), "h_phi": s.kept("h_eta") + s.read("f_eta", r), "w_ext": s.read("w_ext", 6)}
+    given |= {"X": s.read("tip.X", 6, 6), "PX": s.read("tip.PX", 6, 6)}
+    for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):
+        s.write(name, value)

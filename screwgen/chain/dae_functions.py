@@ -17,8 +17,14 @@ POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 WRENCH = ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z")
 
-RATES = {"quaternion": "quaternion_rate", "position": "position_rate", "eta": "etadot", "twist": "Vdot",
-         "etadot": "etaddot", "q": "qdot"}
+RATES = {
+    "quaternion": "quaternion_rate",
+    "position": "position_rate",
+    "eta": "etadot",
+    "twist": "Vdot",
+    "etadot": "etaddot",
+    "q": "qdot",
+}
 """Under which name the rate of each part of the state is found."""
 
 PLACED = {"quaternion": "new_quaternion", "position": "new_position", "twist": "new_twist"}
@@ -105,8 +111,10 @@ class DaeFunctions(Functions):
         """``xdot`` when the accelerations are given: the differential equations of the DAE."""
         links, _ = self._run(DAE_FORWARD[:1], self._with_modes(x))
         n, o = self.chain.n, self.chain.eta_offset
-        given = [{"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
-                 for i in range(n)]
+        given = [
+            {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
+            for i in range(n)
+        ]
         return self._state_rates(x, [a | b for a, b in zip(links, given, strict=True)])
 
     def project(self, x: Sequence) -> list:
@@ -120,7 +128,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(ASSEMBLY, *parts)
         M: Entries = {}
         for i, link in enumerate(links):
-            for name, (row, col, rows, cols) in block_places(self.chain, i).items():
+            for name, (row, col, _, cols) in block_places(self.chain, i).items():
                 for k, value in enumerate(link[name]):
                     if not (isinstance(value, float) and value == 0.0):
                         M[row + k // cols, col + k % cols] = value

@@ -20,7 +20,9 @@ DIGITS = 40
 Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
 
 
-def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters", kind=Functions) -> Program:
+def fuse(
+    chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters", kind=Functions
+) -> Program:
     """Trace a function of the whole robot into one program.
 
     ``constants`` says where the links' constants come from: prepared inside from an input ``p``
@@ -33,8 +35,9 @@ def fuse(chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constan
     links, gravity = _sources(chain, tracer, constants, read)
     apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i), i)  # noqa: E731
     outputs = body(kind(chain, links, gravity, apply), values)
-    return Program(name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections,
-                   list(tracer.origins))
+    return Program(
+        name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections, list(tracer.origins)
+    )
 
 
 def _namer(chain: Chain, i: int) -> Callable[[str], str]:
@@ -136,8 +139,14 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
     ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode; the modal-implicit
     step gives its own.
     """
-    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n,
-              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    inputs = {
+        "q": chain.nq,
+        "v": chain.nq,
+        "tau": chain.n_joints,
+        "w_ext": 6 * chain.n,
+        "m_eta": chain.n_modes,
+        "f_eta": chain.n_modes,
+    }
 
     def body(f: Functions, x):
         f.given_modes = (x["m_eta"], x["f_eta"])
@@ -149,8 +158,14 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
 
 def complete_dynamics(chain: Chain, constants="constants") -> Program:
     """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
-    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n,
-              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    inputs = {
+        "q": chain.nq,
+        "v": chain.nq,
+        "tau": chain.n_joints,
+        "w_ext": 6 * chain.n,
+        "m_eta": chain.n_modes,
+        "f_eta": chain.n_modes,
+    }
 
     def body(f: Functions, x):
         f.given_modes = (x["m_eta"], x["f_eta"])
@@ -217,8 +232,12 @@ def poses(chain: Chain, constants="parameters") -> Program:
     def body(f: Functions, x):
         frames, tips = f.poses(x["q"])
         flat = lambda places, k: [v for place in places for v in place[k]]  # noqa: E731
-        return {"link_R": flat(frames, 0), "link_position": flat(frames, 1),
-                "tip_R": flat(tips, 0), "tip_position": flat(tips, 1)}
+        return {
+            "link_R": flat(frames, 0),
+            "link_position": flat(frames, 1),
+            "tip_R": flat(tips, 0),
+            "tip_position": flat(tips, 1),
+        }
 
     return fuse(chain, "poses", {"q": chain.nq}, body, constants)
 
@@ -248,8 +267,13 @@ def kinematic_rates(chain: Chain, constants="parameters") -> Program:
 
 def dae_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(x, tau, w_ext, m_eta, f_eta) -> (xdot, vdot, wrench)``: the DAE form by block elimination."""
-    inputs = {"x": state_size(chain), "tau": chain.n_joints, "w_ext": 6 * chain.n,
-              "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    inputs = {
+        "x": state_size(chain),
+        "tau": chain.n_joints,
+        "w_ext": 6 * chain.n,
+        "m_eta": chain.n_modes,
+        "f_eta": chain.n_modes,
+    }
 
     def body(f: DaeFunctions, x):
         f.given_modes = (x["m_eta"], x["f_eta"])

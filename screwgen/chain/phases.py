@@ -172,10 +172,14 @@ def inverse_inward(s: Scope) -> None:
     needed = mx.multiply(s.kept("M_V"), alpha) + mx.multiply(M_D, etaddot) + s.kept("h_V")
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
     modal = mx.multiply(M_D.T, alpha) + s.read("m_eta", s.key.modes) * etaddot
-    s.write("force_eta", modal + s.kept("h_eta") + s.read("f_eta", s.key.modes)
-            + mx.chain(s.kept("E").T, s.kept("G").T, load))
-    s.write("force", mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot)
-            + passive(s, s.read("qdot", s.key.joints)))
+    s.write(
+        "force_eta",
+        modal + s.kept("h_eta") + s.read("f_eta", s.key.modes) + mx.chain(s.kept("E").T, s.kept("G").T, load),
+    )
+    s.write(
+        "force",
+        mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot) + passive(s, s.read("qdot", s.key.joints)),
+    )
     at_joint = mx.rotate_wrench(s.kept("R_rel"), mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.shift_wrench(mount(s), at_joint))
 

@@ -20,8 +20,10 @@ import numpy as np
 from ..derive.block import Block
 from ..derive.energy import energy_block
 from ..derive.joint import joint_block, posture_block
+from ..derive.joint_rows import joint_rows_block
 from ..derive.link import LinkBlock
 from ..derive.link_class import LinkClass
+from ..derive.link_rows import link_rows_block
 from ..derive.tip import tip_block, tip_body_block, tip_pose_block
 from ..lower.block import lower
 from ..lower.program import Array, Node, Program, Tracer, Value, give_label
@@ -38,6 +40,8 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "tip": tip_block(key),
         "tip_pose": tip_pose_block(key),
         "tip_body": tip_body_block(key),
+        "joint_rows": joint_rows_block(key),
+        "link_rows": link_rows_block(key),
         "energy": energy_block(key),
     }
 
@@ -150,5 +154,6 @@ class Scope:
     def program(self, name: str) -> Program:
         """What was recorded, as a program."""
         used = {k: len(v) for k, v in self.inputs.items()}
-        return Program(name, used, self.outputs, list(self.tracer.guards), self.tracer.sections,
-                       list(self.tracer.origins))
+        return Program(
+            name, used, self.outputs, list(self.tracer.guards), self.tracer.sections, list(self.tracer.origins)
+        )

@@ -82,9 +82,9 @@ class Block:
     values: dict[str, Array] = field(default_factory=dict)
     bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
 
-    def input(self, name, shape, display, unit, frame, meaning, binding=Binding.STATE) -> Symbol:
+    def input(self, name, shape, display, unit, frame, meaning, binding=Binding.STATE, numbered=()) -> Symbol:
         """Declare an input and return the symbol that stands for it."""
-        signal = Signal(name, shape, display, unit, frame, meaning, binding)
+        signal = Signal(name, shape, display, unit, frame, meaning, binding, numbered)
         self.inputs[name] = signal
         self.values[name] = np.empty(shape, dtype=object)
         for index, label in signal.labels():
@@ -92,8 +92,9 @@ class Block:
             self.bindings[self.values[name][index]] = binding
         return Symbol(name, shape, display)
 
-    def parameter(self, name, shape, display, unit, frame, meaning) -> Symbol:
-        return self.input(name, shape, display, unit, frame, meaning, Binding.PARAMETER)
+    def parameter(self, name, shape, display, unit, frame, meaning, numbered=()) -> Symbol:
+        """Declare an input that is known before the state."""
+        return self.input(name, shape, display, unit, frame, meaning, Binding.PARAMETER, numbered)
 
     def entries(self, symbol: Symbol) -> list[Symbol]:
         """The entries of a column as 1 x 1 symbols that share its values."""
@@ -147,4 +148,3 @@ class Block:
                 values[i, j] = sp.Symbol(label, real=True)
                 assignments.append((values[i, j], entry))
         return values, tuple(assignments)
-

@@ -42,23 +42,77 @@ def joint_block(key: LinkClass) -> Block:
     r_m, r_B = joint_points(key, b)
 
     R = relative_rotation(key, b, turns)
-    A = b.step("A", axes_matrix(key, turns), r"\mathbf{A}_i", unit="-", frame=LINK, equation="43",
-               meaning="columns: the joint's axes", numbered=(1,))
-    omega_J = b.step("omega_J", A @ qdot, r"\boldsymbol{\omega}_J", unit="rad/s", frame=LINK,
-                     meaning="angular velocity of the link relative to its parent's tip")
-    omega_R = b.step("omega_R", R.T @ omega_P, r"\boldsymbol{\omega}_R", unit="rad/s", frame=LINK,
-                     meaning="angular velocity of the parent's tip")
-    omega = b.step("omega", omega_R + omega_J, r"\boldsymbol{\omega}_i", unit="rad/s", frame=LINK, equation="45",
-                   meaning="angular velocity of the link")
-    v_R = b.step("v_R", R.T @ (v_P + hat(omega_P) @ r_m), r"\mathbf{v}_R", unit="m/s", frame=LINK,
-                 meaning="velocity of the joint point")
-    b.step("v", v_R - hat(omega) @ r_B, r"\mathbf{v}_i", unit="m/s", frame=LINK, equation="45",
-           meaning="velocity of the origin of F_i")
+    A = b.step(
+        "A",
+        axes_matrix(key, turns),
+        r"\mathbf{A}_i",
+        unit="-",
+        frame=LINK,
+        equation="43",
+        meaning="columns: the joint's axes",
+        numbered=(1,),
+    )
+    omega_J = b.step(
+        "omega_J",
+        A @ qdot,
+        r"\boldsymbol{\omega}_J",
+        unit="rad/s",
+        frame=LINK,
+        meaning="angular velocity of the link relative to its parent's tip",
+    )
+    omega_R = b.step(
+        "omega_R",
+        R.T @ omega_P,
+        r"\boldsymbol{\omega}_R",
+        unit="rad/s",
+        frame=LINK,
+        meaning="angular velocity of the parent's tip",
+    )
+    omega = b.step(
+        "omega",
+        omega_R + omega_J,
+        r"\boldsymbol{\omega}_i",
+        unit="rad/s",
+        frame=LINK,
+        equation="45",
+        meaning="angular velocity of the link",
+    )
+    v_R = b.step(
+        "v_R",
+        R.T @ (v_P + hat(omega_P) @ r_m),
+        r"\mathbf{v}_R",
+        unit="m/s",
+        frame=LINK,
+        meaning="velocity of the joint point",
+    )
+    b.step(
+        "v",
+        v_R - hat(omega) @ r_B,
+        r"\mathbf{v}_i",
+        unit="m/s",
+        frame=LINK,
+        equation="45",
+        meaning="velocity of the origin of F_i",
+    )
     axis_rate = _axis_rate(key, turns, angles, speeds)
-    beta = b.step("beta_omega", axis_rate - hat(omega_J) @ omega_R, r"\boldsymbol{\beta}_{\omega}", unit="rad/s^2",
-                  frame=LINK, equation="accconst4", meaning="angular acceleration that the velocities cause at the joint")
-    b.step("beta_v", -hat(omega_J) @ v_R - hat(beta) @ r_B, r"\boldsymbol{\beta}_{v}", unit="m/s^2", frame=LINK,
-           equation="accconst4", meaning="acceleration that the velocities cause at the joint")
+    beta = b.step(
+        "beta_omega",
+        axis_rate - hat(omega_J) @ omega_R,
+        r"\boldsymbol{\beta}_{\omega}",
+        unit="rad/s^2",
+        frame=LINK,
+        equation="accconst4",
+        meaning="angular acceleration that the velocities cause at the joint",
+    )
+    b.step(
+        "beta_v",
+        -hat(omega_J) @ v_R - hat(beta) @ r_B,
+        r"\boldsymbol{\beta}_{v}",
+        unit="m/s^2",
+        frame=LINK,
+        equation="accconst4",
+        meaning="acceleration that the velocities cause at the joint",
+    )
     return b
 
 
@@ -77,8 +131,16 @@ def posture_block(key: LinkClass) -> Block:
     turns, _, _ = rotations(key, b, q, q)
     joint_points(key, b)
     relative_rotation(key, b, turns)
-    b.step("A", axes_matrix(key, turns), r"\mathbf{A}_i", unit="-", frame=LINK, equation="43",
-           meaning="columns: the joint's axes", numbered=(1,))
+    b.step(
+        "A",
+        axes_matrix(key, turns),
+        r"\mathbf{A}_i",
+        unit="-",
+        frame=LINK,
+        equation="43",
+        meaning="columns: the joint's axes",
+        numbered=(1,),
+    )
     return b
 
 
@@ -96,11 +158,23 @@ def relative_rotation(key: LinkClass, b: Block, turns: list[Rotation]) -> Symbol
         rpy = b.parameter("mount_rpy", (3, 1), r"\boldsymbol{\alpha}_m", "rad", TIP, "roll, pitch, yaw of the mount")
         roll, pitch, yaw = b.entries(rpy)
         axes = [tuple(sp.Integer(int(i == j)) for i in range(3)) for j in range(3)]
-        R_m = b.step("R_m", Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll),
-                     r"\mathbf{R}_m", unit="-", frame=TIP, meaning="rotation of the mount")
+        R_m = b.step(
+            "R_m",
+            Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll),
+            r"\mathbf{R}_m",
+            unit="-",
+            frame=TIP,
+            meaning="rotation of the mount",
+        )
         chain.insert(0, R_m)
-    return b.step("R_rel", reduce(lambda x, y: x @ y, chain, identity(3)), r"\mathbf{R}_{(i-1)i}", unit="-",
-                  frame=TIP, meaning="rotation of F_i relative to the parent's tip frame")
+    return b.step(
+        "R_rel",
+        reduce(lambda x, y: x @ y, chain, identity(3)),
+        r"\mathbf{R}_{(i-1)i}",
+        unit="-",
+        frame=TIP,
+        meaning="rotation of F_i relative to the parent's tip frame",
+    )
 
 
 def axes_matrix(key: LinkClass, turns: list[Rotation]) -> Expression:
@@ -121,9 +195,12 @@ def joint_points(key: LinkClass, b: Block) -> tuple[Expression, Expression]:
     r_m: Expression = zeros(3)
     r_B: Expression = zeros(3)
     if key.mount_xyz:
-        r_m = b.parameter("mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point")
+        r_m = b.parameter(
+            "mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point"
+        )
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
-        r_B = b.step("r_B", -frame_at @ unit(0), r"\mathbf{r}_B", unit="m", frame=LINK, equation="47",
-                     meaning="joint point")
+        r_B = b.step(
+            "r_B", -frame_at @ unit(0), r"\mathbf{r}_B", unit="m", frame=LINK, equation="47", meaning="joint point"
+        )
     return r_m, r_B

@@ -30,37 +30,99 @@ class LinkBlock(LinkConstants):
     def _moments(self) -> None:
         """Moments of the deformed link, each named for the integrals that follow."""
         rhoA, rho, udot = self.rhoA, self.rho, self.udot
-        self.S = self.step("S", self.S_0 + self.sigma @ self.eta, r"\mathbf{S}", unit="kg*m", frame=FRAME,
-                           meaning="first moment")
-        self.Sdot = self.step("Sdot", self.sigma @ self.etadot, r"\dot{\mathbf{S}}", unit="kg*m/s", frame=FRAME,
-                              meaning="rate of the first moment")
+        self.S = self.step(
+            "S", self.S_0 + self.sigma @ self.eta, r"\mathbf{S}", unit="kg*m", frame=FRAME, meaning="first moment"
+        )
+        self.Sdot = self.step(
+            "Sdot",
+            self.sigma @ self.etadot,
+            r"\dot{\mathbf{S}}",
+            unit="kg*m/s",
+            frame=FRAME,
+            meaning="rate of the first moment",
+        )
         self._name_moment("S", (rho,))
         self._name_moment("Sdot", (udot,))
-        self.step("L", self.integral(rho @ self.phi_row, rhoA), r"\mathbf{L}", unit="kg*m", frame=FRAME,
-                  equation="85", meaning="first moment weighted by each mode shape", numbered=(1,))
-        self.step("Ldot", self.integral(udot @ self.phi_row, rhoA), r"\dot{\mathbf{L}}", unit="kg*m/s", frame=FRAME,
-                  meaning="rate of L", numbered=(1,))
+        self.step(
+            "L",
+            self.integral(rho @ self.phi_row, rhoA),
+            r"\mathbf{L}",
+            unit="kg*m",
+            frame=FRAME,
+            equation="85",
+            meaning="first moment weighted by each mode shape",
+            numbered=(1,),
+        )
+        self.step(
+            "Ldot",
+            self.integral(udot @ self.phi_row, rhoA),
+            r"\dot{\mathbf{L}}",
+            unit="kg*m/s",
+            frame=FRAME,
+            meaning="rate of L",
+            numbered=(1,),
+        )
         self._name_moment("L", (rho, self.phi_row))
         self._name_moment("Ldot", (udot, self.phi_row))
         J = self.integral(self.r_b @ self.u.T + self.u @ rho.T, rhoA)
-        self.J = self.step("J", self.J_0 + J, r"\mathbf{J}", unit="kg*m^2", frame=FRAME, symmetric=True,
-                           meaning="second moment")
+        self.J = self.step(
+            "J", self.J_0 + J, r"\mathbf{J}", unit="kg*m^2", frame=FRAME, symmetric=True, meaning="second moment"
+        )
         self._name_moment("J", (rho, rho))
 
     def _inertia(self) -> None:
         """``M(eta)`` and its split into M*, M_DPsi and M_D."""
         inertia = Trace(self.J) @ identity(3) - self.J + self.spin
-        I = self.step("I", inertia, r"\mathbf{I}_{ib}", unit="kg*m^2", frame=FRAME, symmetric=True,
-                      meaning="inertia about the origin, deformed")
-        M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), r"\mathbf{M}_V",
-                        unit="kg, kg*m, kg*m^2", frame=FRAME, symmetric=True, meaning="inertia in the twist rows")
-        self.step("M_DPsi", M_V - self.M_star, r"\mathbf{M}_{D\Psi,i}", unit="kg, kg*m, kg*m^2", frame=FRAME,
-                  equation="B2", symmetric=True, meaning="what the deformation adds to M*")
-        coupling = self.integral(stack(hat(self.rho) @ self.Phi, self.Phi), self.rhoA) if self.key.modes else zeros(6, 0)
-        M_D = self.step("M_D", add(coupling, self._spin_coupling()), r"\mathbf{M}_{D,i}", unit="kg, kg*m", frame=FRAME,
-                        equation="B1", meaning="wrench that modal accelerations need", numbered=(1,))
-        self.step("M_Dphi", M_D.T, r"\mathbf{M}_{D\phi,i}", unit="kg, kg*m", equation="85",
-                  meaning="modal force that the twist's rate needs", numbered=(0,))
+        I = self.step(
+            "I",
+            inertia,
+            r"\mathbf{I}_{ib}",
+            unit="kg*m^2",
+            frame=FRAME,
+            symmetric=True,
+            meaning="inertia about the origin, deformed",
+        )
+        M_V = self.step(
+            "M_V",
+            block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]),
+            r"\mathbf{M}_V",
+            unit="kg, kg*m, kg*m^2",
+            frame=FRAME,
+            symmetric=True,
+            meaning="inertia in the twist rows",
+        )
+        self.step(
+            "M_DPsi",
+            M_V - self.M_star,
+            r"\mathbf{M}_{D\Psi,i}",
+            unit="kg, kg*m, kg*m^2",
+            frame=FRAME,
+            equation="B2",
+            symmetric=True,
+            meaning="what the deformation adds to M*",
+        )
+        coupling = (
+            self.integral(stack(hat(self.rho) @ self.Phi, self.Phi), self.rhoA) if self.key.modes else zeros(6, 0)
+        )
+        M_D = self.step(
+            "M_D",
+            add(coupling, self._spin_coupling()),
+            r"\mathbf{M}_{D,i}",
+            unit="kg, kg*m",
+            frame=FRAME,
+            equation="B1",
+            meaning="wrench that modal accelerations need",
+            numbered=(1,),
+        )
+        self.step(
+            "M_Dphi",
+            M_D.T,
+            r"\mathbf{M}_{D\phi,i}",
+            unit="kg, kg*m",
+            equation="85",
+            meaning="modal force that the twist's rate needs",
+            numbered=(0,),
+        )
 
     def _spin_coupling(self):
         if not (self.key.spin and self.key.counts[3]):
@@ -70,26 +132,65 @@ class LinkBlock(LinkConstants):
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""
         rho, udot, omega, rhoA = self.rho, self.udot, self.omega, self.rhoA
-        a_0 = self.step("a_0", hat(omega) @ self.vel - self.g, r"\mathbf{a}_0", unit="m/s^2", frame=FRAME,
-                        meaning="acceleration of the origin at rest rates, against free fall")
-        Omega = self.step("Omega", hat(omega) @ hat(omega), r"\tilde{\boldsymbol{\omega}}_i^{2}", unit="1/s^2",
-                          frame=FRAME, symmetric=True, meaning="centripetal operator")
-        self.step("B", self.integral(self.udot_modal @ rho.T, rhoA), r"\mathbf{B}", unit="kg*m^2/s", frame=FRAME,
-                  meaning="moment of the elastic velocity")
+        a_0 = self.step(
+            "a_0",
+            hat(omega) @ self.vel - self.g,
+            r"\mathbf{a}_0",
+            unit="m/s^2",
+            frame=FRAME,
+            meaning="acceleration of the origin at rest rates, against free fall",
+        )
+        Omega = self.step(
+            "Omega",
+            hat(omega) @ hat(omega),
+            r"\tilde{\boldsymbol{\omega}}_i^{2}",
+            unit="1/s^2",
+            frame=FRAME,
+            symmetric=True,
+            meaning="centripetal operator",
+        )
+        self.step(
+            "B",
+            self.integral(self.udot_modal @ rho.T, rhoA),
+            r"\mathbf{B}",
+            unit="kg*m^2/s",
+            frame=FRAME,
+            meaning="moment of the elastic velocity",
+        )
         self._name_moment("B", (udot, rho))
         coriolis = hat(omega) @ udot
         half = self.integral(stack(hat(rho) @ coriolis, coriolis), rhoA) if self.key.modes else zeros(6)
         h_c = self.step("h_c", half, r"\mathbf{h}_c", unit="N*m, N", frame=FRAME, meaning="half of the Coriolis wrench")
-        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t")), r"\mathbf{h}_{M_D,i}", unit="N*m, N", frame=FRAME,
-                         equation="B3", meaning="Coriolis wrench of the deformation's inertia")
+        h_MD = self.step(
+            "h_MD",
+            add(h_c, self._spin_bias("sigma_t")),
+            r"\mathbf{h}_{M_D,i}",
+            unit="N*m, N",
+            frame=FRAME,
+            equation="B3",
+            meaning="Coriolis wrench of the deformation's inertia",
+        )
         field = a_0 + Omega @ rho
         rigid = self.integral(stack(hat(rho) @ field, field), rhoA)
-        H = self.step("H_star", add(rigid, h_c, self._spin_bias("I_s")), r"\mathbf{H}^*_i", unit="N*m, N", frame=FRAME,
-                      equation="29", meaning="gyroscopic wrench and weight")
+        H = self.step(
+            "H_star",
+            add(rigid, h_c, self._spin_bias("I_s")),
+            r"\mathbf{H}^*_i",
+            unit="N*m, N",
+            frame=FRAME,
+            equation="29",
+            meaning="gyroscopic wrench and weight",
+        )
         self.step("h_V", H + h_MD, r"\mathbf{h}_{V}", unit="N*m, N", frame=FRAME, meaning="bias of the twist rows")
         modal = self.Phi.T @ (field + 2 * coriolis)
-        self.step("h_eta", self.integral(modal, rhoA) if self.key.modes else zeros(0), r"\mathbf{h}_{\eta}", unit="N",
-                  equation="88", meaning="gyroscopic force and weight on the modes")
+        self.step(
+            "h_eta",
+            self.integral(modal, rhoA) if self.key.modes else zeros(0),
+            r"\mathbf{h}_{\eta}",
+            unit="N",
+            equation="88",
+            meaning="gyroscopic force and weight on the modes",
+        )
         self._modal_force()
 
     def _modal_force(self) -> None:

@@ -21,7 +21,6 @@ from ..algebra.expression import (
 from .block import Block
 from .bodies import lumped
 from .fields import AXIS, XI, Fields
-from .link_class import LinkClass
 
 FRAME = "F_i"
 
@@ -43,8 +42,12 @@ class LinkConstants(Block):
         length = self.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
         start: Expression = zeros(1)
         if self.key.frame_at:
-            frame_at = self.parameter("frame_at", (1, 1), "f_i", "m", FRAME, "place of F_i on the centreline, from the joint")
-            start = self.step("start", -frame_at, "a_i", unit="m", equation="5", meaning="place of the joint on the centreline")
+            frame_at = self.parameter(
+                "frame_at", (1, 1), "f_i", "m", FRAME, "place of F_i on the centreline, from the joint"
+            )
+            start = self.step(
+                "start", -frame_at, "a_i", unit="m", equation="5", meaning="place of the joint on the centreline"
+            )
         self.length, self.start = length, start
         a = self.values["start"].item() if self.key.frame_at else sp.S.Zero
         self.fields = Fields(self.key, self.values["length"].item(), a)
@@ -76,17 +79,45 @@ class LinkConstants(Block):
         m_B, S_B, J_B = self._base_bodies()
         mu = self.step("mu", self.integral(identity(1), rhoA), r"\mu_i", unit="kg", meaning="mass of the beam")
         self.m = self.step("m", mu + m_B, "m_i", unit="kg", equation="27", meaning="mass, base bodies included")
-        self.S_0 = self.step("S_0", self.integral(r_b, rhoA) + S_B, r"\mathbf{S}_0", unit="kg*m", frame=FRAME,
-                             equation="27", meaning="first moment, undeformed")
-        self.J_0 = self.step("J_0", self.integral(r_b @ r_b.T, rhoA) + J_B, r"\mathbf{J}_0", unit="kg*m^2",
-                             frame=FRAME, meaning="second moment, undeformed", symmetric=True)
+        self.S_0 = self.step(
+            "S_0",
+            self.integral(r_b, rhoA) + S_B,
+            r"\mathbf{S}_0",
+            unit="kg*m",
+            frame=FRAME,
+            equation="27",
+            meaning="first moment, undeformed",
+        )
+        self.J_0 = self.step(
+            "J_0",
+            self.integral(r_b @ r_b.T, rhoA) + J_B,
+            r"\mathbf{J}_0",
+            unit="kg*m^2",
+            frame=FRAME,
+            meaning="second moment, undeformed",
+            symmetric=True,
+        )
         self.spin = self._spin()
-        I_0 = self.step("I_0", Trace(self.J_0) @ identity(3) - self.J_0 + self.spin, r"\mathbf{I}_{b}",
-                        unit="kg*m^2", frame=FRAME, equation="Iibi", symmetric=True,
-                        meaning="inertia about the origin, undeformed")
-        self.M_star = self.step("M_star", block([I_0, hat(self.S_0)], [-hat(self.S_0), self.m @ identity(3)]),
-                                r"\mathbf{M}^*_i", unit="kg, kg*m, kg*m^2", frame=FRAME, equation="27",
-                                meaning="inertia of the undeformed link", symmetric=True)
+        I_0 = self.step(
+            "I_0",
+            Trace(self.J_0) @ identity(3) - self.J_0 + self.spin,
+            r"\mathbf{I}_{b}",
+            unit="kg*m^2",
+            frame=FRAME,
+            equation="Iibi",
+            symmetric=True,
+            meaning="inertia about the origin, undeformed",
+        )
+        self.M_star = self.step(
+            "M_star",
+            block([I_0, hat(self.S_0)], [-hat(self.S_0), self.m @ identity(3)]),
+            r"\mathbf{M}^*_i",
+            unit="kg, kg*m, kg*m^2",
+            frame=FRAME,
+            equation="27",
+            meaning="inertia of the undeformed link",
+            symmetric=True,
+        )
         self.fields.name_moment("rhoA", self.values["m"].item())
         self._modal_constants()
 
@@ -104,25 +135,53 @@ class LinkConstants(Block):
         if not self.key.spin:
             return zeros(3, 3)
         self.rhoIp = self.parameter("rhoIp", (1, 1), r"\rho_i I_{p,i}", "kg*m", "-", "polar inertia per length")
-        self.I_s = self.step("I_s", self.integral(identity(1), self.rhoIp), "I_s", unit="kg*m^2",
-                             meaning="spin inertia of the beam")
+        self.I_s = self.step(
+            "I_s", self.integral(identity(1), self.rhoIp), "I_s", unit="kg*m^2", meaning="spin inertia of the beam"
+        )
         self.fields.name_moment("rhoIp", self.values["I_s"].item())
         return self.I_s @ (unit(0) @ unit(0).T)
 
     def _modal_constants(self) -> None:
         """Momentum, lever, product, inertia and stiffness of the modes; named for the integrals to come."""
         phi, name = self.fields.phi, self.fields.name_moment
-        self.sigma = self.step("sigma", self.integral(self.Phi, self.rhoA), r"\boldsymbol{\Sigma}", unit="kg",
-                               frame=FRAME, equation="B1", meaning="momentum of each mode", numbered=(1,))
-        self.step("chi", self.integral(self.lever, self.rhoA), r"\boldsymbol{\chi}", unit="kg*m", frame=FRAME,
-                  meaning="first moment of each mode shape", numbered=(1,))
+        self.sigma = self.step(
+            "sigma",
+            self.integral(self.Phi, self.rhoA),
+            r"\boldsymbol{\Sigma}",
+            unit="kg",
+            frame=FRAME,
+            equation="B1",
+            meaning="momentum of each mode",
+            numbered=(1,),
+        )
+        self.step(
+            "chi",
+            self.integral(self.lever, self.rhoA),
+            r"\boldsymbol{\chi}",
+            unit="kg*m",
+            frame=FRAME,
+            meaning="first moment of each mode shape",
+            numbered=(1,),
+        )
         M_eta = self.integral(self.Phi.T @ self.Phi, self.rhoA)
         if self.key.spin and self.key.counts[3]:
-            self.sigma_t = self.step("sigma_t", self.integral(self.phi_t, self.rhoIp), r"\boldsymbol{\Sigma}_t",
-                                     unit="kg*m^2", meaning="spin momentum of each torsion mode")
+            self.sigma_t = self.step(
+                "sigma_t",
+                self.integral(self.phi_t, self.rhoIp),
+                r"\boldsymbol{\Sigma}_t",
+                unit="kg*m^2",
+                meaning="spin momentum of each torsion mode",
+            )
             M_eta = M_eta + self.integral(self.phi_t.T @ self.phi_t, self.rhoIp)
-        self.step("M_Wphi", M_eta, r"\mathbf{M}_{W\phi,i}", unit="kg", equation="86", symmetric=True,
-                  meaning="inertia of the modes (torsion: kg*m^2), diagonal")
+        self.step(
+            "M_Wphi",
+            M_eta,
+            r"\mathbf{M}_{W\phi,i}",
+            unit="kg",
+            equation="86",
+            symmetric=True,
+            meaning="inertia of the modes (torsion: kg*m^2), diagonal",
+        )
         for k in self._translational():
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.values["sigma"][axis, k], phi[k])
@@ -145,10 +204,20 @@ class LinkConstants(Block):
         if not (first and second):
             return
         phi = self.fields.phi
-        left = self.field(f"phi_{name[-2]}_of_{name}", _row(phi[k] for k in first), rf"\boldsymbol{{\varphi}}_{name[-2]}^{{\top}}")
-        right = self.field(f"phi_{name[-1]}_of_{name}", _row(phi[k] for k in second), rf"\boldsymbol{{\varphi}}_{name[-1]}^{{\top}}")
-        self.step(name, self.integral(left.T @ right, self.rhoA), rf"\boldsymbol{{\Gamma}}_{{{name[-2:]}}}", unit="kg",
-                  meaning=f"products of the shapes in {name[-2]} with those in {name[-1]}", numbered=(0, 1))
+        left = self.field(
+            f"phi_{name[-2]}_of_{name}", _row(phi[k] for k in first), rf"\boldsymbol{{\varphi}}_{name[-2]}^{{\top}}"
+        )
+        right = self.field(
+            f"phi_{name[-1]}_of_{name}", _row(phi[k] for k in second), rf"\boldsymbol{{\varphi}}_{name[-1]}^{{\top}}"
+        )
+        self.step(
+            name,
+            self.integral(left.T @ right, self.rhoA),
+            rf"\boldsymbol{{\Gamma}}_{{{name[-2:]}}}",
+            unit="kg",
+            meaning=f"products of the shapes in {name[-2]} with those in {name[-1]}",
+            numbered=(0, 1),
+        )
         mu = self.values["mu"].item()
         for (i, j), value in np.ndenumerate(self.values[name]):
             same = self.fields.gram(first[i], second[j]) == 1
@@ -159,15 +228,32 @@ class LinkConstants(Block):
         stiff = [self.parameter(*row) if n else zeros(1) for row, n in zip(_STIFFNESS, self.key.counts, strict=True)]
         rows = [[stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)]
         C = block(*rows)
-        K = self.step("K_full", self.integral(self.strain.T @ C @ self.strain, None), r"\mathbf{K}_i", unit="N/m",
-                      equation="88", symmetric=True, meaning="stiffness of the modes (torsion: N*m), diagonal")
+        K = self.step(
+            "K_full",
+            self.integral(self.strain.T @ C @ self.strain, None),
+            r"\mathbf{K}_i",
+            unit="N/m",
+            equation="88",
+            symmetric=True,
+            meaning="stiffness of the modes (torsion: N*m), diagonal",
+        )
         self.K = self._column("K", K, r"\mathbf{k}_i", "N/m", "stiffness of each mode (torsion: N*m/rad)")
-        inertia = self._column("M_eta", Symbol("M_Wphi", K.shape, r"\mathbf{M}_{W\phi,i}"), r"\mathbf{m}_{\eta}", "kg",
-                               "inertia of each mode (torsion: kg*m^2)")
+        inertia = self._column(
+            "M_eta",
+            Symbol("M_Wphi", K.shape, r"\mathbf{M}_{W\phi,i}"),
+            r"\mathbf{m}_{\eta}",
+            "kg",
+            "inertia of each mode (torsion: kg*m^2)",
+        )
         if self.key.damping:
             ratio = self.parameter("damping_ratio", (1, 1), r"\zeta_i", "-", "-", "damping ratio of each mode")
-            self.D = self.step("D", (2 * ratio) @ Root(Diagonal(self.K) @ inertia), r"\mathbf{d}_i", unit="N*s/m",
-                               meaning="damping of each mode (torsion: N*m*s/rad)")
+            self.D = self.step(
+                "D",
+                (2 * ratio) @ Root(Diagonal(self.K) @ inertia),
+                r"\mathbf{d}_i",
+                unit="N*s/m",
+                meaning="damping of each mode (torsion: N*m*s/rad)",
+            )
         else:
             self.D = zeros(self.key.modes)
 

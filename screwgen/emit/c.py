@@ -46,10 +46,20 @@ class CProject:
         """Every file of the folder."""
         n = self.name
         sources = {
-            f"{n}.h": "model.h", f"{n}_real.h": "real.h", f"{n}_links.h": "links.h", f"{n}_links.c": "links.c",
-            f"{n}_parameters.c": "parameters.c", f"{n}_dynamics.c": "dynamics.c", f"{n}_step.c": "step.c",
-            f"{n}_dae.c": "dae.c", f"{n}_reference.h": "reference.h", "check.c": "check.c", "main.c": "main.c",
-            "Makefile": "Makefile", "CMakeLists.txt": "CMakeLists.txt", "README.md": "README.md",
+            f"{n}.h": "model.h",
+            f"{n}_real.h": "real.h",
+            f"{n}_links.h": "links.h",
+            f"{n}_links.c": "links.c",
+            f"{n}_parameters.c": "parameters.c",
+            f"{n}_dynamics.c": "dynamics.c",
+            f"{n}_step.c": "step.c",
+            f"{n}_dae.c": "dae.c",
+            f"{n}_reference.h": "reference.h",
+            "check.c": "check.c",
+            "main.c": "main.c",
+            "Makefile": "Makefile",
+            "CMakeLists.txt": "CMakeLists.txt",
+            "README.md": "README.md",
         }
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
@@ -64,26 +74,54 @@ class CProject:
         chain, robot = self.chain, self.chain.robot
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
-            "name": self.name, "NAME": self.name.upper(), "version": self.version, "layout": self.layout,
-            "binding": self.binding, "n": chain.n, "n_joints": chain.n_joints, "n_modes": chain.n_modes, "nq": chain.nq,
-            "nx": state_size(chain), "nz": unknown_size(chain), "nnz": len(m_row), "methods": METHODS,
-            "link_names": [link.name for link in robot.links], "q_names": coordinate_names(robot).q,
-            "structs": parameter_structs(robot), "n_bodies": body_count(robot), "constants": self.constants,
-            "node": node_fields(self._programs), "store": store_fields(self._programs),
-            "operations": self.operations, "bytes": self.bytes, "lines": self.fused_lines,
-            "defaults": self.defaults, "prepare": self.prepare_functions, "prepare_calls": self.prepare_calls,
-            "baked": self.baked_tables, "q_offset": chain.q_offset[:-1], "eta_offset": chain.eta_offset[:-1],
-            "programs": list(self.links.functions.values()), "phases": self._phases, "algorithms": self._algorithms,
-            "m_row": rows(m_row), "m_column": rows(m_column), "m_place": rows(m_place), "m_offset": m_offset,
-            **self._base, "cases": self.reference,
+            "name": self.name,
+            "NAME": self.name.upper(),
+            "version": self.version,
+            "layout": self.layout,
+            "binding": self.binding,
+            "n": chain.n,
+            "n_joints": chain.n_joints,
+            "n_modes": chain.n_modes,
+            "nq": chain.nq,
+            "nx": state_size(chain),
+            "nz": unknown_size(chain),
+            "nnz": len(m_row),
+            "methods": METHODS,
+            "link_names": [link.name for link in robot.links],
+            "q_names": coordinate_names(robot).q,
+            "structs": parameter_structs(robot),
+            "n_bodies": body_count(robot),
+            "constants": self.constants,
+            "node": node_fields(self._programs),
+            "store": store_fields(self._programs),
+            "operations": self.operations,
+            "bytes": self.bytes,
+            "lines": self.fused_lines,
+            "defaults": self.defaults,
+            "prepare": self.prepare_functions,
+            "prepare_calls": self.prepare_calls,
+            "baked": self.baked_tables,
+            "q_offset": chain.q_offset[:-1],
+            "eta_offset": chain.eta_offset[:-1],
+            "programs": list(self.links.functions.values()),
+            "phases": self._phases,
+            "algorithms": self._algorithms,
+            "m_row": rows(m_row),
+            "m_column": rows(m_column),
+            "m_place": rows(m_place),
+            "m_offset": m_offset,
+            **self._base,
+            "cases": self.reference,
         }
 
     # programs ---------------------------------------------------------------------------------
 
     @cached_property
     def _algorithms(self) -> list[dict]:
-        return [{"name": name, "comment": run.comment, "phases": self.links.phases(name)}
-                for name, run in self.links.runs.items()]
+        return [
+            {"name": name, "comment": run.comment, "phases": self.links.phases(name)}
+            for name, run in self.links.runs.items()
+        ]
 
     @property
     def _phases(self) -> list[dict]:
@@ -97,8 +135,10 @@ class CProject:
     def _base(self) -> dict:
         """Which fields of the base node there are, by how they start."""
         fields = {f.name for f in node_fields(self._programs)}
-        return {"base_zero": [f for f in ("omega", "v", "omega_m", "r") if f in fields],
-                "base_rotation": [f for f in ("R", "R_m") if f in fields]}
+        return {
+            "base_zero": [f for f in ("omega", "v", "omega_m", "r") if f in fields],
+            "base_rotation": [f for f in ("R", "R_m") if f in fields],
+        }
 
     @cached_property
     def fused(self) -> Program:
@@ -131,8 +171,13 @@ class CProject:
                 for i in phase["of_link"]:
                     counts += phase["classes"][i].program.operations
         other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
-        return {"total": sum(counts.values()), "mul": counts["mul"], "add": counts["add"] + counts["sub"] + counts["neg"],
-                "div": counts["div"], "other": other}
+        return {
+            "total": sum(counts.values()),
+            "mul": counts["mul"],
+            "add": counts["add"] + counts["sub"] + counts["neg"],
+            "div": counts["div"],
+            "other": other,
+        }
 
     # parameters and constants -----------------------------------------------------------------
 
@@ -167,7 +212,9 @@ class CProject:
 
     def _prepare_function(self, i: int) -> dict:
         program = fuse.preparation(self.chain.keys[i], self._labels[i])
-        program = Program(program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections)
+        program = Program(
+            program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
+        )
 
         def place(name: str, k: int) -> str:
             if name.startswith("p."):
@@ -205,8 +252,9 @@ class CProject:
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
         c, length = self.chain, lambda n: max(n, 1)
-        chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) \
-            + c.n * sum(f.reals for f in store_fields(self._programs))
+        chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) + c.n * sum(
+            f.reals for f in store_fields(self._programs)
+        )
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
         work = 2 * length(c.n_modes) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
@@ -229,10 +277,17 @@ def fused_place(name: str, k: int) -> str:
     if what:
         return f"c->links[{link}].{what[2:]}"
     table = {
-        "gravity": f"c->gravity[{k}]", "q": f"state->q[{k}]", "v": f"state->v[{k}]", "tau": f"input->tau[{k}]",
-        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]", "m_eta": f"work->m_eta[{k}]", "f_eta": f"work->f_eta[{k}]",
-        "vdot": f"output->vdot[{k}]", "wrench": f"output->wrench[{k // 6}][{k % 6}]",
-        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]", "tip_position": f"output->tip_position[{k}]",
+        "gravity": f"c->gravity[{k}]",
+        "q": f"state->q[{k}]",
+        "v": f"state->v[{k}]",
+        "tau": f"input->tau[{k}]",
+        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]",
+        "m_eta": f"work->m_eta[{k}]",
+        "f_eta": f"work->f_eta[{k}]",
+        "vdot": f"output->vdot[{k}]",
+        "wrench": f"output->wrench[{k // 6}][{k % 6}]",
+        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]",
+        "tip_position": f"output->tip_position[{k}]",
     }
     return table[name]
 

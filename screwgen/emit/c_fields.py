@@ -74,7 +74,9 @@ def _member(place: str) -> tuple[str, str, int]:
 def _general(p: Parameter) -> str:
     """The description without the component's own name."""
     parts = p.description.split(", ")
-    return ", ".join(x for x in parts if x not in ("x", "y", "z", "roll", "pitch", "yaw", "xx", "yy", "zz", "xy", "xz", "yz"))
+    return ", ".join(
+        x for x in parts if x not in ("x", "y", "z", "roll", "pitch", "yaw", "xx", "yy", "zz", "xy", "xz", "yz")
+    )
 
 
 def body_count(robot) -> int:

@@ -14,13 +14,21 @@ from .c_code import Writer
 
 JOINT = {"q", "qdot", "tau", "qddot", "new_q"}
 MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot"}
-STRIDE = {"w_ext": 6, "wrench": 6, "twist": 6, "alpha": 6, "Vdot": 6, "quaternion": 4,
-          "new_twist": 6, "new_quaternion": 4, "new_position": 3}
+STRIDE = {
+    "w_ext": 6,
+    "wrench": 6,
+    "twist": 6,
+    "alpha": 6,
+    "Vdot": 6,
+    "quaternion": 4,
+    "new_twist": 6,
+    "new_quaternion": 4,
+    "new_position": 3,
+}
 WRITTEN = {"qdot": "new_qdot"}
 READ = {"alpha": "given_alpha"}
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
-
 
 
 @dataclass(frozen=True)
@@ -43,14 +51,26 @@ def _run(algorithm: Algorithm, comment: str, results: str) -> Run:
 
 
 RUNS: dict[str, Run] = {
-    "joint_dynamics": _run((*alg.FORWARD, alg.POSES), "Joint form: accelerations, wrenches and poses by block elimination.",
-                           "qddot etaddot wrench tip.R tip.r"),
-    "dae_dynamics": _run(alg.DAE_FORWARD, "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
-                         "qdot qddot etaddot wrench Vdot"),
-    "projection": _run(alg.PROJECTION, "The state of the DAE form taken back onto the joints.",
-                       "new_q new_quaternion new_position new_twist"),
-    "placement": _run(alg.PLACEMENT, "Poses and twists of the DAE form from coordinates and rates.",
-                      "new_quaternion new_position new_twist tip.R tip.r"),
+    "joint_dynamics": _run(
+        (*alg.FORWARD, alg.POSES),
+        "Joint form: accelerations, wrenches and poses by block elimination.",
+        "qddot etaddot wrench tip.R tip.r",
+    ),
+    "dae_dynamics": _run(
+        alg.DAE_FORWARD,
+        "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
+        "qdot qddot etaddot wrench Vdot",
+    ),
+    "projection": _run(
+        alg.PROJECTION,
+        "The state of the DAE form taken back onto the joints.",
+        "new_q new_quaternion new_position new_twist",
+    ),
+    "placement": _run(
+        alg.PLACEMENT,
+        "Poses and twists of the DAE form from coordinates and rates.",
+        "new_quaternion new_position new_twist tip.R tip.r",
+    ),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
 }
 
@@ -104,7 +124,8 @@ class Links:
         """A class is called after its first link."""
         for i, other in enumerate(self.chain.keys):
             same = self.baked is None or numbers == tuple(
-                sorted((n, v[0]) for n, v in self.baked[i].items() if n.startswith("c.")))
+                sorted((n, v[0]) for n, v in self.baked[i].items() if n.startswith("c."))
+            )
             if other == key and same:
                 return self.chain.robot.links[i].name
         raise KeyError(key)
@@ -117,8 +138,11 @@ class Links:
             known |= {"tip.X": [0.0] * 36, "tip.PX": [0.0] * 36}
         if known:
             program = specialise(program, known)
-        wanted = {n: v for n, v in program.outputs.items()
-                  if self.runs[run].wants(n, variant.key) and not (variant.last and "next" in n)}
+        wanted = {
+            n: v
+            for n, v in program.outputs.items()
+            if self.runs[run].wants(n, variant.key) and not (variant.last and "next" in n)
+        }
         used = Program(program.name, program.inputs, wanted, program.guards, program.sections, program.origins)
         read = {n.args[0] for n in used.nodes if n.op == "input"}
         used.inputs = {n: size for n, size in program.inputs.items() if n in read}
@@ -131,8 +155,14 @@ class Links:
             variants = [self.variant(i, run == "assembly") for i in range(self.chain.n)]
             distinct = list(dict.fromkeys(variants))
             classes = [self.function(v, run, number, phase.name) for v in distinct]
-            out.append({"name": f"{run}_{phase.name}", "outward": phase.direction == OUTWARD, "classes": classes,
-                        "of_link": [distinct.index(v) for v in variants]})
+            out.append(
+                {
+                    "name": f"{run}_{phase.name}",
+                    "outward": phase.direction == OUTWARD,
+                    "classes": classes,
+                    "of_link": [distinct.index(v) for v in variants],
+                }
+            )
         return out
 
     def function(self, variant: Variant, run: str, number: int, phase: str) -> Function:
@@ -213,7 +243,9 @@ class Places:
         out += self._structs(reads, writes)
         for name in reads:
             if "." not in name:
-                out.append((f"const {real} {name}[{self.program.inputs[name]}]", self._address(READ.get(name, name), name)))
+                out.append(
+                    (f"const {real} {name}[{self.program.inputs[name]}]", self._address(READ.get(name, name), name))
+                )
         for name in writes:
             if "." not in name and name not in MATRIX and name not in ROWS:
                 size = len(self.program.outputs[name])
@@ -225,8 +257,11 @@ class Places:
         prefix, out = self.links.prefix, []
         if any(n.startswith("c.") for n in reads):
             out.append((f"const {prefix}_link_constants *c", "&c->links[i]"))
-        for where, type_, value in (("w", "link_store", "&chain->links[i]"), ("base", "node", "&chain->nodes[i]"),
-                                    ("tip", "node", "&chain->nodes[i + 1]")):
+        for where, type_, value in (
+            ("w", "link_store", "&chain->links[i]"),
+            ("base", "node", "&chain->nodes[i]"),
+            ("tip", "node", "&chain->nodes[i + 1]"),
+        ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
                 out.append((f"{const}{prefix}_{type_} *{'link' if where == 'w' else where}", value))
@@ -275,5 +310,3 @@ def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
     size = 12 * links.chain.n + links.chain.n_modes
     starts = [sum(col < j for col, _ in order) for j in range(size + 1)]
     return [row for _, row in order], starts, [place[e] for e in entries], offsets
-
-

@@ -37,7 +37,9 @@ def functions(chain: Chain) -> dict[str, ca.Function]:
     return {
         f.name(): f
         for f in (
-            function("forward_dynamics", dict(q=q, v=v, tau=tau, w_ext=w_ext, p=p), vdot=dynamics["vdot"], wrench=wrench),
+            function(
+                "forward_dynamics", dict(q=q, v=v, tau=tau, w_ext=w_ext, p=p), vdot=dynamics["vdot"], wrench=wrench
+            ),
             function("inverse_dynamics", dict(q=q, v=v, vdot=vdot, w_ext=w_ext, p=p), force=inverse["force"]),
             function("mass_matrix", dict(q=q, p=p), M=M),
             function("bias", dict(q=q, v=v, w_ext=w_ext, p=p), h=bias["h"]),
@@ -99,7 +101,9 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     return {
         "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
         "project": function("project", {k: given[k] for k in ("x", "p")}, **projected),
-        "modal_dynamics": function("modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench),
+        "modal_dynamics": function(
+            "modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench
+        ),
         "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
     }
 

@@ -19,7 +19,9 @@ def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str
     saved = {name: _function(name, value) for name, value in functions.items()}
     files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
     rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
-    readme = render("casadi/README.md.jinja", name=robot.name, version=version, functions=rows, parameters=parameter_names)
+    readme = render(
+        "casadi/README.md.jinja", name=robot.name, version=version, functions=rows, parameters=parameter_names
+    )
     return files | {"README.md": readme.encode()}
 
 

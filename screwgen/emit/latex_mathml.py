@@ -17,6 +17,9 @@ BOLD = (
 )
 """Ranges of characters, and where Unicode has them in bold."""
 
+FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)")
+"""A function whose argument stands without brackets needs a space."""
+
 
 def inline(tex: str) -> str:
     """A formula in a line of text."""
@@ -26,7 +29,7 @@ def inline(tex: str) -> str:
 def display(formula: Formula) -> str:
     """Aligned rows of cells; the cells are right-aligned and left-aligned in turn."""
     rows = "".join(f"<mtr>{''.join(_cell(c, i) for i, c in enumerate(row))}</mtr>" for row in formula)
-    return f'<math display="block"><mtable class="rows" displaystyle="true">{rows}</mtable></math>'
+    return f'<math><mtable class="rows" displaystyle="true">{rows}</mtable></math>'
 
 
 def _cell(tex: str, place: int) -> str:
@@ -37,7 +40,8 @@ def _cell(tex: str, place: int) -> str:
 @cache
 def _inner(tex: str) -> str:
     """The MathML of a formula without the element ``math``."""
-    raw = convert(tex.replace(r"\!", ""))
+    upright = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", tex.replace(r"\!", ""))
+    raw = convert(FUNCTION.sub(r"\1\,", upright))
     body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
     body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
     body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)

@@ -21,12 +21,14 @@ def lower(
 ) -> dict[str, Array]:
     """Record the steps of ``block`` that ``outputs`` need and return the outputs' entries.
 
-    ``inputs`` holds arrays of nodes or floats for the block's inputs.  With ``constant``, whatever
-    follows from the parameters alone is not recorded but asked for by its label: that slice of the
-    block is the ``prepare`` program.
+    ``inputs`` holds arrays of nodes or floats for the block's inputs (others are passed over).  With
+    ``constant``, whatever follows from the parameters alone is not recorded but asked for by its label:
+    that slice of the block is the ``prepare`` program.
     """
     values: dict[sp.Symbol, Value] = {}
     for name, array in inputs.items():
+        if name not in block.inputs:
+            continue
         for symbol, value in zip(block.values[name].flat, np.asarray(array, dtype=object).flat, strict=True):
             values[symbol] = value
     known = _Environment(block, values, constant)

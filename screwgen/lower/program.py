@@ -88,8 +88,9 @@ class Tracer:
             self._section = before
 
     def _node(self, op: str, *args) -> Node:
-        ids = tuple(a.id if isinstance(a, Node) else ("number", float(a).hex()) for a in args) \
-            if op != "input" else args
+        ids = (
+            tuple(a.id if isinstance(a, Node) else ("number", float(a).hex()) for a in args) if op != "input" else args
+        )
         if op in COMMUTATIVE:
             ids = tuple(sorted(ids, key=str))
         node = self._table.get((op, *ids))
@@ -151,8 +152,11 @@ class Tracer:
         if _is(b, -1.0):
             return self.neg(a)
         if _negated(a) or _negated(b):
-            return self.neg(self.mul(_positive(a), _positive(b))) if _negated(a) != _negated(b) else self.mul(
-                _positive(a), _positive(b))
+            return (
+                self.neg(self.mul(_positive(a), _positive(b)))
+                if _negated(a) != _negated(b)
+                else self.mul(_positive(a), _positive(b))
+            )
         if not isinstance(b, Node) and b < 0:
             return self.neg(self._node("mul", a, -b))
         return self._node("mul", a, b)

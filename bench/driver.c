@@ -1,0 +1,134 @@
+/* driver.c: runs the contenders of one robot in one process, in turns.
+ *
+ *   driver verify             prints "deviation <name> <largest relative deviation from the first contender>"
+ *   driver count              calls every contender of "countable" once per state, for callgrind
+ *   driver time <n> <batch>   n rounds in which every contender runs for about <batch> seconds; prints
+ *                             "time <round> <name> <nanoseconds per call>"
+ */
+#define _POSIX_C_SOURCE 199309L
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include DATA
+
+#include "contract.h"
+
+/* The list of contenders: "X(symbol, countable)" per line. */
+#define X(symbol, countable) extern const contender symbol;
+#include LIST
+#undef X
+
+typedef struct {
+    const contender *it;
+    int countable;
+    long calls; /* rounds over all states in a batch */
+} entry;
+
+#define X(symbol, countable) { &symbol, countable, 1 },
+static entry entries[] = {
+#include LIST
+};
+#undef X
+
+enum { ENTRIES = sizeof entries / sizeof entries[0], RESULTS = NQ + 6 * NLINKS + 12 };
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Seconds that n rounds over the states take; the function is reached through a pointer that nobody can see through. */
+static double run(const contender *it, long n)
+{
+    int (*volatile hidden)(int) = it->call;
+    int (*const call)(int) = hidden;
+    const double start = now();
+    long i;
+    int k, status = 0;
+    for (i = 0; i < n; ++i) {
+        for (k = 0; k < STATES; ++k) {
+            status |= call(k);
+        }
+    }
+    if (status) {
+        fprintf(stderr, "%s: status %d\n", it->name, status);
+        exit(1);
+    }
+    return now() - start;
+}
+
+static void verify(void)
+{
+    static double expected[RESULTS], y[RESULTS];
+    int e, i, k;
+    for (e = 0; e < ENTRIES; ++e) {
+        double worst = 0;
+        for (k = 0; k < STATES; ++k) {
+            entries[0].it->call(k);
+            entries[0].it->result(expected);
+            if (entries[e].it->call(k)) {
+                fprintf(stderr, "%s: fails at state %d\n", entries[e].it->name, k);
+                exit(1);
+            }
+            if (entries[e].it->results == 0) {
+                continue;
+            }
+            entries[e].it->result(y);
+            for (i = 0; i < RESULTS; ++i) {
+                worst = fmax(worst, fabs(y[i] - expected[i]) / (1 + fabs(expected[i])));
+                worst = y[i] == y[i] ? worst : INFINITY;
+            }
+        }
+        printf("deviation %s %.2e\n", entries[e].it->name, worst);
+    }
+}
+
+static void measure(int rounds, double batch)
+{
+    int e, r;
+    for (e = 0; e < ENTRIES; ++e) {
+        double t;
+        while ((t = run(entries[e].it, entries[e].calls)) < batch / 4) {
+            entries[e].calls *= 2;
+        }
+        entries[e].calls = (long)fmax(1, (double)entries[e].calls * batch / t);
+    }
+    for (r = 0; r < rounds; ++r) {
+        for (e = 0; e < ENTRIES; ++e) {
+            const double t = run(entries[e].it, entries[e].calls);
+            printf("time %d %s %.4f\n", r, entries[e].it->name, 1e9 * t / ((double)entries[e].calls * STATES));
+        }
+        fflush(stdout);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const int counting = argc == 2 && strcmp(argv[1], "count") == 0; /* code for this machine only is not even entered */
+    int e;
+    for (e = 0; e < ENTRIES; ++e) {
+        if (entries[e].countable || !counting) {
+            entries[e].it->init();
+        }
+    }
+    if (argc == 2 && strcmp(argv[1], "verify") == 0) {
+        verify();
+    } else if (counting) {
+        for (e = 0; e < ENTRIES; ++e) {
+            if (entries[e].countable) {
+                run(entries[e].it, 1);
+            }
+        }
+    } else if (argc == 4 && strcmp(argv[1], "time") == 0) {
+        measure(atoi(argv[2]), atof(argv[3]));
+    } else {
+        fprintf(stderr, "usage: driver verify | count | time <rounds> <seconds per batch>\n");
+        return 2;
+    }
+    return 0;
+}

@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 import mpmath
 
-from ..derive.link_class import LinkClass
 from ..lower.program import Program, Tracer, Value, inline, run
 from ..spec.parameters import parameters
 from .algorithms import EVERYTHING, Functions
@@ -60,7 +59,7 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
-        return [_prepare_inline(chain, i, p, tracer) for i in range(chain.n)], p[:3]
+        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, _namer(chain, i))), p[:3]
     links = []
     for i, key in enumerate(chain.keys):
         names = {f"c.{label}": 1 for label in chain.labels(key, EVERYTHING)} | dict.fromkeys(COLUMNS, key.modes)
@@ -70,34 +69,29 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
     return links, tracer.input("gravity", 3)
 
 
-def _prepare_inline(chain: Chain, i: int, p: Sequence[Value], tracer: Tracer) -> dict[str, list]:
-    program = chain_preparation(chain, chain.keys[i])
-    places = chain.parameter_labels[i]
-    given = {name: [p[places[name[2:]]]] for name in program.inputs}
-    return as_constants(inline(program, given, tracer, _namer(chain, i)))
+def prepared(chain: Chain, p: Sequence, evaluate: Callable[[int, Program, Mapping], Mapping[str, list]]) -> list[dict]:
+    """The constants of every link from the parameter vector ``p``, under the names by which the phases read them.
+
+    ``evaluate(link, program, inputs)`` runs a preparation on values of any algebra.
+    """
+    out = []
+    for i, key in enumerate(chain.keys):
+        program, places = preparation(key, chain.labels(key, EVERYTHING)), chain.parameter_labels[i]
+        outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
+        out.append({name if name in COLUMNS else f"c.{name}": values for name, values in outputs.items()})
+    return out
 
 
-def chain_preparation(chain: Chain, key: LinkClass) -> Program:
-    """The preparation of a class for every function there is."""
-    return preparation(key, chain.labels(key, EVERYTHING))
-
-
-def as_constants(outputs: Mapping[str, list]) -> dict[str, list]:
-    """Outputs of a preparation under the names by which the phases read them."""
-    return {name if name in COLUMNS else f"c.{name}": values for name, values in outputs.items()}
+def exact(chain: Chain) -> tuple[list, list[dict[str, list]]]:
+    """The parameters and the constants of every link in mpmath, at the digits of the surrounding context."""
+    p = [mpmath.mpf(x.value) for x in parameters(chain.robot)]
+    return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0])
 
 
 def baked(chain: Chain) -> list[dict[str, list[float]]]:
     """The constants of every link as numbers, evaluated with many digits: the same on every machine."""
-    values = [p.value for p in parameters(chain.robot)]
-    out = []
     with mpmath.workdps(DIGITS):
-        for i, key in enumerate(chain.keys):
-            program, places = chain_preparation(chain, key), chain.parameter_labels[i]
-            given = {name: [mpmath.mpf(values[places[name[2:]]])] for name in program.inputs}
-            prepared, _ = run(program, given, precise)
-            out.append({n: [float(x) for x in v] for n, v in as_constants(prepared).items()})
-    return out
+        return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain)[1]]
 
 
 def precise(op: str, x):

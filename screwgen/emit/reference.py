@@ -10,23 +10,13 @@ from ..chain import fuse
 from ..chain.algorithms import Functions
 from ..chain.chain import Chain
 from ..lower.program import Program, run
-from ..spec.parameters import parameters
 
 
 def cases(chain: Chain, count: int) -> list[dict[str, list[float]]]:
     """States and inputs with ``vdot``, wrenches and tip pose: at rest, then in motion."""
-    values = [mpmath.mpf(p.value) for p in parameters(chain.robot)]
-    functions = Functions(chain, _constants(chain, values), values[:3], _apply)
+    p, constants = fuse.exact(chain)
+    functions = Functions(chain, constants, p[:3], _apply)
     return [_case(chain, functions, number) for number in range(count)]
-
-
-def _constants(chain: Chain, values: list) -> list[dict[str, list]]:
-    out = []
-    for i, key in enumerate(chain.keys):
-        program, places = fuse.chain_preparation(chain, key), chain.parameter_labels[i]
-        given = {name: [values[places[name[2:]]]] for name in program.inputs}
-        out.append(fuse.as_constants(run(program, given, fuse.precise)[0]))
-    return out
 
 
 def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:

@@ -1,14 +1,14 @@
 """The same function from two code generators: screwgen's C, and CasADi's C of the same equations.
 
-The function is the forward dynamics of the generated C: ``(q, v, tau, w_ext, constants)`` to ``vdot``, wrenches, rotation
-and position of the last tip. CasADi is given exactly these inputs and outputs; ``c`` is the vector of all prepared
-constants, ``p`` that of the robot file's parameters.
+The function is the forward dynamics of the generated C: ``(q, v, tau, w_ext, constants)`` to ``vdot``, wrenches,
+rotation and position of the last tip. CasADi is given exactly these inputs and outputs; ``c`` is the vector of all
+prepared constants, ``p`` that of the robot file's parameters.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import casadi as ca
@@ -17,7 +17,8 @@ from screwgen import Model
 from screwgen.chain import fuse
 from screwgen.emit import casadi as backend
 from screwgen.emit.c import METHODS, CProject
-from screwgen.lower.program import Program, run
+from screwgen.lower.program import Program
+from screwgen.lower.replay import run
 
 STATES = 8
 TIME_STEP = 1e-3
@@ -46,7 +47,6 @@ class Contender:
     adapter: str
     defines: tuple[str, ...]
     exact: bool = True
-    flags: tuple[str, ...] = field(default=())
 
 
 # ------------------------------------------------------------------------------------------ the function
@@ -102,15 +102,15 @@ def short_series(op: str, x: ca.SX) -> ca.SX:
 # ------------------------------------------------------------------------------------------ contenders
 
 
-def screwgen_library(model: Model, layout: str, binding: str, name: str, extra=(), defines=()) -> Library:
+def screwgen_library(model: Model, layout: str, binding: str, name: str, extra=()) -> Library:
     """The generated C; only what forward dynamics and the joint form's steps need, and what ``extra`` names."""
     project = CProject(model.chain, model.version, binding, layout)
     r = project.name
     sources = [f"{r}_{part}.c" for part in ("dynamics", "step", "parameters", *extra)]
     if layout == "modular":
         sources.append(f"{r}_links.c")
-    entries = (f"{r}_forward_dynamics",)
-    return Library(name, project.files(), tuple(dict.fromkeys(sources)), entries, tuple(defines), project.operations["total"])
+    sources, entries = tuple(dict.fromkeys(sources)), (f"{r}_forward_dynamics",)
+    return Library(name, project.files(), sources, entries, (), project.operations["total"])
 
 
 def casadi_library(program: Program, name: str, unary=backend.unary, cse=False, options=None) -> Library:
@@ -118,16 +118,22 @@ def casadi_library(program: Program, name: str, unary=backend.unary, cse=False, 
     f = casadi_function(program, name, unary, cse)
     generator = ca.CodeGenerator(f"{name}.c", options or {})
     generator.add(f)
-    sizes = tuple(f"-DSZ_{k}={v}" for k, v in (("ARG", f.sz_arg()), ("RES", f.sz_res()), ("IW", f.sz_iw()), ("W", f.sz_w())))
-    arithmetic = f.n_instructions() - sum(f.numel_in(i) for i in range(f.n_in())) - sum(f.numel_out(i) for i in range(f.n_out()))
-    return Library(name, {f"{name}.c": generator.dump()}, (f"{name}.c",), (name,), sizes, arithmetic)
+    needed = {"ARG": f.sz_arg(), "RES": f.sz_res(), "IW": f.sz_iw(), "W": f.sz_w()}
+    sizes, source = tuple(f"-DSZ_{k}={v}" for k, v in needed.items()), f"{name}.c"
+    return Library(name, {source: generator.dump()}, (source,), (name,), sizes, operations(f))
+
+
+def operations(f: ca.Function) -> int:
+    """Instructions of an SX function that compute something."""
+    moves = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST)
+    return sum(f.instruction_id(i) not in moves for i in range(f.n_instructions()))
 
 
 def contenders(model: Model) -> list[Contender]:
     """All contenders of forward dynamics for one robot; those that are compared run next to each other."""
     given, own, baked = (same_function(model, how) for how in ("constants", "parameters", "baked"))
     fused = screwgen_library(model, "fused", "runtime", "fused")
-    float_option = {"casadi_real": "float"}
+    single = casadi_library(given, "casadi_float", options={"casadi_real": "float"})
     return [
         _ours(model, "fused", "screwgen, fused", fused),
         _theirs("casadi", "CasADi", casadi_library(given, "casadi"), "c"),
@@ -143,7 +149,7 @@ def contenders(model: Model) -> list[Contender]:
         _theirs("casadi_baked_short", "CasADi, short series",
                 casadi_library(baked, "casadi_baked_short", short_series, True), None),
         _ours(model, "float", "screwgen, fused float", float_library(fused, model), exact=False),
-        _theirs("casadi_float", "CasADi, float", casadi_library(given, "casadi_float", options=float_option), "c", "float"),
+        _theirs("casadi_float", "CasADi, float", single, "c", "float"),
     ]
 
 
@@ -159,7 +165,8 @@ def step_contenders(model: Model) -> list[Contender]:
     for form, infix in (("STEP", "step"), ("DAE_STEP", "dae_step")):
         for method in METHODS:
             defines = (f"-D{form}={r}_{infix}_{method}", f"-DTIME_STEP={TIME_STEP}")
-            out.append(_ours(model, f"{infix}_{method}", f"{form[:-5] or 'joint'} {method}", library, defines, exact=False))
+            title = f"{form[:-5] or 'joint'} {method}"
+            out.append(_ours(model, f"{infix}_{method}", title, library, defines, exact=False))
     return out
 
 
@@ -194,13 +201,15 @@ def data_header(model: Model) -> str:
         table = ",\n".join(f"    {{ {', '.join(map(repr, row))} }}" for row in values)
         lines.append(f"static const double data_{name}[{STATES}][{len(values[0])}] = {{\n{table}\n}};")
     for name, values in (("c", c), ("p", model.parameter_values)):
-        lines.append(f"static const double data_{name}[{len(values)}] = {{ {', '.join(repr(float(x)) for x in values)} }};")
+        table = ", ".join(repr(float(x)) for x in values)
+        lines.append(f"static const double data_{name}[{len(values)}] = {{ {table} }};")
     return "\n".join(lines) + "\n"
 
 
 def _numbers(count: int, number: int, salt: int, size: float) -> list[float]:
     """Numbers in (-size, size) without pattern, the same everywhere."""
-    places = ((number + 1) * 0.6180339887498949 + salt * 0.7548776662466927 + (j + 1) * 0.5698402909980532 for j in range(count))
+    start = (number + 1) * 0.6180339887498949 + salt * 0.7548776662466927
+    places = (start + (j + 1) * 0.5698402909980532 for j in range(count))
     return [round(size * (2.0 * (x % 1.0) - 1.0), 6) for x in places]
 
 

@@ -23,6 +23,7 @@ LEVELS = {
 }
 COUNTABLE = ("O2", "O3")
 TOLERANCE = 1e-8
+PROCESSES = 11
 
 
 class BenchError(Exception):
@@ -51,7 +52,8 @@ class Program:
                     for x in libraries.values() for s in x.sources for level in self.levels]
             for job in jobs:
                 job.result()
-            list(pool.map(lambda job: self._compile_adapter(*job), [(c, x) for c in self.contenders for x in self.levels]))
+            adapters = [(c, level) for c in self.contenders for level in self.levels]
+            list(pool.map(lambda job: self._compile_adapter(*job), adapters))
         self._link()
 
     def jobs(self) -> int:
@@ -87,7 +89,8 @@ class Program:
         (self.folder / "list.h").write_text("\n".join(lines) + "\n")
         objects = [self.folder / f"{c.name}_{x}.o" for c in self.contenders for x in self.levels]
         files = [f'-DDATA="{self.folder / "data.h"}"', f'-DLIST="{self.folder / "list.h"}"', "-I", HERE]
-        self._run(self.compiler, *COMMON, "-O2", *files, HERE / "driver.c", *objects, "-Wl,-z,now", "-lm", "-o", self.driver)
+        sources = [HERE / "driver.c", *objects]
+        self._run(self.compiler, *COMMON, "-O2", *files, *sources, "-Wl,-z,now", "-lm", "-o", self.driver)
 
     @property
     def driver(self) -> Path:
@@ -105,17 +108,21 @@ class Program:
         return worst[0]
 
     def times(self, rounds: int, batch: float, progress: Callable[[str], None]) -> dict[str, list[float]]:
-        """Nanoseconds per call of every contender in every round."""
+        """Nanoseconds per call of every contender in every round, at least ``rounds`` of them.
+
+        The rounds are spread over processes, each from a copy of the driver of its own: where the pages of the code lie
+        in memory is drawn once per file, and an unlucky place makes one contender or another half as slow again.
+        """
         out: dict[str, list[float]] = defaultdict(list)
-        command = [self.driver, "time", str(rounds), str(batch)]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-            for line in process.stdout:
-                _, number, name, value = line.split()
-                if len(out[name]) == int(number) and name == f"{self.contenders[0].name}_{self.levels[0]}":
-                    progress(f"round {int(number) + 1}")
+        copies = [self.folder / f"driver{number}" for number in range(PROCESSES)]
+        for copy in copies:
+            shutil.copy(self.driver, copy)
+            lines = self._run(copy, "time", -(-rounds // PROCESSES), batch).splitlines()
+            for name, value in (line.split()[2:] for line in lines):
                 out[name].append(float(value))
-        if process.returncode:
-            raise BenchError(f"the driver failed with status {process.returncode}")
+            progress(copy.name)
+        for copy in copies:  # not earlier: the next copy would be given the same pages
+            copy.unlink()
         return out
 
     def instructions(self, calls: int) -> dict[str, float]:

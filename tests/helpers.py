@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -56,8 +57,6 @@ def example(name: str) -> Model:
 
 def example_dict(name: str) -> dict:
     """An example robot as the oracle takes it."""
-    import tomllib
-
     return tomllib.loads((ROOT / "examples" / f"{name}.toml").read_text(encoding="utf-8"))
 
 
@@ -99,7 +98,9 @@ def disagreement(oracle: Oracle, expected: tuple, given: tuple) -> float:
     return max(part_error(a[k], b[k], a[other]) for k, other in COMPANION.items())
 
 
-def link(name="arm", length=1.0, axes=("z",), rhoA=1.0, modes=None, bodies=None, joint=None, section=None, **more) -> dict:
+def link(
+    name="arm", length=1.0, axes=("z",), rhoA=1.0, modes=None, bodies=None, joint=None, section=None, **more
+) -> dict:
     """One `[[links]]` table: rigid unless `modes` are given; all stiffnesses that modes need are 1 or `section`'s."""
     stiff = {"EA": 1.0, "EIy": 1.0, "EIz": 1.0, "GJ": 1.0, "rhoIp": 1e-2} if modes else {"rhoIp": 1e-2}
     table = {"name": name, "length": length, "section": {"rhoA": rhoA, **stiff, **(section or {})}}
@@ -112,12 +113,10 @@ def arm(*links, gravity=(0.0, 0.0, -G), **more) -> dict:
 
 
 def equal_links(count: int, classes: int = 1) -> dict:
-    """A chain of flexible links that belong to as many link classes as asked for, mixed."""
+    """A chain of flexible links that belong to one, two or three link classes by turns."""
     soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
     kinds = [{"bending_y": 1}, {"bending_z": 1}, {"bending_y": 1, "bending_z": 1}][:classes]
-    names = [f"link{i}" for i in range(count)]
-    return arm(*(link(n, 0.3, "yz"[i % 2 :][:1] if classes > 1 else "y", modes=kinds[i % classes], section=soft)
-                 for i, n in enumerate(names)))
+    return arm(*(link(f"link{i}", 0.3, "y", modes=kinds[i % classes], section=soft) for i in range(count)))
 
 
 def rotation_of(quaternion) -> np.ndarray:

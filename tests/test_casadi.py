@@ -38,8 +38,10 @@ def arguments(model, seed=0) -> dict[str, np.ndarray]:
 
 
 def called(function: ca.Function, given: dict) -> list[np.ndarray]:
-    return [np.array(y.full() if isinstance(y, ca.DM) else y)
-            for y in function.call([ca.DM(given[n]) for n in function.name_in()])]
+    return [
+        np.array(y.full() if isinstance(y, ca.DM) else y)
+        for y in function.call([ca.DM(given[n]) for n in function.name_in()])
+    ]
 
 
 # -------- names and shapes
@@ -52,8 +54,18 @@ def test_names_and_shapes_are_the_contracts(name, size):
     np_, r = len(model.parameter_values), nq - m
     nx, nz = 13 * n + 2 * r + m, 12 * n + r
     shapes = {"q": (nq, 1), "v": (nq, 1), "vdot": (nq, 1), "tau": (m, 1), "w_ext": (6, n), "p": (np_, 1), "x": (nx, 1)}
-    results = {"vdot": (nq, 1), "wrench": (6, n), "force": (nq, 1), "M": (nq, nq), "h": (nq, 1), "kinetic": (1, 1),
-               "potential": (1, 1), "M_sys": (nz, nz), "H_sys": (nz, 1), "W_sys": (nz, 1)}  # fmt: skip
+    results = {
+        "vdot": (nq, 1),
+        "wrench": (6, n),
+        "force": (nq, 1),
+        "M": (nq, nq),
+        "h": (nq, 1),
+        "kinetic": (1, 1),
+        "potential": (1, 1),
+        "M_sys": (nz, nz),
+        "H_sys": (nz, 1),
+        "W_sys": (nz, 1),
+    }
     for key, (inputs, outputs) in NAMES.items():
         f = functions[key]
         assert isinstance(f, ca.Function) and f.name() == key
@@ -121,16 +133,22 @@ def test_casadis_own_c_gives_the_same(tmp_path):
     finally:
         os.chdir(here)
     library = tmp_path / "ella_casadi.so"
-    subprocess.run([require_tool("gcc"), "-O1", "-shared", "-fPIC", str(tmp_path / "ella_casadi.c"), "-o", str(library),
-                    "-lm"], check=True)  # fmt: skip
+    subprocess.run(
+        [require_tool("gcc"), "-O1", "-shared", "-fPIC", str(tmp_path / "ella_casadi.c"), "-o", str(library), "-lm"],
+        check=True,
+    )
     for a, b in zip(called(ca.external("forward_dynamics", str(library)), given), called(f, given), strict=True):
         assert relative(a, b) <= 1e-12
 
 
 def test_assembled_matrix_is_sparse():
     """Blocks only between neighbours, (67) and (100): nonzeros grow as the number of links."""
-    count = [model_of(arm(*(link(f"l{i}", 0.4, "y", modes={"bending_z": 1}) for i in range(n)))).casadi()["assemble"].nnz_out(0)
-             for n in (2, 3, 4)]  # fmt: skip
+    count = [
+        model_of(arm(*(link(f"l{i}", 0.4, "y", modes={"bending_z": 1}) for i in range(n))))
+        .casadi()["assemble"]
+        .nnz_out(0)
+        for n in (2, 3, 4)
+    ]
     assert count[2] - count[1] == count[1] - count[0] < 250
     ella = example("ella").casadi()["assemble"].sparsity_out(0)
     assert ella.nnz() < 0.5 * ella.numel()
@@ -165,8 +183,10 @@ def stumpff(order: int, x, derivative=0):
     """The series at fifty digits; derivatives term by term."""
     with mpmath.workdps(50):
         x = mpmath.mpf(x)
-        terms = ((-1) ** j * mpmath.ff(j, derivative) * x ** (j - derivative) / mpmath.factorial(order + 2 * j)
-                 for j in range(derivative, 60))
+        terms = (
+            (-1) ** j * mpmath.ff(j, derivative) * x ** (j - derivative) / mpmath.factorial(order + 2 * j)
+            for j in range(derivative, 60)
+        )
         return float(mpmath.fsum(terms))
 
 

@@ -96,7 +96,7 @@ implicit_methods = pytest.mark.parametrize("method", ["modal_implicit", "modal_m
 
 @implicit_methods
 def test_modal_implicit_steps_stay_bounded(method):
-    """1 ms with axial modes of 1.4 kHz active, 5 s: the total energy never exceeds its start by a tenth of the swing's."""
+    """1 ms with axial modes of 1.4 kHz active, 5 s: the energy never grows by a tenth of the swing's."""
     q, v, totals, swing = STRETCHED, REST, [], 0.0
     for _ in range(100):
         q, v = ella().step(q, v, *FREE, 1e-3, method, 50)

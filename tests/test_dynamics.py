@@ -5,12 +5,16 @@ accelerations, modal accelerations, joint moments and joint forces is measured a
 must be right to max(1e-10, 50 eps cond M).
 """
 
+import tomllib
 from functools import cache
 
 import numpy as np
 import pytest
-from helpers import EPS32, Case, casadi_forward, disagreement, drawn, flat, quick, relative
-from oracle import part_error
+from helpers import EPS32, Case, casadi_forward, disagreement, drawn, example, flat, quick, relative
+from oracle import Oracle, part_error
+
+from screwgen import Robot
+from screwgen.spec import dump
 
 SEEDS = range(50)
 
@@ -103,15 +107,20 @@ def test_single_precision(seed):
 def test_all_other_functions(seed):
     """Inverse dynamics, mass matrix, bias, energies and poses of NumPy, CasADi and C equal the oracle's."""
     case, rng = case_of(seed), np.random.default_rng(seed)
-    (q, v, tau, w_ext), oracle, numeric = case.inputs, case.oracle, case.model.numpy()
+    (q, v, _, w_ext), oracle, numeric = case.inputs, case.oracle, case.model.numpy()
     functions, p = case.model.casadi(), case.model.parameter_values
     vdot = rng.normal(size=oracle.nv)
     force, M, h = oracle.inverse_dynamics(q, v, vdot, w_ext), oracle.mass_matrix(q), oracle.bias(q, v, w_ext)
     assert relative(numeric.inverse_dynamics(q, v, vdot, w_ext), force) < 1e-10
     assert relative(flat(functions["inverse_dynamics"](q, v, vdot, w_ext.T, p)), force) < 1e-10
     assert relative(numeric.mass_matrix(q), M) < 1e-12 and relative(functions["mass_matrix"](q, p), M) < 1e-12
-    assert relative(numeric.bias(q, v, w_ext), h) < 1e-10 and relative(flat(functions["bias"](q, v, w_ext.T, p)), h) < 1e-10
-    assert np.allclose(numeric.energy(q, v), oracle.energy(q, v), rtol=1e-12, atol=1e-12 * abs(sum(oracle.energy(q, v))))
+    assert (
+        relative(numeric.bias(q, v, w_ext), h) < 1e-10
+        and relative(flat(functions["bias"](q, v, w_ext.T, p)), h) < 1e-10
+    )
+    assert np.allclose(
+        numeric.energy(q, v), oracle.energy(q, v), rtol=1e-12, atol=1e-12 * abs(sum(oracle.energy(q, v)))
+    )
     assert np.allclose([float(e) for e in functions["energy"](q, v, p)], numeric.energy(q, v), rtol=1e-12)
     check_poses(case, functions, p)
 
@@ -135,14 +144,7 @@ def check_poses(case: Case, functions, p):
 @pytest.mark.parametrize("name", ["ella", "six_link"])
 def test_changed_parameters(name):
     """Other parameter values at run time give what a robot file with these values gives."""
-    import tomllib
-
-    import helpers
-    from oracle import Oracle
-
-    from screwgen.spec import dump
-
-    model, rng = helpers.example(name), np.random.default_rng(3)
+    model, rng = example(name), np.random.default_rng(3)
     p = np.array(model.parameter_values) * rng.uniform(0.9, 1.1, len(model.parameter_values))
     changed = changed_robot(model, p)
     oracle = Oracle(tomllib.loads(dump(changed)))
@@ -161,8 +163,6 @@ def test_changed_parameters(name):
 
 def changed_robot(model, p):
     """The robot with the parameter values `p`, put into its description by their names."""
-    from screwgen import Robot
-
     data = model.robot.model_dump(exclude_none=True)
     for name, value in zip(model.parameter_names, p, strict=True):
         put(data, name, float(value))

@@ -149,9 +149,13 @@ def test_elimination_equals_dense_solution_of_the_assembled_system(seed):
     at_modes = at_twist + 6 * n
     twists, modal = rates[at_twist:at_modes].reshape(n, 6), rates[at_modes : len(rates) - case.model.n_joints]
     links = z[: 12 * n].reshape(n, 12)
-    parts = {"tau": (wrench[:, :3], links[:, :3], "F"), "F": (wrench[:, 3:], links[:, 3:6], "tau"),
-             "alpha": (twists[:, :3], links[:, 6:9], "a"), "a": (twists[:, 3:], links[:, 9:], "alpha"),
-             "eta": (modal, z[12 * n :], "alpha")}  # fmt: skip
+    parts = {
+        "tau": (wrench[:, :3], links[:, :3], "F"),
+        "F": (wrench[:, 3:], links[:, 3:6], "tau"),
+        "alpha": (twists[:, :3], links[:, 6:9], "a"),
+        "a": (twists[:, 3:], links[:, 9:], "alpha"),
+        "eta": (modal, z[12 * n :], "alpha"),
+    }
     errors = {k: part_error(ours, lu, parts[other][0]) for k, (ours, lu, other) in parts.items()}
     assert max(errors.values()) <= case.tolerance, errors
 
@@ -221,7 +225,9 @@ def test_rigid_chains_equal_pinocchio(n_links):
     for i, (joint, _) in enumerate(found):
         if case.robot["links"][i]["joint"]["axes"]:
             force = data.f[joint]
-            assert np.allclose(wrench[i], [*force.angular, *force.linear], rtol=0, atol=case.tolerance * np.abs(wrench).max())
+            assert np.allclose(
+                wrench[i], [*force.angular, *force.linear], rtol=0, atol=case.tolerance * np.abs(wrench).max()
+            )
 
 
 @pytest.mark.parametrize("n_links", [8, 12])

@@ -29,10 +29,11 @@ def clamped(bodies=None, **modes) -> np.ndarray:
 
 @pytest.mark.parametrize("direction", ["bending_y", "bending_z"])
 def test_clamped_free_beam(direction):
-    """beta L to 1e-9 by its own modes; by polynomials the first three to 1e-5 or better."""
+    """beta L to 1e-9 by its own modes; by eight polynomials the first three to 1e-6, from above."""
     exact = clamped(basis="clamped_free", **{direction: 3})
     assert np.allclose(np.sqrt(exact), ROOTS, rtol=1e-9)
-    assert np.allclose(np.sqrt(clamped(**{direction: 7})[:3]), ROOTS, rtol=1e-5)
+    ritz = np.sqrt(clamped(**{direction: 8})[:3])
+    assert np.allclose(ritz, ROOTS, rtol=1e-6) and np.all(ritz > np.array(ROOTS) * (1 - 1e-12))
 
 
 @pytest.mark.parametrize("direction", ["bending_y", "bending_z"])

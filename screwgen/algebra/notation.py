@@ -86,8 +86,8 @@ def _term(e: Expression) -> str:
 
 
 def _product(e: Product) -> str:
-    """Factors side by side; equal neighbours as a power, a squared length as a norm."""
-    parts = _factors(e)
+    """Factors side by side, scalars first; equal neighbours as a power, a squared length as a norm."""
+    parts = _factors(e) if e.shape == (1, 1) else sorted(_factors(e), key=lambda f: not _is_scalar(f))
     if e.shape == (1, 1) and len(parts) == 2 and isinstance(parts[1], Sum) and parts[0] == transpose(parts[1]):
         return rf"\left\| {latex(parts[1])} \right\|^{{2}}"
     out, i = [], 0
@@ -99,6 +99,12 @@ def _product(e: Product) -> str:
         out.append(_factor(parts[i], last) if n == 1 else _power(parts[i], n))
         i += n
     return r"\,".join(out)
+
+
+def _is_scalar(e: Expression) -> bool:
+    """Whether a reader sees a scalar: a vector of one entry is bold."""
+    bold = isinstance(e, Symbol) and re.search(r"\\mathbf|\\boldsymbol", e.display)
+    return e.shape == (1, 1) and isinstance(e, Symbol | Constant | Stumpff) and not bold
 
 
 def _factors(e: Expression) -> list[Expression]:
@@ -125,6 +131,8 @@ def _transpose(e: Transpose) -> str:
     text = _factor(e.arg)
     if isinstance(e.arg, Symbol) and text.endswith(TRANSPOSED):
         return text.removesuffix(TRANSPOSED)
+    if isinstance(e.arg, Symbol) and text.endswith("^{+}"):
+        return rf"{text.removesuffix('^{+}')}^{{+\top}}"
     return rf"\left({text}\right)^{{\top}}" if "^" in text and not text.endswith(")") else rf"{text}^{{\top}}"
 
 

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import mpmath
 
-from ..lower.program import Program, Tracer, Value, inline, run
+from ..lower.program import Program, Tracer, Value
+from ..lower.replay import inline, run
 from ..spec.parameters import parameters
 from .algorithms import EVERYTHING, Functions
 from .chain import Chain, preparation

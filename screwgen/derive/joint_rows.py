@@ -22,22 +22,22 @@ def joint_rows_block(key: LinkClass) -> Block:
     b = Block("joint_rows", "Rows of the joint")
     m = key.joints
     R = b.input("R_rel", (3, 3), r"\mathbf{R}_{(i-1)i}", "-", TIP, "rotation of F_i relative to the parent's tip frame")
-    A = b.input("A", (3, m), r"\mathbf{A}", "-", LINK, "columns: the joint's axes", numbered=(1,))
-    A_plus = b.input("A_plus", (m, 3), r"\mathbf{A}^{+}", "-", LINK, "pseudo-inverse of the axes", numbered=(0,))
+    A = b.input("A", (3, m), r"\mathbf{A}_i", "-", LINK, "columns: the joint's axes", numbered=(1,))
+    A_plus = b.input("A_plus", (m, 3), r"\mathbf{A}_i^{+}", "-", LINK, "pseudo-inverse of the axes", numbered=(0,))
     beta = b.input(
         "beta",
         (6, 1),
-        r"\boldsymbol{\beta}",
+        r"\boldsymbol{\beta}_i",
         "rad/s^2, m/s^2",
         LINK,
         "acceleration that the velocities cause at the joint",
     )
     b_P = b.input("b_P", (6, 1), r"\mathbf{b}_{T,i-1}", "rad/s^2, m/s^2", TIP, "acceleration bias of the parent's tip")
-    tau = b.input("tau", (m, 1), r"\boldsymbol{\tau}", "N*m", "-", "joint torques")
+    tau = b.input("tau", (m, 1), r"\boldsymbol{\tau}_i", "N*m", "-", "joint torques")
     X = b.step(
         "X",
         twice(R.T) @ lever(_offset(b, key)),
-        r"\mathbf{X}",
+        r"\mathbf{X}_i",
         unit="-, m",
         frame=LINK,
         equation="49",
@@ -55,7 +55,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     N = b.step(
         "N",
         A @ A_plus if m else zeros(3, 3),
-        r"\mathbf{N}",
+        r"\mathbf{N}_i",
         unit="-",
         frame=LINK,
         meaning="projector onto the joint's axes",
@@ -128,8 +128,8 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
     """``b qdot + k q``: what damper and spring need; nothing if there are none."""
     total: Expression | None = None
     for present, name, state, display in (
-        (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}"),
-        (key.stiffness, "joint_stiffness", "q", r"\mathbf{q}"),
+        (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.stiffness, "joint_stiffness", "q", r"\mathbf{q}_i"),
     ):
         if present:
             column = b.parameter(
@@ -159,5 +159,5 @@ def joint_point(b: Block, key: LinkClass) -> Expression:
     """The joint point in F_i."""
     if not key.frame_at:
         return zeros(3)
-    f = b.parameter("frame_at", (1, 1), "f", "m", LINK, "place of F_i on the centreline, from the joint")
+    f = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
     return stack(-f, zeros(1), zeros(1))

@@ -170,7 +170,7 @@ def _tip_jacobian(b: Block, key: LinkClass) -> tuple[Symbol, Symbol]:
     r_T = b.input("r_T", (3, 1), r"\mathbf{r}_T", "m", LINK, "tip point")
     J_l = b.input("J_l", (3, 3), r"\mathbf{J}_l", "-", LINK, "left Jacobian of the exponential")
     Psi = b.input(
-        "Psi_c", (3, key.modes), r"\boldsymbol{\psi}_c", "1/m", LINK, "turn of the tip by each mode", numbered=(1,)
+        "Psi_c", (3, key.modes), r"\boldsymbol{\Psi}_c", "1/m", LINK, "turn of the tip by each mode", numbered=(1,)
     )
     Phi = b.input(
         "Phi_c",

@@ -30,6 +30,7 @@ FUSED_LIMIT = 8
 """Up to this many links ``auto`` writes the joint form in one piece."""
 
 STATES = 3
+MASK_BITS = 32
 
 
 class CProject:
@@ -97,6 +98,7 @@ class CProject:
             "operations": self.operations,
             "bytes": self.bytes,
             "lines": self.fused_lines,
+            "masked": self.masked,
             "defaults": self.defaults,
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
@@ -149,12 +151,22 @@ class CProject:
     def fused_lines(self) -> list[str]:
         if self.layout != "fused":
             return []
-        fail = lambda link: f"work->fault = {link}; return {self.name.upper()}_SINGULAR;"  # noqa: E731
-        taken = {"c", "state", "input", "work", "output"}
-        lines = Writer(self.fused, self.name, fused_place, fail, taken).lines()
+        taken = {"c", "state", "input", "work", "output", "bad", "link"}
+        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, apart=True).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + [f"(void){x};" for x in self._unused(lines)] + lines
+
+    def _fused_guard(self, test: str, link: int) -> str:
+        """Failures are gathered and looked at once: an early return would cost more than its comparison."""
+        if self.masked:
+            return f"bad |= (unsigned long)({test}) << {link};"
+        return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
+
+    @property
+    def masked(self) -> bool:
+        """Whether one word has a bit for every link."""
+        return self.chain.n <= MASK_BITS
 
     def _unused(self, lines: list[str]) -> list[str]:
         text = "\n".join(lines)

@@ -10,7 +10,8 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from ..lower.program import BINARY, Node, Program
+from ..lower.program import Node, Program
+from ..lower.replay import BINARY
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 3}
@@ -34,21 +35,24 @@ def literal(value: float) -> str:
 class Writer:
     """Turns one program into lines of C.
 
-    ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(origin)`` the statement
-    that leaves the function when a guard fails; ``taken`` are the names of its parameters.
+    ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
+    for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart`` says that no output
+    shares memory with an input: then outputs are written as soon as they are known.
     """
 
     program: Program
     prefix: str
     place: Callable[[str, int], str]
-    fail: Callable[[int], str]
+    fail: Callable[[str, int], str]
     taken: set[str] = field(default_factory=set)
+    apart: bool = False
 
     def lines(self) -> list[str]:
         """The body of a function: sections of assignments, then the outputs."""
         self._count_uses()
         self._names: dict[int, str] = {}
         self._pending: dict[int, tuple[str, int]] = {}
+        self._written: set[tuple[str, int]] = set()
         self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
         out: list[str] = []
         section = None
@@ -82,7 +86,7 @@ class Writer:
         if node.op in ("input", "epsilon"):
             return []
         if node.id in self._guards and not self._uses[node.id]:
-            return [f"if (!({self._text(node)[0]} > 0)) {{ {self.fail(self._guards[node.id])} }}"]
+            return [self._guard(node, self._text(node)[0])]
         text, precedence = self._text(node)
         if self._inlined(node, text):
             self._pending[node.id] = (text, precedence)
@@ -90,7 +94,23 @@ class Writer:
         name = self._name(node)
         lines = wrap(f"const {self.prefix}_real {name} = {text};")
         if node.id in self._guards:
-            lines.append(f"if (!({name} > 0)) {{ {self.fail(self._guards[node.id])} }}")
+            lines.append(self._guard(node, name))
+        return lines + self._early_outputs(node, name)
+
+    def _guard(self, node: Node, text: str) -> str:
+        return self.fail(f"!({text} > 0)", self._guards[node.id])
+
+    def _early_outputs(self, node: Node, name: str) -> list[str]:
+        """The outputs that are this value, or its negative, where memory allows to write them now."""
+        if not self.apart:
+            return []
+        lines = []
+        for output, values in self.program.outputs.items():
+            for k, v in enumerate(values):
+                negative = isinstance(v, Node) and v.op == "neg" and v.args[0] is node
+                if (v is node or negative) and self.place(output, k) is not None:
+                    self._written.add((output, k))
+                    lines.append(f"{self.place(output, k)} = {'-' if negative else ''}{name};")
         return lines
 
     def _inlined(self, node: Node, text: str) -> bool:
@@ -144,7 +164,8 @@ class Writer:
     def _outputs(self) -> list[str]:
         out: list[str] = []
         for name, values in self.program.outputs.items():
-            placed = ((self.place(name, k), v) for k, v in enumerate(values))
+            left = ((k, v) for k, v in enumerate(values) if (name, k) not in self._written)
+            placed = ((self.place(name, k), v) for k, v in left)
             out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]
         return ["", "/* outputs */", *out] if out else []
 

@@ -9,7 +9,8 @@ from ..chain import algorithms as alg
 from ..chain.chain import OUTWARD, Algorithm, Chain, trace
 from ..chain.dae_functions import block_places
 from ..derive.link_class import LinkClass
-from ..lower.program import Program, specialise
+from ..lower.program import Program
+from ..lower.replay import specialise
 from .c_code import Writer
 
 JOINT = {"q", "qdot", "tau", "qddot", "new_q"}
@@ -169,7 +170,7 @@ class Links:
         """The C function of a phase; equal texts are one function."""
         program = self.program(variant, run, number)
         places = Places(self, variant, run, program)
-        fail = lambda _: f"return {self.prefix.upper()}_SINGULAR;"  # noqa: E731
+        fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
         lines = Writer(program, self.prefix, places.place, fail, places.names()).lines()
         key = (variant.name, phase, tuple(lines))
         if key not in self.functions:

@@ -13,7 +13,8 @@ import casadi as ca
 from ..chain import fuse
 from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
-from ..lower.program import Program, run
+from ..lower.program import Program
+from ..lower.replay import run
 
 LIMIT = 4.0
 TERMS = 14

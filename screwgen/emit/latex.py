@@ -5,11 +5,16 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+import numpy as np
+
+from ..algebra.components import Array
 from ..chain.chain import Chain
 from ..chain.scope import derived
+from ..derive.block import Block
 from ..derive.link_class import LinkClass
 from ..errors import ScrewgenError
 from ..spec.parameters import parameters
@@ -44,8 +49,14 @@ def notebook(robot: Robot) -> str:
         steps = [s for s in block_view(derived(key)["link"]).steps if s.name in KEY_STEPS]
         classes.append((number, [(s.meaning, s.formula[:1]) for s in steps]))
     table = tables.links(robot, chain.keys, chain.classes)
-    return render("latex/notebook.html.jinja", name=robot.name, table=table, classes=classes, text=text.in_html,
-                  rows=text.html_rows)
+    return render(
+        "latex/notebook.html.jinja",
+        name=robot.name,
+        table=table,
+        classes=classes,
+        text=text.in_html,
+        rows=text.html_rows,
+    )
 
 
 def write_pdf(tex: str, path: str | Path) -> None:
@@ -84,8 +95,10 @@ def content(robot: Robot) -> Document:
         members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
-    sections += [Section("Symbols", [tables.symbols(entries(known))]),
-                 Section("Parameters", [tables.parameters(parameters(robot))])]
+    sections += [
+        Section("Symbols", [tables.symbols(entries(known))]),
+        Section("Parameters", [tables.parameters(parameters(robot))]),
+    ]
     return Document(robot.name, _version(), tuple(sections))
 
 
@@ -93,21 +106,34 @@ def class_views(key: LinkClass) -> list[BlockView]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
     blocks = derived(key)
-    return [block_view(blocks[name], seen) for name in ordered(blocks)]
+    known = structure(key, blocks)
+    return [block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks)]
+
+
+def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
+    """What the assembled rows take from other blocks: where that is zero or identity, the rows need not say it."""
+    tip, joint, r = blocks["tip"].values, blocks["joint"].values, key.modes
+    still = {"R_T": np.eye(3, dtype=int), "J_l": np.eye(3, dtype=int), "Psi_c": np.zeros((3, r), dtype=int)}
+    bare = {} if key.bodies_at("tip") else {"M_T": np.zeros((6, 6), dtype=int), "h_T": np.zeros((6, 1), dtype=int)}
+    return {"R_rel": joint["R_rel"], "Phi_c": tip["Phi_c"]} | {n: tip.get(n, v) for n, v in still.items()} | bare
 
 
 def _robot(robot: Robot, chain: Chain) -> Section:
-    count = f"{chain.n} link{'s' if chain.n > 1 else ''}, {chain.n_joints} joint coordinates, {chain.n_modes} modal ones"
-    items = [Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
-             tables.links(robot, chain.keys, chain.classes)]
+    links = f"{chain.n} link{'s' if chain.n > 1 else ''}"
+    count = f"{links}, {chain.n_joints} joint coordinates, {chain.n_modes} modal ones"
+    items = [
+        Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
+        tables.links(robot, chain.keys, chain.classes),
+    ]
     return Section("The robot", items)
 
 
 def _theory(robot: Robot, chain: Chain) -> list[Section]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     conventions = render("latex/conventions.tex.jinja", gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "))
-    equations = render("latex/equations.tex.jinja", section_rotation=robot.section_rotation,
-                       unknowns=12 * chain.n + chain.n_modes)
+    equations = render(
+        "latex/equations.tex.jinja", section_rotation=robot.section_rotation, unknowns=12 * chain.n + chain.n_modes
+    )
     return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from ..algebra.notation import axis_latex
 from ..bases import Shapes
 from ..derive.block import Binding, Block
 from ..derive.link_class import LinkClass
@@ -11,9 +12,9 @@ from .latex_content import Display, Heading, Item, Paragraph, Section, equation
 from .latex_layout import PAGE, Formula, fill, matrix, width
 from .latex_layout import equation as broken
 from .latex_steps import BlockView
-from .latex_tables import DIRECTION, modes
+from .latex_tables import DIRECTION, modes, named_axes
 
-ORDER = ("link", "tip", "tip_body", "joint", "posture", "rows", "tip_pose", "energy")
+ORDER = ("link", "tip", "tip_body", "tip_pose", "joint", "posture", "energy", "link_rows", "joint_rows")
 """The order of the blocks that are known; others follow."""
 
 ROW = {"axial": 0, "bending_y": 1, "bending_z": 2}
@@ -30,8 +31,9 @@ Part = tuple[str, tuple[Item, ...]]
 """A heading with what stands below it."""
 
 
-def class_section(number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView],
-                  printed: dict[Part, int]) -> Section:
+def class_section(
+    number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView], printed: dict[Part, int]
+) -> Section:
     """The section of a class; parts that an earlier class has ``printed`` are only named."""
     names = ", ".join(f"`{name}`" for name in members)
     items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
@@ -49,12 +51,16 @@ def class_section(number: int, key: LinkClass, members: Sequence[str], views: Se
 def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
     """The field, then every block; what follows from the parameters alone comes first in the link block."""
     yield "Kinematic field", tuple(_field(key))
+    axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
     for view in views:
         groups = [(view.title, view.steps)]
         if view.name == "link":
             known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
             groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
-        yield from ((title, tuple(map(equation, steps))) for title, steps in groups if steps)
+        for title, steps in groups:
+            if steps:
+                named = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
+                yield title, (*named, *map(equation, steps))
 
 
 # ------------------------------------------------------------------------------------ kinematic field
@@ -65,8 +71,8 @@ def _field(key: LinkClass) -> Iterator[Item]:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
         return
     yield Paragraph(
-        r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with shapes "
-        r"$\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
+        r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with "
+        r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
     families = {}

@@ -101,6 +101,7 @@ def split_row(line: str) -> tuple[str, ...]:
 
 _LETTERS = {
     "M*": r"\mathbf{M}^*",
+    "F_{i+1}": r"\mathcal{F}_{i+1}",
     "F_i": r"\mathcal{F}_i",
     "R_oi^T g": r"\mathbf{R}_{oi}^{\top}\mathbf{g}",
     "R_oT^T g": r"\mathbf{R}_{oT}^{\top}\mathbf{g}",

@@ -14,11 +14,45 @@ Formula = tuple[Row, ...]
 PAGE = 42.0
 """Width of the text in em."""
 
+TALL = 12
+"""Of a matrix with more rows or columns than that only the first and the last ones are shown."""
+
 TOKEN = re.compile(r"\\begin\{\w+\*?\}|\\end\{\w+\*?\}|\\[A-Za-z]+|\\.|.", re.DOTALL)
-WIDE = {r"\qquad": 2.0, r"\quad": 1.0, r"\,": 0.17, r"\;": 0.28, r"\ ": 0.33, r"\int": 1.0, r"\exp": 1.6, r"\cos": 1.5,
-        r"\sin": 1.4, r"\tan": 1.5, r"\cosh": 2.0, r"\sinh": 1.9, r"\cdots": 1.3, r"\times": 1.2, r"\sqrt": 0.8}
-NOTHING = {r"\left", r"\right", r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot", r"\tilde", r"\widetilde", r"\mathrm",
-           r"\operatorname", r"\text", r"\mathcal", r"\bar", r"\limits", r"\!", r"\displaystyle"}
+WIDE = {
+    r"\qquad": 2.0,
+    r"\quad": 1.0,
+    r"\,": 0.17,
+    r"\;": 0.28,
+    r"\ ": 0.33,
+    r"\int": 1.0,
+    r"\exp": 1.6,
+    r"\cos": 1.5,
+    r"\sin": 1.4,
+    r"\tan": 1.5,
+    r"\cosh": 2.0,
+    r"\sinh": 1.9,
+    r"\cdots": 1.3,
+    r"\times": 1.2,
+    r"\sqrt": 0.8,
+}
+NOTHING = {
+    r"\left",
+    r"\right",
+    r"\mathbf",
+    r"\boldsymbol",
+    r"\dot",
+    r"\ddot",
+    r"\tilde",
+    r"\widetilde",
+    r"\mathrm",
+    r"\operatorname",
+    r"\text",
+    r"\mathcal",
+    r"\bar",
+    r"\limits",
+    r"\!",
+    r"\displaystyle",
+}
 FRACTIONS = {r"\frac", r"\tfrac", r"\dfrac"}
 
 
@@ -94,10 +128,9 @@ def _character(token: str) -> float:
 
 def equation(left: str, *sides: Sequence[str]) -> Formula:
     """``left = terms = terms ...``: on one line if it fits, else broken at equals signs, then at terms."""
-    whole = " = ".join([left, *(" ".join(terms) for terms in sides)])
-    if width(whole) <= PAGE:
-        head, *rest = whole.split(" = ", 1) if sides else [whole]
-        return ((head, f"= {rest[0]}"),) if rest else ((head, ""),)
+    whole = " = ".join(" ".join(terms) for terms in sides)
+    if not sides or width(f"{left} = {whole}") <= PAGE:
+        return ((left, f"= {whole}" if sides else ""),)
     rows: list[Row] = []
     room = PAGE - width(left) - 2.0
     for terms in sides:
@@ -118,20 +151,26 @@ def fill(terms: Sequence[str], room: float) -> list[str]:
     return lines
 
 
-def columns(equations: Sequence[Formula]) -> Formula:
-    """Many equations side by side where they are short; a long one keeps its lines."""
-    short = [e for e in equations if len(e) == 1]
-    if len(short) < len(equations) or len(short) < 2:
-        return tuple(row for e in equations for row in e)
-    across = max(1, int(PAGE / (max(width(" ".join(row)) for (row,) in short) + 2.0)))
-    across = min(across, 4)
-    return tuple(_joined(group) for group in _groups([row for (row,) in short], across))
+def columns(first: Sequence[Formula], last: Sequence[Formula] = ()) -> Formula:
+    """Many equations, side by side where they are short; with dots between the first and the last."""
+    count = across([*first, *last])
+    rows = tuple(_grouped([row for e in first for row in e], count))
+    if not last:
+        return rows
+    return (*rows, ("", r"\;\;\vdots"), *_grouped([row for e in last for row in e], count))
 
 
-def _groups(rows: list[Row], size: int) -> Iterator[list[Row]]:
-    """Column by column, so that neighbours stand below each other only where there is one column."""
+def across(equations: Sequence[Formula]) -> int:
+    """How many of the equations fit beside each other: one if any of them takes more than a line."""
+    if any(len(e) > 1 for e in equations):
+        return 1
+    left, right = (max(width(e[0][side]) for e in equations) for side in (0, 1))
+    return max(1, min(4, int(PAGE / (left + right + 2.0))))
+
+
+def _grouped(rows: list[Row], size: int) -> Iterator[Row]:
     for start in range(0, len(rows), size):
-        yield rows[start : start + size]
+        yield _joined(rows[start : start + size])
 
 
 def _joined(rows: list[Row]) -> Row:
@@ -143,3 +182,13 @@ def matrix(entries: Sequence[Sequence[str]]) -> str:
     """A matrix of formulas in brackets."""
     rows = r" \\ ".join(" & ".join(row) for row in entries)
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+
+def abridged(size: int) -> list[int | None]:
+    """The rows or columns of a matrix that are shown; None stands for those that are not."""
+    return list(range(size)) if size <= TALL else [0, 1, 2, None, size - 1]
+
+
+def dots(row: int | None, column: int | None) -> str:
+    """What stands for entries that are not shown."""
+    return r"\ddots" if row is None and column is None else r"\vdots" if row is None else r"\cdots"

@@ -18,7 +18,11 @@ BOLD = (
 """Ranges of characters, and where Unicode has them in bold."""
 
 FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)")
-"""A function whose argument stands without brackets needs a space."""
+BEFORE = re.compile(r"([\w}])(?=\\(?:cosh|sinh|cos|sin)(?![a-z]))")
+"""A function needs a space before it, and one behind it if its argument stands without brackets."""
+
+MATRIX = re.compile(r"<mo>\[</mo><mtable>.*?</mtable><mo>\]</mo>")
+"""A matrix with its brackets, which grow with what is in their own row."""
 
 
 def inline(tex: str) -> str:
@@ -41,10 +45,11 @@ def _cell(tex: str, place: int) -> str:
 def _inner(tex: str) -> str:
     """The MathML of a formula without the element ``math``."""
     upright = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", tex.replace(r"\!", ""))
-    raw = convert(FUNCTION.sub(r"\1\,", upright))
+    raw = convert(BEFORE.sub(r"\1\,", FUNCTION.sub(r"\1\,", upright)))
     body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
     body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
     body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)
+    body = MATRIX.sub(r"<mrow>\g<0></mrow>", body)
     return re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
 
 

@@ -71,9 +71,10 @@ class Scalars:
     def terms(self, e: sp.Expr) -> list[str]:
         """The terms of a sum, each but the first with its sign; a very long sum loses its middle."""
         ordered = self._ordered(sp.Add.make_args(e))
-        texts = [self._signed(t) for t in ordered]
-        if len(texts) > ELLIPSIS_ABOVE:
-            texts = [*texts[:4], r"+ \cdots", *texts[-2:]]
+        if len(ordered) > ELLIPSIS_ABOVE:
+            texts = [*map(self._signed, ordered[:4]), r"+ \cdots", *map(self._signed, ordered[-2:])]
+        else:
+            texts = [self._signed(t) for t in ordered]
         sign, first = texts[0].split(" ", 1)
         return [first if sign == "+" else f"-{first}", *texts[1:]]
 

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
 from ..algebra import expression as ex
-from ..algebra.notation import latex, terms
+from ..algebra.components import Array
+from ..algebra.notation import axis_latex, latex, terms, tilde
 from ..derive.block import Binding, Block, Signal, Step
-from .latex_layout import PAGE, Formula, columns, equation, matrix, width
+from .latex_layout import PAGE, Formula, abridged, columns, dots, equation, matrix, width
 from .latex_scalars import Scalars, entry, scalars
-from .latex_tidy import has_integral, is_elementwise, symbols, tidy
+from .latex_tidy import has_integral, is_elementwise, is_symbols_product, symbols, tidy
 
-MANY = 36
-"""Of more components than that only the first and the last are shown."""
+Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
+"""Unit axes with their names."""
 
 
 @dataclass(frozen=True)
@@ -45,32 +46,50 @@ class BlockView:
     defined: tuple[Signal, ...]
 
 
-def block_view(block: Block, seen: dict[str, str] | None = None) -> BlockView:
-    """The block without steps that are zero or identity, and without those that ``seen`` holds by name."""
+MANY = 36
+"""Of more components than that only the first and the last are shown."""
+
+
+def block_view(
+    block: Block, seen: dict[str, str] | None = None, axes: Axes = (), structure: Mapping[str, Array] | None = None
+) -> BlockView:
+    """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
+
+    ``axes`` are those that have a name: they are written so in place of their components. ``structure`` holds
+    values of inputs that other blocks give: what is zero there is left out here.
+    """
     seen = {} if seen is None else seen
+    values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
     write = scalars(block)
     steps, used, defined = [], [], []
     for step in block.steps.values():
-        right = tidy(step.expression, block, write)
+        right = tidy(step.expression, values, write)
         text = latex(right)
         if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
             continue
         seen[step.signal.name] = text
-        steps.append(_view(block, step, right, write))
+        steps.append(_view(block, step, right, write, axes))
         used += symbols(right)
         defined.append(step.signal)
     return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined))
+
+
+def _renamed(text: str, axes: Axes) -> str:
+    for axis, name in axes:
+        components = axis_latex(axis)
+        text = text.replace(tilde(components), tilde(name)).replace(components, name)
+    return text
 
 
 def _vanishes(block: Block, step: Step) -> bool:
     return not any(value != 0 for value in block.values[step.signal.name].flat)
 
 
-def _view(block: Block, step: Step, right: ex.Expression, write: Scalars) -> StepView:
+def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes) -> StepView:
     s = step.signal
     left = latex(ex.Symbol(s.name, s.shape, s.display))
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
-    sides = [] if latex(right) == left else [terms(right)]
+    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in terms(right)]]
     bracket, below = _components(block, step, right, write)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
@@ -87,6 +106,8 @@ def _components(block: Block, step: Step, right: ex.Expression, write: Scalars) 
     if not _worth_showing(block, step, right, entries, write):
         return "", ()
     bracket = _bracket(entries, write)
+    if bracket == latex(right):
+        return "", ()
     if width(bracket) <= PAGE - 8.0:
         return bracket, ()
     evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
@@ -103,12 +124,16 @@ def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.n
     if isinstance(right, ex.Symbol):
         return right.name not in block.inputs and right.name not in block.steps
     if step.signal.binding <= Binding.PARAMETER:
-        return entries.shape != (1, 1) or not _says_it_all(right)
-    if not step.assignments or is_elementwise(right):
+        if isinstance(right, ex.Negative) and ex.is_identity(right.arg):
+            return False
+        aliases = entries.shape[1] == 1 and len(entries) > 6 and not step.assignments
+        return not aliases and (entries.shape != (1, 1) or not _says_it_all(right))
+    if not step.assignments or is_elementwise(right) or is_symbols_product(right):
         return False
     if entries.shape == (1, 1):
         return not _says_it_all(right)
-    return entries.shape[1] > 1 or all(_is_plain(e, write) for e in entries.flat)
+    assembled = isinstance(right, ex.Block) and len(right.rows) > 1
+    return not assembled and (entries.shape[1] > 1 or all(_is_plain(e, write) for e in entries.flat))
 
 
 def _says_it_all(right: ex.Expression) -> bool:
@@ -129,10 +154,19 @@ def _bracket(entries: np.ndarray, write: Scalars) -> str:
     if entries.shape == (1, 1):
         return write(entries.item())
     common = _common(entries)
-    inside = entries / common
-    if common != 1 and np.array_equal(inside, np.vectorize(sp.Integer)(np.eye(len(inside), inside.shape[1], dtype=int))):
-        return rf"{_before(common, write)}\mathbf{{I}}_{{{len(inside)}}}"
-    return _before(common, write) + matrix([[write(e) for e in row] for row in inside])
+    if common != 1 and _is_identity(entries / common):
+        return rf"{_before(common, write)}\mathbf{{I}}_{{{len(entries)}}}"
+    shown = [[_entry(entries, i, j, common, write) for j in abridged(entries.shape[1])] for i in abridged(len(entries))]
+    return _before(common, write) + matrix(shown)
+
+
+def _entry(entries: np.ndarray, i: int | None, j: int | None, common: sp.Expr, write: Scalars) -> str:
+    return dots(i, j) if i is None or j is None else write(entries[i, j] / common)
+
+
+def _is_identity(entries: np.ndarray) -> bool:
+    square = entries.shape[0] == entries.shape[1]
+    return square and all(value == int(i == j) for (i, j), value in np.ndenumerate(entries))
 
 
 def _before(common: sp.Expr, write: Scalars) -> str:
@@ -154,19 +188,11 @@ def _common(entries: np.ndarray) -> sp.Expr:
 
 
 def _rows(step: Step, made: dict[sp.Symbol, sp.Expr], write: Scalars) -> Formula:
-    """One equation per component that needs one; a component that is too long is left to the equation above."""
+    """One equation per component that needs one; components that are too long are left to the equation above."""
     places = {label: index for index, label in step.signal.labels()}
-    equations = []
-    for symbol, e in made.items():
-        formula = equation(entry(step.signal, places[symbol.name]), write.terms(e))
-        if len(formula) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in formula):
-            return ()
-        equations.append(formula)
-    return _shortened(equations)
-
-
-def _shortened(equations: Sequence[Formula]) -> Formula:
-    if len(equations) <= MANY:
-        return columns(equations)
-    first, last = columns(equations[:8]), columns(equations[-4:])
-    return (*first, ("", r"\;\;\vdots"), *last)
+    wanted = list(made)
+    first, last = (wanted, []) if len(wanted) <= MANY else (wanted[:8], wanted[-4:])
+    equations = [equation(entry(step.signal, places[s.name]), write.terms(made[s])) for s in first + last]
+    if not made or any(len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations):
+        return ()
+    return columns(equations[: len(first)], equations[len(first) :])

@@ -38,23 +38,27 @@ SYSTEM = (
     (r"\mathbf{V}_i", "twist of F_i", "rad/s, m/s", "6"),
     (r"\boldsymbol{\nu}_i", "twist and modal rates", "", "6 + r_i"),
     (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", "N*m, N", "6"),
-    (r"\mathbf{w}_{ext,i}", "external wrench on the tip section, tip frame", "N*m, N", "6"),
     (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", "N*m, N", "6"),
     (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i"),
-    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}"),
     (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", "N*m, N", "6"),
     (r"\mathbf{M}_i", "inertia of twist and modes together", "", "6 + r_i, square"),
     (r"\mathbf{h}_i", "bias of twist and modal rows together", "", "6 + r_i"),
-    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist; columns J_V, J_eta", "", "6 × (6 + r_i)"),
+    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist", "", "6 × (6 + r_i)"),
+    (r"\boldsymbol{\mathcal{W}}_{ext,i}", "external wrench on the tip section, tip frame", "N*m, N", "6"),
+    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}"),
     (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6"),
     (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point in F_i", "", "6 × 6"),
     (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "", "6 × 6"),
+    (r"\mathbf{r}_B", "joint point in F_i", "m", "3"),
+    (r"\mathbf{r}_m", "joint point from the parent's tip point, parent's tip frame", "m", "3"),
     (r"\boldsymbol{\beta}_i", "rate of the twist that the velocities cause at the joint", "rad/s^2, m/s^2", "6"),
     (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6"),
+    (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3"),
+    (r"\mathbf{M}_T", "inertia of the bodies at the tip, tip frame", "", "6 × 6"),
+    (r"\mathbf{h}_T", "bias of the bodies at the tip, tip frame", "N*m, N", "6"),
     (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "n_{q,i} × n_{q,i}"),
-    (r"\mathbf{b}_i,\ \mathbf{k}_{q,i}", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "n_{q,i} × n_{q,i}"),
-    (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries, tip frame", "", "6 × 6, 6"),
-    (r"\mathbf{M}_T,\ \mathbf{h}_T", "inertia and bias of the bodies at the tip, tip frame", "", "6 × 6, 6"),
+    (r"\mathbf{D}_q,\ \mathbf{S}_q", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "n_{q,i} × n_{q,i}"),
+    (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries", "", "6 × 6, 6"),
     (r"\mathbf{R}_{oi},\ \mathbf{r}_{oi}", "rotation and position of F_i in the inertial frame", "m", "3 × 3, 3"),
     (r"\mathbf{g}", "free fall, inertial frame", "m/s^2", "3"),
 )
@@ -80,7 +84,8 @@ def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
-    return [*_system(), *sorted(steps, key=lambda e: -1 if e.binding is None else int(e.binding))]
+    steps.sort(key=lambda e: -1 if e.binding is None else int(e.binding))
+    return [*(e for e in _system() if e.display not in found), *steps]
 
 
 def written(signal: Signal) -> str:
@@ -90,24 +95,20 @@ def written(signal: Signal) -> str:
 
 def _system() -> Iterator[Entry]:
     for display, meaning, unit_, shape in SYSTEM:
-        yield Entry(display, _marked(meaning), unit(unit_), "", _shape_text(shape), None)
-
-
-def _marked(meaning: str) -> str:
-    parts = words(meaning.replace("J_V, J_eta", "")).rstrip("; columns ") if "J_V" in meaning else words(meaning)
-    return parts + (r"; columns $\mathbf{J}_V$, $\mathbf{J}_{\eta}$" if "J_V" in meaning else "")
+        yield Entry(display, words(meaning), unit(unit_), "", _shape_text(shape), None)
 
 
 def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
     """The signals that the shown steps define or use."""
     defined = {s.name for s in view.defined}
-    yield from view.defined
+    yield from (s for s in view.defined if not s.display.startswith("-"))
     for used in view.used:
         if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
             yield block.signal(used.name)
         elif (key := field_key(used.name)) is not None:
             meaning, unit_ = FIELDS[key]
-            yield Signal(used.name, used.shape, used.display, unit_, "F_i", meaning, binding=None)
+            frame_ = "F_i" if used.shape[0] == 3 and key != "ones" else "-"
+            yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding=None)
 
 
 def field_key(name: str) -> str | None:
@@ -119,7 +120,8 @@ def field_key(name: str) -> str | None:
 def _entry(display: str, signals: list[Signal]) -> Entry:
     first = signals[0]
     shape = _shape([s.shape for s in signals], first.name)
-    return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, first.binding)
+    binding = None if first.binding is None else max(s.binding for s in signals)
+    return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, binding)
 
 
 def _shape(shapes: list[tuple[int, int]], name: str) -> str:

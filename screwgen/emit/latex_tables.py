@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+import numpy as np
 import sympy as sp
 
-from ..algebra.notation import axis_latex, number
+from ..algebra.notation import number
 from ..bases import Shapes
 from ..derive.block import Binding
 from ..derive.link_class import LinkClass
@@ -27,17 +28,29 @@ def decimal(value: float) -> str:
 def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> Table:
     """One row per link: its class, joint, shapes and bodies."""
     head = ("link", "name", "class", "length", "joint axes", "modes: x, y, z, torsion", "bodies, remarks")
-    rows = (
-        (f"{i + 1}", f"`{link.name}`", f"{classes.index(key) + 1}", f"{decimal(link.length)} m", _axes(key), _modes(key),
-         _remarks(link, key))
-        for i, (link, key) in enumerate(zip(robot.links, keys, strict=True))
-    )
-    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.18, 0.2, 0.22), tuple(rows))
+    pairs = zip(robot.links, keys, strict=True)
+    rows = tuple((f"{i}", *_link(link, key), _remarks(link, key)) for i, (link, key) in enumerate(pairs, 1))
+    numbered = tuple((*row[:2], f"{classes.index(key) + 1}", *row[2:]) for row, key in zip(rows, keys, strict=True))
+    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), numbered)
+
+
+def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
+    return f"`{link.name}`", f"{decimal(link.length)} m", _axes(key), _modes(key)
+
+
+def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
+    """The axes of a joint that are not a coordinate axis, with the names that the equations use."""
+    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in axis) for axis in key.axes]
+    return [(axis, rf"\mathbf{{a}}_{{{j}}}") for j, axis in enumerate(exact, 1) if sorted(axis) != [0, 0, 1]]
 
 
 def _axes(key: LinkClass) -> str:
-    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in axis) for axis in key.axes]
-    return ", ".join(f"${axis_latex(axis)}$" for axis in exact) or "welded"
+    return ", ".join(map(_axis, key.axes)) or "welded"
+
+
+def _axis(axis: Sequence[float]) -> str:
+    letters = [name for name, unit in zip("xyz", np.eye(3), strict=True) if tuple(unit) == tuple(axis)]
+    return letters[0] if letters else f"({', '.join(f'{x:.4g}' for x in axis)})"
 
 
 def _modes(key: LinkClass) -> str:
@@ -61,13 +74,22 @@ def _remarks(link: Link, key: LinkClass) -> str:
 
 def modes(key: LinkClass) -> Table:
     """The constants of every mode shape, dimensionless."""
-    head = ("shape", "direction", "no.", "eigenvalue", r"$\int\psi\,ds$", r"$\int s\,\psi\,ds$",
-            r"$\int\psi^{(p)2}\,ds$", r"$\psi(1)$", r"$\psi'(1)$")
+    head = (
+        "shape",
+        "direction",
+        "no.",
+        "eigenvalue",
+        r"$\int\psi\,ds$",
+        r"$\int s\,\psi\,ds$",
+        r"$\int\psi^{(p)2}\,ds$",
+        r"$\psi(1)$",
+        r"$\psi'(1)$",
+    )
     rows = (
         (rf"$\varphi_{{{k + 1}}}$", DIRECTION[direction], f"{i + 1}", *_constants(key.shapes(direction), i))
         for k, (direction, i) in enumerate(key.directions)
     )
-    return Table(head, (0.08, 0.16, 0.06, 0.13, 0.12, 0.12, 0.13, 0.1, 0.1), tuple(rows))
+    return Table(head, (0.07, 0.15, 0.06, 0.13, 0.12, 0.13, 0.13, 0.1, 0.11), tuple(rows))
 
 
 def _constants(shapes: Shapes, i: int) -> Iterable[str]:

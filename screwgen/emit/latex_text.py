@@ -10,9 +10,26 @@ from .latex_layout import Formula
 from .templates import markup
 
 PIECES = re.compile(r"(\$[^$]*\$|`[^`]*`)")
-SPECIAL = {"\\": r"\textbackslash{}", "_": r"\_", "%": r"\%", "&": r"\&", "#": r"\#", "{": r"\{", "}": r"\}",
-           "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "ξ": r"$\xi$", "×": r"$\times$", "²": "$^2$",
-           "³": "$^3$", "·": r"$\cdot$", "η": r"$\eta$", "−": "$-$", "ζ": r"$\zeta$", "ρ": r"$\rho$"}
+SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "_": r"\_",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "{": r"\{",
+    "}": r"\}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "ξ": r"$\xi$",
+    "×": r"$\times$",
+    "²": "$^2$",
+    "³": "$^3$",
+    "·": r"$\cdot$",
+    "η": r"$\eta$",
+    "−": "$-$",
+    "ζ": r"$\zeta$",
+    "ρ": r"$\rho$",
+}
 RUN = 10
 """An identifier may be broken after that many characters, and after any that is no letter."""
 

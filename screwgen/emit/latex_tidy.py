@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 import sympy as sp
 
 from ..algebra import expression as ex
+from ..algebra.components import Array
 from ..algebra.expression import Expression
-from ..derive.block import Block
 
 
-def tidy(e: Expression, block: Block, scalar: Callable[[sp.Expr], str]) -> Expression:
-    """``e`` rebuilt: what is zero or identity in this block is put in, and entries get their names."""
-    inner = lambda x: tidy(x, block, scalar)  # noqa: E731
+def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr], str]) -> Expression:
+    """``e`` rebuilt: what is zero or identity by ``values`` is put in, and entries get their names."""
+    inner = lambda x: tidy(x, values, scalar)  # noqa: E731
     match e:
         case ex.Symbol():
-            return _symbol(e, block, scalar)
+            return _symbol(e, values[e.name], scalar)
         case ex.Sum():
             return ex.add(*(inner(t) for t in e.terms))
         case ex.Product():
@@ -43,8 +43,7 @@ def tidy(e: Expression, block: Block, scalar: Callable[[sp.Expr], str]) -> Expre
     return e
 
 
-def _symbol(e: ex.Symbol, block: Block, scalar: Callable[[sp.Expr], str]) -> Expression:
-    values = block.values[e.name]
+def _symbol(e: ex.Symbol, values: Array, scalar: Callable[[sp.Expr], str]) -> Expression:
     if not any(value != 0 for value in values.flat):
         return ex.zeros(*e.shape)
     square = e.shape[0] == e.shape[1] != 1
@@ -58,14 +57,22 @@ def _product(left: Expression, right: Expression) -> Expression:
     if isinstance(left, ex.Block) and isinstance(right, ex.Block) and len(left.rows) == 1:
         row, column = left.rows[0], [r[0] for r in right.rows if len(r) == 1]
         if [x.shape[1] for x in row] == [y.shape[0] for y in column]:
-            pairs = ((y, x) if y.shape == (1, 1) else (x, y) for x, y in zip(row, column, strict=True))
-            return ex.add(*(ex.product(first, second) for first, second in pairs))
+            return ex.add(*(_pair(x, y) for x, y in zip(row, column, strict=True)))
     return ex.product(left, right)
+
+
+def _pair(x: Expression, y: Expression) -> Expression:
+    """A block times a block; a scalar goes to every term of a sum."""
+    if y.shape != (1, 1):
+        return ex.product(x, y)
+    return ex.add(*(ex.product(y, term) for term in (x.terms if isinstance(x, ex.Sum) else (x,))))
 
 
 def _block(rows: list[list[Expression]]) -> Expression:
     if all(ex.is_zero(x) for row in rows for x in row):
         return ex.zeros(*ex.block(*rows).shape)
+    if all(ex.is_identity(x) if i == j else ex.is_zero(x) for i, row in enumerate(rows) for j, x in enumerate(row)):
+        return ex.identity(ex.block(*rows).shape[0])
     return ex.block(*rows) if len(rows) > 1 or len(rows[0]) > 1 else rows[0][0]
 
 
@@ -98,7 +105,20 @@ def has_integral(e: Expression) -> bool:
 
 
 def is_elementwise(e: Expression) -> bool:
-    """Whether every entry follows from the entries in the same place alone."""
-    if isinstance(e, ex.Sum):
-        return all(is_elementwise(t) for t in e.terms)
-    return is_elementwise(e.arg) if isinstance(e, ex.Negative | ex.Transpose) else isinstance(e, ex.Symbol | ex.Constant)
+    """Whether every entry of ``e`` is an entry of one of its symbols, or a sum of such."""
+    match e:
+        case ex.Sum():
+            return all(is_elementwise(t) for t in e.terms)
+        case ex.Block():
+            return all(is_elementwise(x) for row in e.rows for x in row)
+        case ex.Negative() | ex.Transpose() | ex.Hat():
+            return is_elementwise(e.arg)
+        case ex.Product():
+            return (1, 1) in (e.left.shape, e.right.shape) and is_elementwise(e.left) and is_elementwise(e.right)
+    return isinstance(e, ex.Symbol | ex.Constant)
+
+
+def is_symbols_product(e: Expression) -> bool:
+    """Whether ``e`` is a matrix that is the product of two named matrices."""
+    named = ex.Symbol | ex.Transpose
+    return isinstance(e, ex.Product) and e.shape[1] > 1 and isinstance(e.left, named) and isinstance(e.right, named)

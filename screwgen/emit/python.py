@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from ..lower.program import BINARY, Node, Program
+from ..lower.program import Node, Program
+from ..lower.replay import BINARY
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 LIMIT = 4.0

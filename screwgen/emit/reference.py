@@ -9,7 +9,8 @@ import mpmath
 from ..chain import fuse
 from ..chain.algorithms import Functions
 from ..chain.chain import Chain
-from ..lower.program import Program, run
+from ..lower.program import Program
+from ..lower.replay import run
 
 
 def cases(chain: Chain, count: int) -> list[dict[str, list[float]]]:

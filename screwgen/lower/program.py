@@ -9,7 +9,7 @@ zero or one.  Entries that are plain floats are structure: what is zero costs no
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
@@ -123,6 +123,9 @@ class Tracer:
             return self.sub(a, b.args[0])
         if _negated(a):
             return self.sub(b, a.args[0])
+        for x, y in ((a, b), (b, a)):
+            if _op(y, "sub") and y.args[1] is x:
+                return y.args[0]  # b + (a - b)
         return self._node("add", a, b)
 
     def sub(self, a: Value, b: Value) -> Value:
@@ -138,6 +141,10 @@ class Tracer:
             return self.add(a, b.args[0])
         if _negated(a):
             return self.neg(self.add(a.args[0], b))
+        if _op(b, "sub") and b.args[0] is a:
+            return b.args[1]  # a - (a - b)
+        if _op(a, "add") and isinstance(b, Node) and any(x is b for x in a.args):
+            return a.args[1] if a.args[0] is b else a.args[0]  # (a + b) - b
         return self._node("sub", a, b)
 
     def mul(self, a: Value, b: Value) -> Value:
@@ -157,9 +164,21 @@ class Tracer:
                 if _negated(a) != _negated(b)
                 else self.mul(_positive(a), _positive(b))
             )
-        if not isinstance(b, Node) and b < 0:
-            return self.neg(self._node("mul", a, -b))
+        if not isinstance(b, Node):
+            return self._scaled(a, b)
+        for x, y in ((a, b), (b, a)):
+            rest = _without_inverse(x, y)
+            if rest is not None:
+                return rest  # (x * (1 / d)) * d
         return self._node("mul", a, b)
+
+    def _scaled(self, a: Node, number: float) -> Value:
+        """A node times a number, its sign outside and numbers taken together."""
+        if number < 0:
+            return self.neg(self._scaled(a, -number))
+        if a.op == "mul" and not isinstance(a.args[1], Node):
+            return self.mul(a.args[0], a.args[1] * number)
+        return self._node("mul", a, number)
 
     def div(self, a: Value, b: Value) -> Value:
         if _both_numbers(a, b):
@@ -188,6 +207,21 @@ class Tracer:
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)
         return self._node(function, a)
+
+
+def _op(a, op: str) -> bool:
+    return isinstance(a, Node) and a.op == op
+
+
+def _without_inverse(product: Value, d: Value) -> Value | None:
+    """``x`` if ``product`` is ``x * (1 / d)`` or ``1 / d`` itself, else None."""
+    if _op(product, "div") and _is(product.args[0], 1.0) and product.args[1] is d:
+        return 1.0
+    if _op(product, "mul"):
+        for x, y in (product.args, product.args[::-1]):
+            if _op(y, "div") and _is(y.args[0], 1.0) and y.args[1] is d:
+                return x
+    return None
 
 
 def _both_numbers(a, b) -> bool:
@@ -257,74 +291,3 @@ def live(values: Iterable[Value]) -> list[Node]:
         if node.op != "input":
             stack.extend(a for a in node.args if isinstance(a, Node))
     return [seen[i] for i in sorted(seen)]
-
-
-BINARY: dict[str, Callable] = {
-    "add": lambda a, b: a + b,
-    "sub": lambda a, b: a - b,
-    "mul": lambda a, b: a * b,
-    "div": lambda a, b: a / b,
-}
-
-
-def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, object], object], epsilon=0.0):
-    """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
-
-    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``.  Returns the
-    outputs and the values of the guards.
-    """
-    values: dict[int, object] = {}
-    for node in program.nodes:
-        args = node.args
-        if node.op == "input":
-            values[node.id] = inputs[args[0]][args[1]]
-        elif node.op == "epsilon":
-            values[node.id] = epsilon
-        elif len(args) == 1:
-            values[node.id] = unary(node.op, values[args[0].id])
-        else:
-            a, b = (values[x.id] if isinstance(x, Node) else x for x in args)
-            values[node.id] = BINARY[node.op](a, b)
-    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
-    return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
-
-
-def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str], origin=0):
-    """Replay a program into a tracer: the fused layout.
-
-    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard is blamed on.
-    """
-    section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
-    tracer.sections.extend(rename(title) if title else "" for title in program.sections)
-    values: dict[int, Value] = {}
-    before = tracer._section
-    for node in program.nodes:
-        tracer._section = section[node.section]
-        values[node.id] = value = _replay(node, values, inputs, tracer)
-        if node.label:
-            give_label(value, rename(node.label))
-    tracer._section = before
-    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
-    for g in program.guards:
-        tracer.guard(pick(g), origin)
-    return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
-
-
-def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
-    if node.op == "input":
-        return inputs[node.args[0]][node.args[1]]
-    if node.op == "epsilon":
-        return tracer.epsilon()
-    args = [values[a.id] if isinstance(a, Node) else a for a in node.args]
-    if len(args) == 1:
-        return tracer.neg(args[0]) if node.op == "neg" else tracer.call(node.op, args[0])
-    return getattr(tracer, node.op)(*args)
-
-
-def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
-    """The program with some inputs bound to numbers: partial evaluation."""
-    tracer = Tracer()
-    given = {n: known[n] if n in known else tracer.input(n, size) for n, size in program.inputs.items()}
-    outputs = inline(program, given, tracer, lambda text: text)
-    left = {n: size for n, size in program.inputs.items() if n not in known}
-    return Program(program.name, left, outputs, list(tracer.guards), tracer.sections, list(tracer.origins))

@@ -1,0 +1,77 @@
+"""Programs run again: on values of any algebra, into another tracer, or with some inputs bound to numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from .program import Node, Program, Tracer, Value, give_label
+
+BINARY: dict[str, Callable] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+}
+
+
+def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, object], object], epsilon=0.0):
+    """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
+
+    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``.  Returns the
+    outputs and the values of the guards.
+    """
+    values: dict[int, object] = {}
+    for node in program.nodes:
+        args = node.args
+        if node.op == "input":
+            values[node.id] = inputs[args[0]][args[1]]
+        elif node.op == "epsilon":
+            values[node.id] = epsilon
+        elif len(args) == 1:
+            values[node.id] = unary(node.op, values[args[0].id])
+        else:
+            a, b = (values[x.id] if isinstance(x, Node) else x for x in args)
+            values[node.id] = BINARY[node.op](a, b)
+    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
+    return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
+
+
+def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str], origin=0):
+    """Replay a program into a tracer: the fused layout.
+
+    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard is blamed on.
+    """
+    section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
+    tracer.sections.extend(rename(title) if title else "" for title in program.sections)
+    values: dict[int, Value] = {}
+    before = tracer._section
+    for node in program.nodes:
+        tracer._section = section[node.section]
+        values[node.id] = value = _replay(node, values, inputs, tracer)
+        if node.label:
+            give_label(value, rename(node.label))
+    tracer._section = before
+    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
+    for g in program.guards:
+        tracer.guard(pick(g), origin)
+    return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
+
+
+def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
+    if node.op == "input":
+        return inputs[node.args[0]][node.args[1]]
+    if node.op == "epsilon":
+        return tracer.epsilon()
+    args = [values[a.id] if isinstance(a, Node) else a for a in node.args]
+    if len(args) == 1:
+        return tracer.neg(args[0]) if node.op == "neg" else tracer.call(node.op, args[0])
+    return getattr(tracer, node.op)(*args)
+
+
+def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
+    """The program with some inputs bound to numbers: partial evaluation."""
+    tracer = Tracer()
+    given = {n: known[n] if n in known else tracer.input(n, size) for n, size in program.inputs.items()}
+    outputs = inline(program, given, tracer, lambda text: text)
+    left = {n: size for n, size in program.inputs.items() if n not in known}
+    return Program(program.name, left, outputs, list(tracer.guards), tracer.sections, list(tracer.origins))

@@ -1,0 +1,282 @@
+"""The generated C: clean under two compilers, no forbidden construct, honest sizes, the same bytes every time."""
+
+import os
+import re
+import subprocess
+import sys
+from functools import cache
+
+import pytest
+from conftest import require_tool
+from helpers import ROOT, arm, equal_links, example, link, model_of
+
+from screwgen import __version__
+from screwgen.emit.c import CProject
+
+WARNINGS = (
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wmissing-prototypes",
+    "-Wvla",
+    "-Werror",
+)
+SOFT = {"EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0}
+MANY = {"axial": 2, "bending_y": 4, "bending_z": 3, "torsion": 2}
+BEND = {"bending_y": 1, "bending_z": 1}
+TIP = [{"at": "tip", "mass": 1.0, "com": [0.1, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}]
+OWN = {
+    "rigid": arm(link("a", axes="z"), link("b", axes=["x", [1, 2, 3]], bodies=TIP), link("c", axes="y")),
+    "welded": arm(
+        link("a", axes=[], modes=BEND, section=SOFT), link("b", axes=[], modes=BEND, section=SOFT, bodies=TIP)
+    ),
+    "bare": arm(link("a", axes=[]), gravity=(0, 0, 0)),
+    "many": arm(
+        link("a", axes="yz", modes=MANY, section=SOFT, frame_at=0.3), link("b", axes="y", modes=MANY, section=SOFT)
+    ),
+}
+ROBOTS = ("ella", "six_link", *OWN)
+KINDS = [(layout, binding) for layout in ("fused", "modular") for binding in ("runtime", "baked")]
+
+
+@cache
+def project(robot: str, layout="fused", binding="runtime") -> CProject:
+    model = model_of(OWN[robot]) if robot in OWN else example(robot)
+    return CProject(model.chain, model.version, binding, layout)
+
+
+@cache
+def files(robot: str, layout="fused", binding="runtime") -> dict[str, str]:
+    return project(robot, layout, binding).files()
+
+
+def written(folder, *which):
+    """The files of a project in a folder, and the names of the library's sources."""
+    texts = files(*which)
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    return sorted(n for n in texts if n.endswith(".c") and n not in ("main.c", "check.c"))
+
+
+def build(compiler: str, folder, *arguments) -> subprocess.CompletedProcess:
+    return subprocess.run([require_tool(compiler), *arguments], cwd=folder, capture_output=True, text=True)
+
+
+def code(text: str) -> str:
+    """A C source without its comments and strings."""
+    return re.sub(r'/\*.*?\*/|//[^\n]*|"[^"\n]*"', " ", text, flags=re.DOTALL)
+
+
+# -------- compilers
+
+
+@pytest.mark.parametrize("kind", KINDS, ids="-".join)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_compiles_without_a_warning(tmp_path, robot, kind):
+    """All sources, the example and the self-check included, in double and in float, by gcc and by clang."""
+    sources = [*written(tmp_path, robot, *kind), "main.c", "check.c"]
+    for compiler in ("gcc", "clang"):
+        for define in ([], [f"-D{project(robot, *kind).name.upper()}_REAL_FLOAT"]):
+            done = build(compiler, tmp_path, *WARNINGS, *define, "-fsyntax-only", *sources)
+            assert done.returncode == 0 and not done.stderr, done.stderr[:3000]
+
+
+CHECKED = [
+    ("ella", KINDS[0], "gcc"),
+    ("ella", KINDS[3], "clang"),
+    ("six_link", KINDS[3], "gcc"),
+    ("welded", KINDS[0], "gcc"),
+    ("many", KINDS[2], "gcc"),
+    ("rigid", KINDS[1], "gcc"),
+    ("bare", KINDS[2], "clang"),
+]
+
+
+@pytest.mark.parametrize(("robot", "kind", "compiler"), CHECKED, ids=lambda x: x if isinstance(x, str) else "-".join(x))
+def test_make_check_passes(tmp_path, robot, kind, compiler):
+    """The folder's own Makefile: warnings as errors; recorded reference values in double and in float."""
+    written(tmp_path, robot, *kind)
+    flags = ("CC=" + require_tool(compiler), "CFLAGS=-O1 -Werror -Wvla")
+    done = subprocess.run([require_tool("make"), "check", *flags], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.count("all checks passed") == 2
+
+
+# -------- constructs
+
+
+@pytest.mark.parametrize("kind", KINDS, ids="-".join)
+@pytest.mark.parametrize("robot", ["ella", "many"])
+def test_no_forbidden_construct(robot, kind):
+    """No heap, no input or output, no jumps, no loop but counted ones with constant bounds."""
+    for name, text in files(robot, *kind).items():
+        if not name.endswith((".c", ".h")) or name in ("main.c", "check.c"):
+            continue
+        text = code(text)
+        assert not re.search(
+            r"\b(malloc|calloc|realloc|free|alloca|printf|goto|while|do|setjmp|longjmp|errno)\b", text
+        ), name
+        loops = re.findall(r"\bfor\s*\(([^;]*);([^;]*);([^)]*)\)", text)
+        assert len(loops) == len(re.findall(r"\bfor\b", text))
+        for _, condition, _ in loops:
+            bound = re.fullmatch(r"\s*\w+ (?:<=?|>=?) ([\w ]+?)(?: && status == \w+)?\s*", condition)
+            assert bound and re.fullmatch(r"[A-Z_]+[A-Z0-9_]*( \+ 1)?|\d+|n", bound[1]), condition
+
+
+def call_graph(texts: dict[str, str]) -> dict[str, set[str]]:
+    """Which of the project's functions call which, from the bodies of their definitions."""
+    graph: dict[str, set[str]] = {}
+    for text in map(code, texts.values()):
+        for match in re.finditer(r"\b(\w+)\s*\(([^(){};]*)\)\s*\{", text):
+            if match[1] not in ("if", "for", "switch", "while"):
+                graph[match[1]] = set(re.findall(r"\b(\w+)\s*\(", body_at(text, match.end())))
+    return {name: calls & graph.keys() for name, calls in graph.items()}
+
+
+def body_at(text: str, start: int) -> str:
+    depth = 1
+    for end in range(start, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[end], 0)
+        if depth == 0:
+            return text[start:end]
+    raise ValueError("unbalanced braces")
+
+
+@pytest.mark.parametrize("layout", ["fused", "modular"])
+def test_no_recursion(layout):
+    texts = {
+        n: t
+        for n, t in files("ella", layout).items()
+        if n.endswith((".c", "real.h")) and n not in ("main.c", "check.c")
+    }
+    graph = call_graph(texts)
+    assert {"ella_step_rk4", "ella_dae_step_rk4", "ella_c4"} <= graph.keys() and graph["ella_step_rk4"]
+
+    def visit(name: str, trail: tuple) -> None:
+        assert name not in trail, trail
+        for other in graph[name]:
+            visit(other, (*trail, name))
+
+    for name in graph:
+        visit(name, ())
+
+
+@pytest.mark.parametrize("kind", KINDS, ids="-".join)
+@pytest.mark.parametrize("robot", ["six_link", "many"])
+def test_objects_hold_no_variables(tmp_path, robot, kind):
+    """Nothing writable in any object, and of the outside world only libm and the compiler's memory functions."""
+    sources = written(tmp_path, robot, *kind)
+    assert build("gcc", tmp_path, "-std=c99", "-O1", "-c", *sources).returncode == 0
+    objects = [s.replace(".c", ".o") for s in sources]
+    lines = subprocess.run(
+        [require_tool("nm"), *objects], cwd=tmp_path, capture_output=True, text=True, check=True
+    ).stdout
+    symbols = [line.split()[-2:] for line in lines.splitlines() if len(line.split()) > 1]
+    assert not [name for kind_, name in symbols if kind_ in "dDbBCsS"]
+    defined = {name for kind_, name in symbols if kind_ != "U"}
+    outside = {name for kind_, name in symbols if kind_ == "U"} - defined
+    assert outside <= {
+        "sin",
+        "cos",
+        "sqrt",
+        "sincos",
+        "memcpy",
+        "memset",
+        "memmove",
+        "__stack_chk_fail",
+        "_GLOBAL_OFFSET_TABLE_",
+    }
+
+
+# -------- what the header says
+
+
+@pytest.mark.parametrize("kind", KINDS, ids="-".join)
+@pytest.mark.parametrize("robot", ["ella", "bare", "welded", "many"])
+def test_header_states_the_sizes_of_the_scratch(tmp_path, robot, kind):
+    sources, name = written(tmp_path, robot, *kind), project(robot).name
+    (tmp_path / "sizes.c").write_text(
+        f'#include <stdio.h>\n#include "{name}.h"\n'
+        f'int main(void) {{ printf("%zu %zu", sizeof({name}_work), sizeof({name}_dae_work)); return 0; }}\n'
+    )
+    assert sources
+    sizes = []
+    for define in ([], [f"-D{name.upper()}_REAL_FLOAT"]):
+        assert build("gcc", tmp_path, *define, "-o", "sizes", "sizes.c").returncode == 0
+        sizes.append(tuple(map(int, subprocess.check_output([str(tmp_path / "sizes")]).split())))
+    header = files(robot, *kind)[f"{name}.h"]
+    stated = tuple(int(re.search(rf"{name}_{work} (\d+) bytes", header)[1]) for work in ("work", "dae_work"))
+    assert stated == sizes[0]
+    assert all(half <= whole / 2 for whole, half in zip(*sizes, strict=True))
+
+
+def test_header_states_version_and_operations():
+    for layout in ("fused", "modular"):
+        header = files("ella", layout)["ella.h"]
+        assert f"screwgen {__version__}" in header and f"layout {layout}" in header
+        total, *parts = map(
+            int,
+            re.search(r"(\d+) operations\s+\*\s+\((\d+) \*, (\d+) \+ and -, (\d+) /, (\d+) others", header).groups(),
+        )
+        assert total == sum(parts) and 1000 < total < 20000
+    assert str(project("ella").fused.operation_count) in files("ella")["ella.h"]
+
+
+# -------- the same bytes
+
+
+DIGEST = """
+import hashlib, sys
+import screwgen
+from screwgen import __version__
+from screwgen.emit.c import CProject
+for path in sys.argv[1:]:
+    model = screwgen.derive(screwgen.load(path))
+    for layout in ("fused", "modular"):
+        for name, text in sorted(CProject(model.chain, model.version, "runtime", layout).files().items()):
+            print(layout, name, hashlib.sha256(text.encode()).hexdigest())
+"""
+
+
+def test_same_bytes_from_every_folder_and_process(tmp_path):
+    """Different folders, different hash seeds: one text."""
+    robots = [str(ROOT / "examples" / f"{name}.toml") for name in ("ella", "six_link")]
+    outputs = []
+    for seed, folder in (("1", tmp_path), ("77", ROOT)):
+        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
+        command = [sys.executable, "-c", DIGEST, *robots]
+        outputs.append(subprocess.check_output(command, cwd=folder, env=environment, text=True))
+    assert outputs[0] == outputs[1] and len(outputs[0].splitlines()) == 56
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_no_dates_no_paths_no_machines(robot):
+    for name, text in files(robot).items():
+        assert not re.search(r"\b20\d\d[-/]\d\d|__DATE__|__TIME__|/home/|/work/|/tmp/|/usr/", text), name
+        assert os.uname().nodename not in text
+        assert not re.search(r"[ \t]+$", text, re.MULTILINE), f"{name}: spaces at the end of a line"
+        assert text.endswith("\n") and "\r" not in text and "\t" not in text.replace("\n\t", ""), name
+
+
+# -------- size
+
+
+def size_of_links(robot: dict) -> int:
+    """Lines of code of the chain's functions, tables left out."""
+    model = model_of(robot)
+    text = code(CProject(model.chain, model.version, "runtime", "modular").files()["arm_links.c"])
+    text = re.sub(r"static const int \w+\[[^]]*\] = \{.*?\};", "", text, flags=re.DOTALL)
+    return len([line for line in text.splitlines() if line.strip()])
+
+
+def test_modular_code_does_not_grow_with_equal_links():
+    """Four links or sixteen of one class: the same functions; three classes need about three times as many."""
+    four, sixteen = size_of_links(equal_links(4)), size_of_links(equal_links(16))
+    assert four == sixteen
+    mixed = size_of_links(equal_links(6, classes=3))
+    assert mixed == size_of_links(equal_links(12, classes=3))
+    assert 2 * four < mixed < 8 * four

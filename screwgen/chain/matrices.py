@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..lower.program import Array, Tracer, Value
+from ..lower.program import Array, Node, Tracer, Value
 
 
 def array(entries, shape=None) -> Array:
@@ -133,7 +133,8 @@ def factorise(M: Array, tracer: Tracer, threshold: Value = 0.0) -> tuple[Array, 
     for j in range(n):
         scaled = [L[j, k] * d[k] for k in range(j)]
         pivot = M[j, j] - dot(scaled, L[j, :j])
-        tracer.guard(pivot - threshold)
+        if isinstance(pivot, Node) or not pivot > 0:
+            tracer.guard(pivot - threshold)
         d.append(pivot)
         inverse.append(1.0 / pivot)
         for i in range(j + 1, n):

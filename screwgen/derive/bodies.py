@@ -26,7 +26,7 @@ def lumped(b: Block, key: LinkClass, section: str, tag: str) -> tuple[Expression
     second = b.step(
         f"J_{tag}",
         J,
-        rf"\mathbf{{J}}_{tag}",
+        rf"\boldsymbol{{\Theta}}_{tag}",
         unit="kg*m^2",
         frame=frame,
         symmetric=True,

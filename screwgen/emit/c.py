@@ -23,6 +23,7 @@ from .c_fields import (
     store_fields,
 )
 from .c_links import RUNS, Links, sparsity
+from .reference import cases, condition
 from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
@@ -99,6 +100,8 @@ class CProject:
             "bytes": self.bytes,
             "lines": self.fused_lines,
             "masked": self.masked,
+            "tolerance": self.tolerance,
+            "has_spin": any(link.section.rhoIp is not None for link in robot.links),
             "defaults": self.defaults,
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
@@ -247,7 +250,7 @@ class CProject:
             first = self.chain.robot.links[self.chain.keys.index(key)].name
             e = self.chain.eta_offset[i]
             modal = f", c->M_eta + {e}, c->K + {e}, c->D + {e}" if key.modes else ""
-            out.append(f"prepare_{first}(&p->links[{i}], &c->links[{i}]{modal});")
+            out.append(f"constants_of_{first}(&p->links[{i}], &c->links[{i}]{modal});")
         return out
 
     @property
@@ -273,14 +276,22 @@ class CProject:
         dae = 3 * length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 3 * dae_state + chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
+    @cached_property
+    def tolerance(self) -> dict[str, str]:
+        """What the self-check allows: 50 rounding errors times the condition of the mass matrix, within limits."""
+        worst = max(condition(self.chain, case["q"]) for case in self._cases)
+        limits = {"single": (1e-4, 5e-2, 1.2e-7), "double": (1e-10, 1e-8, 2.2e-16)}
+        return {name: f"{min(max(least, 50 * eps * worst), most):.0e}" for name, (least, most, eps) in limits.items()}
+
+    @cached_property
+    def _cases(self) -> list[dict[str, list[float]]]:
+        with mpmath.workdps(fuse.DIGITS):
+            return cases(self.chain, STATES)
+
     @property
     def reference(self) -> list[dict[str, list[str]]]:
         """States with their results, computed with many digits: the same on every machine."""
-        from .reference import cases
-
-        with mpmath.workdps(fuse.DIGITS):
-            computed = cases(self.chain, STATES)
-        return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in computed]
+        return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]
 
 
 def fused_place(name: str, k: int) -> str:

@@ -158,7 +158,7 @@ class Writer:
         if value.op == "input":
             return self.place(*value.args), ATOM
         if value.op == "epsilon":
-            return f"{self.prefix.upper()}_EPSILON", ATOM
+            return f"{self.prefix.upper()}_REAL_EPSILON", ATOM
         return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
 
     def _outputs(self) -> list[str]:

@@ -59,7 +59,7 @@ def parameter_structs(robot) -> dict[str, list[Field]]:
         group, name, size = _member(parameter_member(label(p)))
         known = groups[group].get(name)
         size = max(size, known.size if known else 0)
-        groups[group][name] = Field(name, size, f"{p.unit}: {_general(p)}")
+        groups[group][name] = Field(name, size, ascii_unit(f"{p.unit}: {_general(p)}"))
     return {group: list(fields.values()) for group, fields in groups.items()}
 
 
@@ -69,6 +69,11 @@ def _member(place: str) -> tuple[str, str, int]:
     group = "joint" if head == "joint" else "body" if head else "link"
     match = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", rest)
     return group, match[1], int(match[2]) + 1 if match[2] else 0
+
+
+def ascii_unit(text: str) -> str:
+    """Units in the letters that every compiler and terminal knows."""
+    return text.replace("·", "*").replace("²", "^2").replace("−", "-")
 
 
 def _general(p: Parameter) -> str:

@@ -6,7 +6,6 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +18,7 @@ from ..derive.link_class import LinkClass
 from ..errors import ScrewgenError
 from ..spec.parameters import parameters
 from ..spec.robot import Robot
+from ..version import __version__
 from . import latex_tables as tables
 from . import latex_text as text
 from .latex_class import class_section, ordered
@@ -99,7 +99,7 @@ def content(robot: Robot) -> Document:
         Section("Symbols", [tables.symbols(entries(known))]),
         Section("Parameters", [tables.parameters(parameters(robot))]),
     ]
-    return Document(robot.name, _version(), tuple(sections))
+    return Document(robot.name, __version__, tuple(sections))
 
 
 def class_views(key: LinkClass) -> list[BlockView]:
@@ -135,12 +135,3 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         "latex/equations.tex.jinja", section_rotation=robot.section_rotation, unknowns=12 * chain.n + chain.n_modes
     )
     return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]
-
-
-def _version() -> str:
-    try:
-        return version("screwgen")
-    except PackageNotFoundError:
-        from .. import __version__
-
-        return __version__

@@ -21,8 +21,11 @@ FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)
 BEFORE = re.compile(r"([\w}])(?=\\(?:cosh|sinh|cos|sin)(?![a-z]))")
 """A function needs a space before it, and one behind it if its argument stands without brackets."""
 
-MATRIX = re.compile(r"<mo>\[</mo><mtable>.*?</mtable><mo>\]</mo>")
-"""A matrix with its brackets, which grow with what is in their own row."""
+BRACKETS = (
+    ("<mo>[</mo><mtable>", "<mrow><mo>[</mo><mtable>"),
+    ("</mtable><mo>]</mo>", "</mtable><mo>]</mo></mrow>"),
+)
+"""A matrix is a group of its own: brackets grow with what is in their group."""
 
 
 def inline(tex: str) -> str:
@@ -49,7 +52,9 @@ def _inner(tex: str) -> str:
     body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
     body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
     body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)
-    body = MATRIX.sub(r"<mrow>\g<0></mrow>", body)
+    body = body.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    for plain, grouped in BRACKETS:
+        body = body.replace(plain, grouped)
     return re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
 
 

@@ -79,10 +79,14 @@ class Scalars:
         return [first if sign == "+" else f"-{first}", *texts[1:]]
 
     def _ordered(self, terms: tuple[sp.Expr, ...]) -> list[sp.Expr]:
-        """By the rank of what they hold, a positive one first."""
-        ordered = sorted(terms, key=lambda t: sorted(self._rank(s) for s in t.free_symbols))
+        """Constants before the state, then by the rank of what they hold; a positive term comes first."""
+        ordered = sorted(terms, key=self._term_key)
         first = next((i for i, t in enumerate(ordered) if not _is_negative(t)), 0)
         return [ordered[first], *ordered[:first], *ordered[first + 1 :]]
+
+    def _term_key(self, t: sp.Expr) -> tuple:
+        ranks = sorted(self._rank(s) for s in t.free_symbols)
+        return any(rank[0] >= Binding.STATE for rank in ranks), ranks
 
     def _signed(self, t: sp.Expr) -> str:
         return f"- {self._product(-t)}" if _is_negative(t) else f"+ {self._product(t)}"

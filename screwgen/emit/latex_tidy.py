@@ -23,11 +23,11 @@ def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr],
         case ex.Product():
             return _product(inner(e.left), inner(e.right))
         case ex.Negative():
-            return -inner(e.arg)
+            return _negative(inner(e.arg))
         case ex.Transpose():
             return ex.transpose(inner(e.arg))
         case ex.Hat():
-            return ex.hat(inner(e.arg))
+            return _hat(inner(e.arg))
         case ex.Block():
             return _block([[inner(x) for x in row] for row in e.rows])
         case ex.Trace() | ex.Diagonal() | ex.Root():
@@ -68,11 +68,28 @@ def _pair(x: Expression, y: Expression) -> Expression:
     return ex.add(*(ex.product(y, term) for term in (x.terms if isinstance(x, ex.Sum) else (x,))))
 
 
+def _negative(e: Expression) -> Expression:
+    return e.arg if isinstance(e, ex.Negative) else -e
+
+
+def _hat(e: Expression) -> Expression:
+    """Signs and scalars go before the skew-symmetric matrix."""
+    if isinstance(e, ex.Negative):
+        return _negative(_hat(e.arg))
+    if isinstance(e, ex.Product) and e.left.shape == (1, 1):
+        return ex.product(e.left, _hat(e.right))
+    return ex.hat(e)
+
+
 def _block(rows: list[list[Expression]]) -> Expression:
     if all(ex.is_zero(x) for row in rows for x in row):
         return ex.zeros(*ex.block(*rows).shape)
     if all(ex.is_identity(x) if i == j else ex.is_zero(x) for i, row in enumerate(rows) for j, x in enumerate(row)):
         return ex.identity(ex.block(*rows).shape[0])
+    column = [row[0] for row in rows]
+    filled = [i for i, x in enumerate(column) if not ex.is_zero(x)]
+    if len(filled) == 1 and all(len(row) == 1 and row[0].shape == (1, 1) for row in rows) and len(rows) == 3:
+        return ex.product(column[filled[0]], ex.unit(filled[0]))
     return ex.block(*rows) if len(rows) > 1 or len(rows[0]) > 1 else rows[0][0]
 
 

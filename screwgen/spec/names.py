@@ -16,9 +16,11 @@ KEYWORDS = """
     typeof_unqual
 """
 
-# The generated main.c, and the C headers that a generated <name>.h would hide.
+# The generated main.c and check.c, targets of make and CMake, libraries, and the C headers that a generated
+# <name>.h would hide.
 FILE_NAMES = """
-    main assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
+    main check all clean test install help package m c shim
+    assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
     stdarg stdatomic stdbool stdckdint stdbit stddef stdint stdio stdlib stdnoreturn string tgmath threads
     time uchar wchar wctype
 """
@@ -42,7 +44,8 @@ def robot_name(value: Any) -> str:
     """As a link's name, and not the name of a file that the generated C needs for something else."""
     name = link_name(value)
     if name.lower() in FILE_NAMES.split():
-        raise refuse(f"is {quoted(name)}, but C has a file of that name already; choose another name")
+        taken = "but the generated folder or C has something of that name already; choose another name"
+        raise refuse(f"is {quoted(name)}, {taken}")
     return name
 
 

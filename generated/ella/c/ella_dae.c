@@ -1,0 +1,444 @@
+/* ella_dae.c: the DAE form. Poses move by the exponential of SE(3); every step ends on the joints. */
+#include "ella_links.h"
+
+static void modal_terms(const ella_constants *c, const ella_dae_state *s, ella_real dt, ella_dae_work *work)
+{
+    int k;
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
+        work->f_eta[k] = c->K[k] * (s->eta[k] + dt * s->etadot[k]) + c->D[k] * s->etadot[k];
+    }
+}
+
+static ella_call call_of(const ella_constants *c, const ella_dae_state *s, const ella_input *u, ella_dae_work *work)
+{
+    ella_call call = { 0 };
+    call.gravity = c->gravity;
+    call.q = s->q;
+    call.eta = s->eta;
+    call.etadot = s->etadot;
+    call.quaternion = &s->quaternion[0][0];
+    call.twist = &s->twist[0][0];
+    call.m_eta = work->m_eta;
+    call.f_eta = work->f_eta;
+    call.new_qdot = work->qdot;
+    call.qdot = work->qdot;
+    if (u) {
+        call.tau = u->tau;
+        call.w_ext = &u->w_ext[0][0];
+    }
+    return call;
+}
+
+static int finite_state(const ella_dae_state *s)
+{
+    return ella_finite(&s->quaternion[0][0], 4 * ELLA_NLINKS) && ella_finite(&s->position[0][0], 3 * ELLA_NLINKS)
+        && ella_finite(&s->twist[0][0], 6 * ELLA_NLINKS) && ella_finite(s->eta, ELLA_NMODES)
+        && ella_finite(s->etadot, ELLA_NMODES) && ella_finite(s->q, ELLA_NTAU);
+}
+
+/* Whether products of three entries stay finite: where they do not, a failed pivot says nothing of the posture. */
+static int moderate_state(const ella_dae_state *s, const ella_dae_work *work)
+{
+    return ella_moderate(&s->twist[0][0], 6 * ELLA_NLINKS) && ella_moderate(s->eta, ELLA_NMODES)
+        && ella_moderate(s->etadot, ELLA_NMODES) && ella_finite(work->m_eta, ELLA_NMODES);
+}
+
+static int finite_input(const ella_dae_state *s, const ella_input *u)
+{
+    return finite_state(s) && ella_finite(u->tau, ELLA_NTAU) && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
+}
+
+/* Vdot, etaddot, qdot and the wrenches at s, with the modal force that they lead to dt after the state from. */
+static ella_status accelerate(const ella_constants *c, const ella_dae_state *s, const ella_dae_state *from,
+    const ella_input *u, ella_real dt, ella_dae_work *work)
+{
+    ella_status status;
+    ella_call call = call_of(c, s, u, work);
+    call.qddot = work->qddot;
+    call.etaddot = work->etaddot;
+    call.wrench = &work->wrench[0][0];
+    call.alpha = &work->alpha[0][0];
+    call.given_alpha = &work->alpha[0][0];
+    call.Vdot = &work->Vdot[0][0];
+    if (!finite_input(s, u)) {
+        return ELLA_NONFINITE;
+    }
+    modal_terms(c, from, dt, work);
+    status = ella_dae_dynamics(c, &call, &work->chain, &work->fault);
+    if (status != ELLA_OK) {
+        return moderate_state(s, work) ? status : ELLA_NONFINITE;
+    }
+    if (!ella_finite(&work->Vdot[0][0], 6 * ELLA_NLINKS) || !ella_finite(work->etaddot, ELLA_NMODES)
+        || !ella_finite(&work->wrench[0][0], 6 * ELLA_NLINKS)) {
+        return ELLA_NONFINITE;
+    }
+    return ELLA_OK;
+}
+
+/* The state back onto the joints: q from the poses, then forward kinematics. */
+static ella_status project(const ella_constants *c, ella_dae_state *s, ella_dae_work *work)
+{
+    ella_call call = call_of(c, s, 0, work);
+    ella_status status;
+    call.new_q = s->q;
+    call.new_quaternion = &s->quaternion[0][0];
+    call.new_position = &s->position[0][0];
+    call.new_twist = &s->twist[0][0];
+    status = ella_projection(c, &call, &work->chain, &work->fault);
+    if (!finite_state(s)) {
+        return ELLA_NONFINITE;
+    }
+    return status;
+}
+
+ella_status ella_dae_from_state(const ella_constants *c, const ella_state *state, ella_dae_work *work,
+    ella_dae_state *dae)
+{
+    ella_call call;
+    ella_status status;
+    int k;
+    if (!c || !state || !work || !dae) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    for (k = 0; k < ELLA_NTAU; ++k) {
+        work->next.q[k] = state->q[k];
+        work->qdot[k] = state->v[k];
+    }
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        work->next.eta[k] = state->q[ELLA_NTAU + k];
+        work->next.etadot[k] = state->v[ELLA_NTAU + k];
+    }
+    call = call_of(c, &work->next, 0, work);
+    call.new_quaternion = &work->next.quaternion[0][0];
+    call.new_position = &work->next.position[0][0];
+    call.new_twist = &work->next.twist[0][0];
+    status = ella_placement(c, &call, &work->chain, &work->fault);
+    if (status == ELLA_OK && !(ella_finite(state->q, ELLA_NQ) && ella_finite(state->v, ELLA_NV))) {
+        status = ELLA_NONFINITE;
+    }
+    if (status == ELLA_OK) {
+        *dae = work->next;
+    }
+    return status;
+}
+
+/* The rotation of a unit quaternion times a vector. */
+static void turn(const ella_real Q[4], const ella_real a[3], ella_real b[3])
+{
+    const ella_real t[3] = {
+        2 * (Q[2] * a[2] - Q[3] * a[1]), 2 * (Q[3] * a[0] - Q[1] * a[2]), 2 * (Q[1] * a[1] - Q[2] * a[0]),
+    };
+    b[0] = a[0] + Q[0] * t[0] + Q[2] * t[2] - Q[3] * t[1];
+    b[1] = a[1] + Q[0] * t[1] + Q[3] * t[0] - Q[1] * t[2];
+    b[2] = a[2] + Q[0] * t[2] + Q[1] * t[1] - Q[2] * t[0];
+}
+
+ella_status ella_dae_forward_dynamics(const ella_constants *c, const ella_dae_state *state,
+    const ella_input *input, ella_dae_work *work, ella_output *output)
+{
+    ella_status status;
+    ella_call call;
+    int i, k;
+    if (!c || !state || !input || !work || !output) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    for (k = 0; k < ELLA_NTAU; ++k) {
+        output->vdot[k] = work->qddot[k];
+    }
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        output->vdot[ELLA_NTAU + k] = work->etaddot[k];
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            output->wrench[i][k] = work->wrench[i][k];
+        }
+    }
+    work->next = *state;
+    call = call_of(c, state, 0, work);
+    call.new_quaternion = &work->next.quaternion[0][0];
+    call.new_position = &work->next.position[0][0];
+    call.new_twist = &work->next.twist[0][0];
+    status = ella_placement(c, &call, &work->chain, &work->fault);
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k) {
+            output->tip_rotation[i][k] = work->chain.nodes[ELLA_NLINKS].R[3 * i + k];
+        }
+        output->tip_position[i] = work->chain.nodes[ELLA_NLINKS].r[i];
+    }
+    return status;
+}
+
+/* pose = start exp(u), u = [turn; shift] in the body's own axes. */
+static void exponential(const ella_real Q[4], const ella_real p[3], const ella_real u[6], ella_real Q_new[4],
+    ella_real p_new[3])
+{
+    const ella_real x = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], quarter = x / 4;
+    const ella_real c3 = (REAL(1.0) / 6) - x * ella_c5(x), c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real w = 1 - quarter * (REAL(0.5) - quarter * ella_c4(quarter));
+    const ella_real s = (1 - quarter * ((REAL(1.0) / 6) - quarter * ella_c5(quarter))) / 2;
+    const ella_real a = s * u[0], b = s * u[1], d = s * u[2];
+    const ella_real cross[3] = { u[1] * u[5] - u[2] * u[4], u[2] * u[3] - u[0] * u[5], u[0] * u[4] - u[1] * u[3] };
+    const ella_real shift[3] = {
+        u[3] + c2 * cross[0] + c3 * (u[1] * cross[2] - u[2] * cross[1]),
+        u[4] + c2 * cross[1] + c3 * (u[2] * cross[0] - u[0] * cross[2]),
+        u[5] + c2 * cross[2] + c3 * (u[0] * cross[1] - u[1] * cross[0]),
+    };
+    const ella_real q0 = Q[0], q1 = Q[1], q2 = Q[2], q3 = Q[3];
+    ella_real moved[3];
+    int k;
+    turn(Q, shift, moved);
+    for (k = 0; k < 3; ++k) {
+        p_new[k] = p[k] + moved[k];
+    }
+    Q_new[0] = q0 * w - q1 * a - q2 * b - q3 * d;
+    Q_new[1] = q0 * a + q1 * w + q2 * d - q3 * b;
+    Q_new[2] = q0 * b - q1 * d + q2 * w + q3 * a;
+    Q_new[3] = q0 * d + q1 * b - q2 * a + q3 * w;
+}
+
+/* [a, b] of se(3). */
+static void bracket(const ella_real a[6], const ella_real b[6], ella_real c[6])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+    c[3] = a[4] * b[2] - a[5] * b[1] + a[1] * b[5] - a[2] * b[4];
+    c[4] = a[5] * b[0] - a[3] * b[2] + a[2] * b[3] - a[0] * b[5];
+    c[5] = a[3] * b[1] - a[4] * b[0] + a[0] * b[4] - a[1] * b[3];
+}
+
+/* The rate of u in pose = start exp(u) at twist V: V + [u, V]/2 + [u, [u, V]]/12, enough for order four. */
+static void algebra_rate(const ella_real u[6], const ella_real V[6], ella_real rate[6])
+{
+    ella_real first[6], second[6];
+    int k;
+    bracket(u, V, first);
+    bracket(u, first, second);
+    for (k = 0; k < 6; ++k) {
+        rate[k] = V[k] + first[k] / 2 + second[k] * (REAL(1.0) / 12);
+    }
+}
+
+/* y = x + dt * rate for all but the poses; rates of eta are taken from etadot of the given state. */
+static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etadot, const ella_dae_work *work,
+    ella_dae_state *y)
+{
+    int i, k;
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        y->eta[k] = x->eta[k] + dt * etadot[k];
+        y->etadot[k] = x->etadot[k] + dt * work->etaddot[k];
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            y->twist[i][k] = x->twist[i][k] + dt * work->Vdot[i][k];
+        }
+    }
+    for (k = 0; k < ELLA_NTAU; ++k) {
+        y->q[k] = x->q[k] + dt * work->qdot[k];
+    }
+}
+
+/* Poses moved from those of x by dt times the twists V. */
+static void move(const ella_dae_state *x, ella_real dt, ella_real V[][6], ella_dae_state *y)
+{
+    ella_real u[6];
+    int i, k;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            u[k] = dt * V[i][k];
+        }
+        exponential(x->quaternion[i], x->position[i], u, y->quaternion[i], y->position[i]);
+    }
+}
+
+static int bad_step(const ella_constants *c, const ella_dae_state *s, const ella_input *u, ella_real dt,
+    const ella_dae_work *work)
+{
+    return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
+}
+
+/* Onto the joints, and taken only if that succeeds. */
+static ella_status accept(const ella_constants *c, ella_dae_work *work, ella_dae_state *state)
+{
+    const ella_status status = project(c, &work->next, work);
+    if (status == ELLA_OK) {
+        *state = work->next;
+    }
+    return status;
+}
+
+ella_status ella_dae_step_euler(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    move(state, dt, state->twist, &work->next);
+    return accept(c, work, state);
+}
+
+/* Twists and modal rates first, then poses and modal coordinates with the new rates. */
+static ella_status symplectic(const ella_constants *c, ella_dae_state *state, const ella_input *input, ella_real dt,
+    ella_real modal_dt, ella_dae_work *work)
+{
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, modal_dt, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    advance(state, dt, work->next.etadot, work, &work->next);
+    move(state, dt, work->next.twist, &work->next);
+    return accept(c, work, state);
+}
+
+ella_status ella_dae_step_semi_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    return symplectic(c, state, input, dt, 0, work);
+}
+
+ella_status ella_dae_step_modal_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    return symplectic(c, state, input, dt, dt, work);
+}
+
+/* The midpoint rule with the modes' force implicit; the poses move by the mean of the twists. */
+ella_status ella_dae_step_modal_midpoint(const ella_constants *c, ella_dae_state *state,
+    const ella_input *input, ella_real dt, ella_dae_work *work)
+{
+    ella_status status;
+    int i, k;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, dt / 2, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->etadot, work, &work->stage);
+    advance(state, dt / 2, work->stage.etadot, work, &work->stage);
+    move(state, dt / 2, work->stage.twist, &work->stage);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        work->next.eta[k] = state->eta[k] + dt / 2 * (state->etadot[k] + work->next.etadot[k]);
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            work->sum[i][k] = (state->twist[i][k] + work->next.twist[i][k]) / 2;
+        }
+    }
+    move(state, dt, work->sum, &work->next);
+    return accept(c, work, state);
+}
+
+/* Runge-Kutta-Munthe-Kaas of order four. */
+ella_status ella_dae_step_rk4(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    const ella_real third = dt / 3, sixth = dt / 6, half = dt / 2;
+    const ella_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    ella_real rate[6];
+    ella_status status;
+    int stage, i, k;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    work->stage = *state;
+    work->next = *state;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            work->algebra[i][k] = 0;
+            work->sum[i][k] = 0;
+        }
+    }
+    for (stage = 0; stage < 4; ++stage) {
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work);
+        if (status != ELLA_OK) {
+            return status;
+        }
+        for (i = 0; i < ELLA_NLINKS; ++i) {
+            algebra_rate(work->algebra[i], work->stage.twist[i], rate);
+            for (k = 0; k < 6; ++k) {
+                work->sum[i][k] += weight[stage] * rate[k];
+                work->algebra[i][k] = reach[stage] * rate[k];
+            }
+        }
+        advance(&work->next, weight[stage], work->stage.etadot, work, &work->next);
+        advance(state, reach[stage], work->stage.etadot, work, &work->stage);
+        move(state, 1, work->algebra, &work->stage);
+    }
+    move(state, 1, work->sum, &work->next);
+    return accept(c, work, state);
+}
+
+/* ------------------------------------------------------------------------------------ M_sys, H_sys, W_sys */
+
+const short ella_M_row[ELLA_NNZ] = {
+    0, 1, 6, 0, 1, 7, 2, 8, 9, 10, 11, 0, 1, 6, 7, 8, 9, 10, 11, 12,
+    13, 14, 15, 16, 17, 24, 25, 26, 0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
+    16, 17, 24, 25, 26, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 24, 25, 26,
+    3, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 24, 25, 26, 4, 6, 7, 8,
+    9, 10, 11, 12, 13, 14, 15, 16, 17, 24, 25, 26, 5, 6, 7, 8, 9, 10, 11, 12,
+    13, 14, 15, 16, 17, 24, 25, 26, 6, 7, 8, 9, 10, 11, 18, 24, 25, 26, 6, 7,
+    8, 9, 10, 11, 19, 24, 25, 26, 6, 7, 8, 9, 10, 11, 14, 20, 24, 25, 26, 6,
+    7, 8, 9, 10, 11, 21, 24, 25, 26, 6, 7, 8, 9, 10, 11, 22, 24, 25, 26, 6,
+    7, 8, 9, 10, 11, 23, 24, 25, 26, 12, 18, 19, 20, 21, 22, 23, 27, 28, 29, 13,
+    18, 19, 20, 21, 22, 23, 27, 28, 29, 18, 19, 20, 21, 22, 23, 27, 28, 29, 15, 18,
+    19, 20, 21, 22, 23, 27, 28, 29, 16, 18, 19, 20, 21, 22, 23, 27, 28, 29, 17, 18,
+    19, 20, 21, 22, 23, 27, 28, 29, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17,
+    24, 25, 26, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 24, 25, 26, 6, 7,
+    8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 24, 25, 26, 18, 19, 20, 21, 22, 23, 27,
+    28, 29, 18, 19, 20, 21, 22, 23, 27, 28, 29, 18, 19, 20, 21, 22, 23, 27, 28, 29,
+};
+
+const int ella_M_column[ELLA_NZ + 1] = {
+    0, 3, 6, 8, 9, 10, 11, 28, 45, 60, 76, 92, 108, 118, 128, 139, 149, 159, 169, 179,
+    189, 198, 208, 218, 228, 243, 258, 273, 282, 291, 300,
+};
+
+ella_status ella_assemble(const ella_constants *c, const ella_dae_state *state, const ella_input *input,
+    ella_dae_work *work, ella_real M_sys[ELLA_NNZ], ella_real H_sys[ELLA_NZ],
+    ella_real W_sys[ELLA_NZ])
+{
+    ella_status status;
+    ella_call call;
+    if (!c || !state || !input || !work || !M_sys || !H_sys || !W_sys) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    call = call_of(c, state, input, work);
+    call.M = M_sys;
+    call.H = H_sys;
+    call.W = W_sys;
+    modal_terms(c, state, 0, work);
+    if (!finite_input(state, input)) {
+        return ELLA_NONFINITE;
+    }
+    status = ella_assembly(c, &call, &work->chain, &work->fault);
+    if (status != ELLA_OK) {
+        return moderate_state(state, work) ? status : ELLA_NONFINITE;
+    }
+    if (!ella_finite(M_sys, ELLA_NNZ) || !ella_finite(H_sys, ELLA_NZ) || !ella_finite(W_sys, ELLA_NZ)) {
+        return ELLA_NONFINITE;
+    }
+    return ELLA_OK;
+}

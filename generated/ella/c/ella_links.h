@@ -1,0 +1,31 @@
+/* ella_links.h: the algorithms on the chain of links. Private to the generated sources. */
+#ifndef ELLA_LINKS_H
+#define ELLA_LINKS_H
+
+#include "ella_real.h"
+
+/* Where the phases find the inputs and outputs of a call: every array starts at the first link. */
+typedef struct {
+    const ella_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
+    const ella_real *quaternion, *twist, *given_alpha;
+    ella_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
+    ella_real *M, *H, *W;
+} ella_call;
+
+/* Joint form in one piece: vdot, wrenches (n x 6) and tip pose; fault is set with ELLA_SINGULAR. */
+ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, ella_output *output);
+
+/* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
+ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* The state of the DAE form taken back onto the joints. */
+ella_status ella_projection(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* Poses and twists of the DAE form from coordinates and rates. */
+ella_status ella_placement(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* M_sys, H_sys and W_sys. */
+ella_status ella_assembly(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+#endif

@@ -1,0 +1,164 @@
+/* ella_step.c: forward dynamics and the integrators of the joint form. */
+#include "ella_links.h"
+
+/* Inertia and force of every mode. Implicit over dt: m = M + dt D + dt^2 K and f = K (eta + dt etadot) + D etadot,
+ * the modal force that the accelerations lead to dt after the state s.
+ */
+static void modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
+{
+    const ella_real *eta = s->q + ELLA_NTAU, *etadot = s->v + ELLA_NTAU;
+    int k;
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
+        work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
+    }
+}
+
+/* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
+static int sound(const ella_state *s, const ella_input *u, const ella_work *work)
+{
+    return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES)
+        && ella_moderate(s->v, ELLA_NV) && ella_finite(u->tau, ELLA_NTAU)
+        && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(work->m_eta, ELLA_NMODES);
+}
+
+/* Forward dynamics at s with the modal force that it leads to dt after the state from (0: the force there). */
+static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_state *from,
+    const ella_input *u, ella_real dt, ella_work *work, ella_output *y)
+{
+    ella_status status;
+    modal_terms(c, from, dt, work);
+    status = ella_dynamics(c, s, u, work, y);
+    if (status != ELLA_OK) {
+        return sound(s, u, work) ? status : ELLA_NONFINITE;
+    }
+    if (!ella_finite(y->vdot, ELLA_NV) || !ella_finite(&y->wrench[0][0], 6 * ELLA_NLINKS)
+        || !ella_finite(&y->tip_rotation[0][0], 9) || !ella_finite(y->tip_position, 3)) {
+        return ELLA_NONFINITE;
+    }
+    return ELLA_OK;
+}
+
+ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, ella_output *output)
+{
+    if (!c || !state || !input || !work || !output) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    return accelerate(c, state, state, input, 0, work, output);
+}
+
+static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt, const ella_work *work)
+{
+    return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
+}
+
+/* y = x + dt * rate for coordinates and rates. */
+static void advance(const ella_state *x, ella_real dt, const ella_real *qdot, const ella_real *vdot, ella_state *y)
+{
+    int k;
+    for (k = 0; k < ELLA_NV; ++k) {
+        y->q[k] = x->q[k] + dt * qdot[k];
+        y->v[k] = x->v[k] + dt * vdot[k];
+    }
+}
+
+/* The new state is taken only if it is finite. */
+static ella_status accept(const ella_state *next, ella_state *state)
+{
+    if (!ella_finite(next->q, ELLA_NQ) || !ella_finite(next->v, ELLA_NV)) {
+        return ELLA_NONFINITE;
+    }
+    *state = *next;
+    return ELLA_OK;
+}
+
+ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
+{
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt, state->v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+/* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
+static ella_status symplectic(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_real modal_dt, ella_work *work)
+{
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, modal_dt, work, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt, state->v, work->output.vdot, &work->next);
+    advance(state, dt, work->next.v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
+{
+    return symplectic(c, state, input, dt, 0, work);
+}
+
+ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
+{
+    return symplectic(c, state, input, dt, dt, work);
+}
+
+ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
+{
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, dt / 2, work, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
+    advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->v, work->output.vdot, &work->next);
+    advance(state, dt, state->v, work->output.vdot, &work->stage);
+    advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
+{
+    const ella_real third = dt / 3, sixth = dt / 6, half = dt / 2;
+    const ella_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    ella_status status;
+    int stage;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    work->stage = *state;
+    work->next = *state;
+    for (stage = 0; stage < 4; ++stage) {
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work, &work->output);
+        if (status != ELLA_OK) {
+            return status;
+        }
+        advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
+        advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
+    }
+    return accept(&work->next, state);
+}

@@ -1,0 +1,466 @@
+/* six_link_dae.c: the DAE form. Poses move by the exponential of SE(3); every step ends on the joints. */
+#include "six_link_links.h"
+
+static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt, six_link_dae_work *work)
+{
+    int k;
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
+        work->f_eta[k] = c->K[k] * (s->eta[k] + dt * s->etadot[k]) + c->D[k] * s->etadot[k];
+    }
+}
+
+static six_link_call call_of(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u, six_link_dae_work *work)
+{
+    six_link_call call = { 0 };
+    call.gravity = c->gravity;
+    call.q = s->q;
+    call.eta = s->eta;
+    call.etadot = s->etadot;
+    call.quaternion = &s->quaternion[0][0];
+    call.twist = &s->twist[0][0];
+    call.m_eta = work->m_eta;
+    call.f_eta = work->f_eta;
+    call.new_qdot = work->qdot;
+    call.qdot = work->qdot;
+    if (u) {
+        call.tau = u->tau;
+        call.w_ext = &u->w_ext[0][0];
+    }
+    return call;
+}
+
+static int finite_state(const six_link_dae_state *s)
+{
+    return six_link_finite(&s->quaternion[0][0], 4 * SIX_LINK_NLINKS) && six_link_finite(&s->position[0][0], 3 * SIX_LINK_NLINKS)
+        && six_link_finite(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(s->eta, SIX_LINK_NMODES)
+        && six_link_finite(s->etadot, SIX_LINK_NMODES) && six_link_finite(s->q, SIX_LINK_NTAU);
+}
+
+/* Whether products of three entries stay finite: where they do not, a failed pivot says nothing of the posture. */
+static int moderate_state(const six_link_dae_state *s, const six_link_dae_work *work)
+{
+    return six_link_moderate(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_moderate(s->eta, SIX_LINK_NMODES)
+        && six_link_moderate(s->etadot, SIX_LINK_NMODES) && six_link_finite(work->m_eta, SIX_LINK_NMODES);
+}
+
+static int finite_input(const six_link_dae_state *s, const six_link_input *u)
+{
+    return finite_state(s) && six_link_finite(u->tau, SIX_LINK_NTAU) && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
+}
+
+/* Vdot, etaddot, qdot and the wrenches at s, with the modal force that they lead to dt after the state from. */
+static six_link_status accelerate(const six_link_constants *c, const six_link_dae_state *s, const six_link_dae_state *from,
+    const six_link_input *u, six_link_real dt, six_link_dae_work *work)
+{
+    six_link_status status;
+    six_link_call call = call_of(c, s, u, work);
+    call.qddot = work->qddot;
+    call.etaddot = work->etaddot;
+    call.wrench = &work->wrench[0][0];
+    call.alpha = &work->alpha[0][0];
+    call.given_alpha = &work->alpha[0][0];
+    call.Vdot = &work->Vdot[0][0];
+    if (!finite_input(s, u)) {
+        return SIX_LINK_NONFINITE;
+    }
+    modal_terms(c, from, dt, work);
+    status = six_link_dae_dynamics(c, &call, &work->chain, &work->fault);
+    if (status != SIX_LINK_OK) {
+        return moderate_state(s, work) ? status : SIX_LINK_NONFINITE;
+    }
+    if (!six_link_finite(&work->Vdot[0][0], 6 * SIX_LINK_NLINKS) || !six_link_finite(work->etaddot, SIX_LINK_NMODES)
+        || !six_link_finite(&work->wrench[0][0], 6 * SIX_LINK_NLINKS)) {
+        return SIX_LINK_NONFINITE;
+    }
+    return SIX_LINK_OK;
+}
+
+/* The state back onto the joints: q from the poses, then forward kinematics. */
+static six_link_status project(const six_link_constants *c, six_link_dae_state *s, six_link_dae_work *work)
+{
+    six_link_call call = call_of(c, s, 0, work);
+    six_link_status status;
+    call.new_q = s->q;
+    call.new_quaternion = &s->quaternion[0][0];
+    call.new_position = &s->position[0][0];
+    call.new_twist = &s->twist[0][0];
+    status = six_link_projection(c, &call, &work->chain, &work->fault);
+    if (!finite_state(s)) {
+        return SIX_LINK_NONFINITE;
+    }
+    return status;
+}
+
+six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state, six_link_dae_work *work,
+    six_link_dae_state *dae)
+{
+    six_link_call call;
+    six_link_status status;
+    int k;
+    if (!c || !state || !work || !dae) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        work->next.q[k] = state->q[k];
+        work->qdot[k] = state->v[k];
+    }
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        work->next.eta[k] = state->q[SIX_LINK_NTAU + k];
+        work->next.etadot[k] = state->v[SIX_LINK_NTAU + k];
+    }
+    call = call_of(c, &work->next, 0, work);
+    call.new_quaternion = &work->next.quaternion[0][0];
+    call.new_position = &work->next.position[0][0];
+    call.new_twist = &work->next.twist[0][0];
+    status = six_link_placement(c, &call, &work->chain, &work->fault);
+    if (status == SIX_LINK_OK && !(six_link_finite(state->q, SIX_LINK_NQ) && six_link_finite(state->v, SIX_LINK_NV))) {
+        status = SIX_LINK_NONFINITE;
+    }
+    if (status == SIX_LINK_OK) {
+        *dae = work->next;
+    }
+    return status;
+}
+
+/* The rotation of a unit quaternion times a vector. */
+static void turn(const six_link_real Q[4], const six_link_real a[3], six_link_real b[3])
+{
+    const six_link_real t[3] = {
+        2 * (Q[2] * a[2] - Q[3] * a[1]), 2 * (Q[3] * a[0] - Q[1] * a[2]), 2 * (Q[1] * a[1] - Q[2] * a[0]),
+    };
+    b[0] = a[0] + Q[0] * t[0] + Q[2] * t[2] - Q[3] * t[1];
+    b[1] = a[1] + Q[0] * t[1] + Q[3] * t[0] - Q[1] * t[2];
+    b[2] = a[2] + Q[0] * t[2] + Q[1] * t[1] - Q[2] * t[0];
+}
+
+six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const six_link_dae_state *state,
+    const six_link_input *input, six_link_dae_work *work, six_link_output *output)
+{
+    six_link_status status;
+    six_link_call call;
+    int i, k;
+    if (!c || !state || !input || !work || !output) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        output->vdot[k] = work->qddot[k];
+    }
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        output->vdot[SIX_LINK_NTAU + k] = work->etaddot[k];
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            output->wrench[i][k] = work->wrench[i][k];
+        }
+    }
+    work->next = *state;
+    call = call_of(c, state, 0, work);
+    call.new_quaternion = &work->next.quaternion[0][0];
+    call.new_position = &work->next.position[0][0];
+    call.new_twist = &work->next.twist[0][0];
+    status = six_link_placement(c, &call, &work->chain, &work->fault);
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k) {
+            output->tip_rotation[i][k] = work->chain.nodes[SIX_LINK_NLINKS].R[3 * i + k];
+        }
+        output->tip_position[i] = work->chain.nodes[SIX_LINK_NLINKS].r[i];
+    }
+    return status;
+}
+
+/* pose = start exp(u), u = [turn; shift] in the body's own axes. */
+static void exponential(const six_link_real Q[4], const six_link_real p[3], const six_link_real u[6], six_link_real Q_new[4],
+    six_link_real p_new[3])
+{
+    const six_link_real x = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], quarter = x / 4;
+    const six_link_real c3 = (REAL(1.0) / 6) - x * six_link_c5(x), c2 = REAL(0.5) - x * six_link_c4(x);
+    const six_link_real w = 1 - quarter * (REAL(0.5) - quarter * six_link_c4(quarter));
+    const six_link_real s = (1 - quarter * ((REAL(1.0) / 6) - quarter * six_link_c5(quarter))) / 2;
+    const six_link_real a = s * u[0], b = s * u[1], d = s * u[2];
+    const six_link_real cross[3] = { u[1] * u[5] - u[2] * u[4], u[2] * u[3] - u[0] * u[5], u[0] * u[4] - u[1] * u[3] };
+    const six_link_real shift[3] = {
+        u[3] + c2 * cross[0] + c3 * (u[1] * cross[2] - u[2] * cross[1]),
+        u[4] + c2 * cross[1] + c3 * (u[2] * cross[0] - u[0] * cross[2]),
+        u[5] + c2 * cross[2] + c3 * (u[0] * cross[1] - u[1] * cross[0]),
+    };
+    const six_link_real q0 = Q[0], q1 = Q[1], q2 = Q[2], q3 = Q[3];
+    six_link_real moved[3];
+    int k;
+    turn(Q, shift, moved);
+    for (k = 0; k < 3; ++k) {
+        p_new[k] = p[k] + moved[k];
+    }
+    Q_new[0] = q0 * w - q1 * a - q2 * b - q3 * d;
+    Q_new[1] = q0 * a + q1 * w + q2 * d - q3 * b;
+    Q_new[2] = q0 * b - q1 * d + q2 * w + q3 * a;
+    Q_new[3] = q0 * d + q1 * b - q2 * a + q3 * w;
+}
+
+/* [a, b] of se(3). */
+static void bracket(const six_link_real a[6], const six_link_real b[6], six_link_real c[6])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+    c[3] = a[4] * b[2] - a[5] * b[1] + a[1] * b[5] - a[2] * b[4];
+    c[4] = a[5] * b[0] - a[3] * b[2] + a[2] * b[3] - a[0] * b[5];
+    c[5] = a[3] * b[1] - a[4] * b[0] + a[0] * b[4] - a[1] * b[3];
+}
+
+/* The rate of u in pose = start exp(u) at twist V: V + [u, V]/2 + [u, [u, V]]/12, enough for order four. */
+static void algebra_rate(const six_link_real u[6], const six_link_real V[6], six_link_real rate[6])
+{
+    six_link_real first[6], second[6];
+    int k;
+    bracket(u, V, first);
+    bracket(u, first, second);
+    for (k = 0; k < 6; ++k) {
+        rate[k] = V[k] + first[k] / 2 + second[k] * (REAL(1.0) / 12);
+    }
+}
+
+/* y = x + dt * rate for all but the poses; rates of eta are taken from etadot of the given state. */
+static void advance(const six_link_dae_state *x, six_link_real dt, const six_link_real *etadot, const six_link_dae_work *work,
+    six_link_dae_state *y)
+{
+    int i, k;
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        y->eta[k] = x->eta[k] + dt * etadot[k];
+        y->etadot[k] = x->etadot[k] + dt * work->etaddot[k];
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            y->twist[i][k] = x->twist[i][k] + dt * work->Vdot[i][k];
+        }
+    }
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        y->q[k] = x->q[k] + dt * work->qdot[k];
+    }
+}
+
+/* Poses moved from those of x by dt times the twists V. */
+static void move(const six_link_dae_state *x, six_link_real dt, six_link_real V[][6], six_link_dae_state *y)
+{
+    six_link_real u[6];
+    int i, k;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            u[k] = dt * V[i][k];
+        }
+        exponential(x->quaternion[i], x->position[i], u, y->quaternion[i], y->position[i]);
+    }
+}
+
+static int bad_step(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u, six_link_real dt,
+    const six_link_dae_work *work)
+{
+    return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
+}
+
+/* Onto the joints, and taken only if that succeeds. */
+static six_link_status accept(const six_link_constants *c, six_link_dae_work *work, six_link_dae_state *state)
+{
+    const six_link_status status = project(c, &work->next, work);
+    if (status == SIX_LINK_OK) {
+        *state = work->next;
+    }
+    return status;
+}
+
+six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+    six_link_real dt, six_link_dae_work *work)
+{
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    move(state, dt, state->twist, &work->next);
+    return accept(c, work, state);
+}
+
+/* Twists and modal rates first, then poses and modal coordinates with the new rates. */
+static six_link_status symplectic(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input, six_link_real dt,
+    six_link_real modal_dt, six_link_dae_work *work)
+{
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, modal_dt, work);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    advance(state, dt, work->next.etadot, work, &work->next);
+    move(state, dt, work->next.twist, &work->next);
+    return accept(c, work, state);
+}
+
+six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+    six_link_real dt, six_link_dae_work *work)
+{
+    return symplectic(c, state, input, dt, 0, work);
+}
+
+six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+    six_link_real dt, six_link_dae_work *work)
+{
+    return symplectic(c, state, input, dt, dt, work);
+}
+
+/* The midpoint rule with the modes' force implicit; the poses move by the mean of the twists. */
+six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input, six_link_real dt, six_link_dae_work *work)
+{
+    six_link_status status;
+    int i, k;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, dt / 2, work);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->etadot, work, &work->stage);
+    advance(state, dt / 2, work->stage.etadot, work, &work->stage);
+    move(state, dt / 2, work->stage.twist, &work->stage);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt, state->etadot, work, &work->next);
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        work->next.eta[k] = state->eta[k] + dt / 2 * (state->etadot[k] + work->next.etadot[k]);
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            work->sum[i][k] = (state->twist[i][k] + work->next.twist[i][k]) / 2;
+        }
+    }
+    move(state, dt, work->sum, &work->next);
+    return accept(c, work, state);
+}
+
+/* Runge-Kutta-Munthe-Kaas of order four. */
+six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+    six_link_real dt, six_link_dae_work *work)
+{
+    const six_link_real third = dt / 3, sixth = dt / 6, half = dt / 2;
+    const six_link_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    six_link_real rate[6];
+    six_link_status status;
+    int stage, i, k;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    work->stage = *state;
+    work->next = *state;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            work->algebra[i][k] = 0;
+            work->sum[i][k] = 0;
+        }
+    }
+    for (stage = 0; stage < 4; ++stage) {
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work);
+        if (status != SIX_LINK_OK) {
+            return status;
+        }
+        for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+            algebra_rate(work->algebra[i], work->stage.twist[i], rate);
+            for (k = 0; k < 6; ++k) {
+                work->sum[i][k] += weight[stage] * rate[k];
+                work->algebra[i][k] = reach[stage] * rate[k];
+            }
+        }
+        advance(&work->next, weight[stage], work->stage.etadot, work, &work->next);
+        advance(state, reach[stage], work->stage.etadot, work, &work->stage);
+        move(state, 1, work->algebra, &work->stage);
+    }
+    move(state, 1, work->sum, &work->next);
+    return accept(c, work, state);
+}
+
+/* ------------------------------------------------------------------------------------ M_sys, H_sys, W_sys */
+
+const short six_link_M_row[SIX_LINK_NNZ] = {
+    6, 7, 2, 8, 9, 10, 11, 0, 6, 7, 8, 10, 11, 12, 13, 14, 15, 16, 17, 1,
+    6, 7, 8, 9, 11, 12, 13, 14, 15, 16, 17, 2, 6, 7, 8, 9, 10, 12, 13, 14,
+    15, 16, 17, 3, 7, 8, 9, 12, 13, 14, 15, 16, 17, 4, 6, 8, 10, 12, 13, 14,
+    15, 16, 17, 5, 6, 7, 11, 12, 13, 14, 15, 16, 17, 6, 7, 8, 9, 10, 11, 18,
+    6, 7, 8, 9, 10, 11, 13, 19, 6, 7, 8, 9, 10, 11, 20, 6, 7, 8, 9, 10,
+    11, 21, 6, 7, 8, 9, 10, 11, 22, 6, 7, 8, 9, 10, 11, 23, 12, 18, 19, 20,
+    21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 13, 18, 19, 20, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 72, 73, 74, 14, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
+    29, 72, 73, 74, 15, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74,
+    16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 17, 18, 19, 20,
+    21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 18, 19, 20, 21, 22, 23, 30, 72,
+    73, 74, 18, 19, 20, 21, 22, 23, 25, 31, 72, 73, 74, 18, 19, 20, 21, 22, 23, 32,
+    72, 73, 74, 18, 19, 20, 21, 22, 23, 33, 72, 73, 74, 18, 19, 20, 21, 22, 23, 34,
+    72, 73, 74, 18, 19, 20, 21, 22, 23, 35, 72, 73, 74, 24, 30, 31, 32, 34, 35, 36,
+    37, 38, 39, 40, 41, 75, 76, 25, 30, 31, 32, 33, 35, 36, 37, 38, 39, 40, 41, 76,
+    26, 30, 31, 32, 33, 34, 36, 37, 38, 39, 40, 41, 75, 27, 31, 32, 33, 36, 37, 38,
+    39, 40, 41, 28, 30, 32, 34, 36, 37, 38, 39, 40, 41, 75, 29, 30, 31, 35, 36, 37,
+    38, 39, 40, 41, 76, 30, 31, 32, 33, 34, 35, 36, 42, 75, 76, 30, 31, 32, 33, 34,
+    35, 43, 75, 76, 30, 31, 32, 33, 34, 35, 44, 75, 76, 30, 31, 32, 33, 34, 35, 45,
+    75, 76, 30, 31, 32, 33, 34, 35, 46, 75, 76, 30, 31, 32, 33, 34, 35, 47, 75, 76,
+    36, 42, 48, 49, 50, 51, 52, 53, 37, 43, 47, 48, 49, 50, 51, 52, 53, 38, 44, 46,
+    48, 49, 50, 51, 52, 53, 39, 45, 48, 49, 50, 51, 52, 53, 40, 44, 46, 48, 49, 50,
+    51, 52, 53, 41, 43, 47, 48, 49, 50, 51, 52, 53, 42, 43, 44, 45, 46, 47, 54, 42,
+    43, 44, 45, 46, 47, 49, 55, 42, 43, 44, 45, 46, 47, 56, 42, 43, 44, 45, 46, 47,
+    57, 42, 43, 44, 45, 46, 47, 58, 42, 43, 44, 45, 46, 47, 59, 48, 54, 60, 61, 62,
+    63, 64, 65, 49, 55, 59, 60, 61, 62, 63, 64, 65, 50, 56, 58, 60, 61, 62, 63, 64,
+    65, 51, 57, 60, 61, 62, 63, 64, 65, 52, 56, 58, 60, 61, 62, 63, 64, 65, 53, 55,
+    59, 60, 61, 62, 63, 64, 65, 54, 55, 56, 57, 58, 59, 60, 66, 54, 55, 56, 57, 58,
+    59, 67, 54, 55, 56, 57, 58, 59, 68, 54, 55, 56, 57, 58, 59, 69, 54, 55, 56, 57,
+    58, 59, 70, 54, 55, 56, 57, 58, 59, 71, 60, 66, 67, 68, 70, 71, 61, 66, 67, 68,
+    69, 71, 62, 66, 67, 68, 69, 70, 63, 67, 68, 69, 64, 66, 68, 70, 65, 66, 67, 71,
+    18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 18, 19, 20, 21, 22,
+    23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27,
+    28, 29, 72, 73, 74, 30, 32, 34, 36, 37, 38, 39, 40, 41, 75, 30, 31, 35, 36, 37,
+    38, 39, 40, 41, 76,
+};
+
+const int six_link_M_column[SIX_LINK_NZ + 1] = {
+    0, 1, 2, 4, 5, 6, 7, 19, 31, 43, 53, 63, 73, 80, 88, 95, 102, 109, 116, 132,
+    148, 164, 180, 196, 212, 222, 233, 243, 253, 263, 273, 287, 300, 313, 323, 334, 345, 355, 364, 373,
+    382, 391, 400, 408, 417, 426, 434, 443, 452, 459, 467, 474, 481, 488, 495, 503, 512, 521, 529, 538,
+    547, 555, 562, 569, 576, 583, 590, 596, 602, 608, 612, 616, 620, 635, 650, 665, 675, 685,
+};
+
+six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state, const six_link_input *input,
+    six_link_dae_work *work, six_link_real M_sys[SIX_LINK_NNZ], six_link_real H_sys[SIX_LINK_NZ],
+    six_link_real W_sys[SIX_LINK_NZ])
+{
+    six_link_status status;
+    six_link_call call;
+    if (!c || !state || !input || !work || !M_sys || !H_sys || !W_sys) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    call = call_of(c, state, input, work);
+    call.M = M_sys;
+    call.H = H_sys;
+    call.W = W_sys;
+    modal_terms(c, state, 0, work);
+    if (!finite_input(state, input)) {
+        return SIX_LINK_NONFINITE;
+    }
+    status = six_link_assembly(c, &call, &work->chain, &work->fault);
+    if (status != SIX_LINK_OK) {
+        return moderate_state(state, work) ? status : SIX_LINK_NONFINITE;
+    }
+    if (!six_link_finite(M_sys, SIX_LINK_NNZ) || !six_link_finite(H_sys, SIX_LINK_NZ) || !six_link_finite(W_sys, SIX_LINK_NZ)) {
+        return SIX_LINK_NONFINITE;
+    }
+    return SIX_LINK_OK;
+}

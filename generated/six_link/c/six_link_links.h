@@ -1,0 +1,31 @@
+/* six_link_links.h: the algorithms on the chain of links. Private to the generated sources. */
+#ifndef SIX_LINK_LINKS_H
+#define SIX_LINK_LINKS_H
+
+#include "six_link_real.h"
+
+/* Where the phases find the inputs and outputs of a call: every array starts at the first link. */
+typedef struct {
+    const six_link_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
+    const six_link_real *quaternion, *twist, *given_alpha;
+    six_link_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
+    six_link_real *M, *H, *W;
+} six_link_call;
+
+/* Joint form in one piece: vdot, wrenches (n x 6) and tip pose; fault is set with SIX_LINK_SINGULAR. */
+six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, six_link_output *output);
+
+/* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
+six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* The state of the DAE form taken back onto the joints. */
+six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* Poses and twists of the DAE form from coordinates and rates. */
+six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* M_sys, H_sys and W_sys. */
+six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+#endif

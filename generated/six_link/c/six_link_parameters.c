@@ -1,0 +1,554 @@
+/* six_link_parameters.c: the robot file's values, and what follows from them. */
+#include <string.h>
+
+#include "six_link_real.h"
+
+void six_link_parameters_default(six_link_parameters *p)
+{
+    memset(p, 0, sizeof *p);
+    p->gravity[0] = 0;
+    p->gravity[1] = 0;
+    p->gravity[2] = REAL(-9.81);
+    p->links[0].length = REAL(0.16);
+    p->links[0].rhoA = 22;
+    p->links[0].rhoIp = REAL(0.11);
+    p->links[0].joint.mount_xyz[0] = 0;
+    p->links[0].joint.mount_xyz[1] = 0;
+    p->links[0].joint.mount_xyz[2] = REAL(0.45);
+    p->links[0].joint.armature[0] = REAL(1.6);
+    p->links[0].joint.damping[0] = 14;
+    p->links[0].bodies[0].mass = REAL(12.5);
+    p->links[0].bodies[0].com[0] = 0;
+    p->links[0].bodies[0].com[1] = REAL(-0.06);
+    p->links[0].bodies[0].com[2] = 0;
+    p->links[0].bodies[0].inertia[0] = REAL(0.075);
+    p->links[0].bodies[0].inertia[1] = REAL(0.051);
+    p->links[0].bodies[0].inertia[2] = REAL(0.075);
+    p->links[0].bodies[0].inertia[3] = 0;
+    p->links[0].bodies[0].inertia[4] = 0;
+    p->links[0].bodies[0].inertia[5] = 0;
+    p->links[1].length = REAL(1.2);
+    p->links[1].rhoA = REAL(3.9366000000000003);
+    p->links[1].EA = REAL(100602000.0);
+    p->links[1].EIy = REAL(169394.99999999997);
+    p->links[1].EIz = REAL(169394.99999999997);
+    p->links[1].GJ = REAL(127659.99999999999);
+    p->links[1].rhoIp = REAL(0.013257);
+    p->links[1].damping_ratio = REAL(0.008);
+    p->links[1].joint.mount_xyz[0] = 0;
+    p->links[1].joint.mount_xyz[1] = REAL(0.11);
+    p->links[1].joint.mount_xyz[2] = 0;
+    p->links[1].joint.armature[0] = REAL(1.9);
+    p->links[1].joint.damping[0] = 16;
+    p->links[1].bodies[0].mass = REAL(7.8);
+    p->links[1].bodies[0].com[0] = REAL(0.02);
+    p->links[1].bodies[0].com[1] = REAL(-0.04);
+    p->links[1].bodies[0].com[2] = 0;
+    p->links[1].bodies[0].inertia[0] = REAL(0.031);
+    p->links[1].bodies[0].inertia[1] = REAL(0.024);
+    p->links[1].bodies[0].inertia[2] = REAL(0.031);
+    p->links[1].bodies[0].inertia[3] = 0;
+    p->links[1].bodies[0].inertia[4] = 0;
+    p->links[1].bodies[0].inertia[5] = 0;
+    p->links[2].length = 1;
+    p->links[2].rhoA = REAL(1.70505);
+    p->links[2].EA = REAL(43573500.0);
+    p->links[2].EIy = 24495;
+    p->links[2].EIz = 24495;
+    p->links[2].rhoIp = REAL(0.0019169999999999999);
+    p->links[2].damping_ratio = REAL(0.008);
+    p->links[2].joint.mount_xyz[0] = 0;
+    p->links[2].joint.mount_xyz[1] = REAL(-0.09);
+    p->links[2].joint.mount_xyz[2] = 0;
+    p->links[2].joint.mount_rpy[0] = 0;
+    p->links[2].joint.mount_rpy[1] = REAL(1.5707963267948966);
+    p->links[2].joint.mount_rpy[2] = 0;
+    p->links[2].joint.armature[0] = REAL(0.85);
+    p->links[2].joint.damping[0] = 8;
+    p->links[2].bodies[0].mass = REAL(4.2);
+    p->links[2].bodies[0].com[0] = REAL(0.05);
+    p->links[2].bodies[0].com[1] = 0;
+    p->links[2].bodies[0].com[2] = 0;
+    p->links[2].bodies[0].inertia[0] = REAL(0.006);
+    p->links[2].bodies[0].inertia[1] = REAL(0.012);
+    p->links[2].bodies[0].inertia[2] = REAL(0.012);
+    p->links[2].bodies[0].inertia[3] = 0;
+    p->links[2].bodies[0].inertia[4] = 0;
+    p->links[2].bodies[0].inertia[5] = 0;
+    p->links[3].length = REAL(0.1);
+    p->links[3].rhoA = 11;
+    p->links[3].rhoIp = REAL(0.016);
+    p->links[3].joint.armature[0] = REAL(0.12);
+    p->links[3].joint.damping[0] = REAL(1.4);
+    p->links[4].length = REAL(0.08);
+    p->links[4].rhoA = REAL(9.5);
+    p->links[4].rhoIp = REAL(0.011);
+    p->links[4].joint.armature[0] = REAL(0.1);
+    p->links[4].joint.damping[0] = REAL(1.2);
+    p->links[5].length = REAL(0.06);
+    p->links[5].rhoA = 8;
+    p->links[5].rhoIp = REAL(0.008);
+    p->links[5].joint.armature[0] = REAL(0.04);
+    p->links[5].joint.damping[0] = REAL(0.7);
+    p->links[5].bodies[0].mass = 6;
+    p->links[5].bodies[0].com[0] = REAL(0.12);
+    p->links[5].bodies[0].com[1] = REAL(0.01);
+    p->links[5].bodies[0].com[2] = REAL(-0.015);
+    p->links[5].bodies[0].inertia[0] = REAL(0.021);
+    p->links[5].bodies[0].inertia[1] = REAL(0.034);
+    p->links[5].bodies[0].inertia[2] = REAL(0.038);
+    p->links[5].bodies[0].inertia[3] = REAL(-0.0012);
+    p->links[5].bodies[0].inertia[4] = REAL(0.002);
+    p->links[5].bodies[0].inertia[5] = REAL(0.0005);
+}
+
+/* links like shoulder */
+static void constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c)
+{
+
+    /* J_T: their second moment about the tip point */
+    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
+    const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
+        - p->bodies[0].inertia[3];
+    const six_link_real J_T_xz = p->bodies[0].com[0] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[4];
+    const six_link_real J_T_yy = t3 + t2 + p->bodies[0].com[1] * p->bodies[0].com[1] * p->bodies[0].mass - t1;
+    const six_link_real J_T_yz = p->bodies[0].com[1] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[5];
+    const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
+
+    /* I_T: their inertia about the tip point */
+    const six_link_real I_T_xx = J_T_yy + J_T_zz;
+    const six_link_real I_T_yy = J_T_xx + J_T_zz;
+    const six_link_real I_T_zz = J_T_xx + J_T_yy;
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t4 = p->length * p->length;
+    const six_link_real J_0_xx = t4 * p->length * REAL(0.3333333333333333) * p->rhoA;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+
+    /* S_T: their first moment about the tip point */
+    const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
+    const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
+    const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
+
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
+    /* outputs */
+    c->I_T_xx = I_T_xx;
+    c->I_T_yy = I_T_yy;
+    c->I_T_zz = I_T_zz;
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->J_T_xy = J_T_xy;
+    c->J_T_xz = J_T_xz;
+    c->J_T_yz = J_T_yz;
+    c->S_0_x = S_0_x;
+    c->S_T_x = S_T_x;
+    c->S_T_y = S_T_y;
+    c->S_T_z = S_T_z;
+    c->armature_1 = p->joint.armature[0];
+    c->body0_mass = p->bodies[0].mass;
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->mount_xyz_x = p->joint.mount_xyz[0];
+    c->mount_xyz_y = p->joint.mount_xyz[1];
+    c->mount_xyz_z = p->joint.mount_xyz[2];
+    c->mu = mu;
+}
+
+/* links like upper_arm */
+static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+{
+
+    /* J_T: their second moment about the tip point */
+    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
+    const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
+        - p->bodies[0].inertia[3];
+    const six_link_real J_T_xz = p->bodies[0].com[0] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[4];
+    const six_link_real J_T_yy = t3 + t2 + p->bodies[0].com[1] * p->bodies[0].com[1] * p->bodies[0].mass - t1;
+    const six_link_real J_T_yz = p->bodies[0].com[1] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[5];
+    const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
+
+    /* I_T: their inertia about the tip point */
+    const six_link_real I_T_xx = J_T_yy + J_T_zz;
+    const six_link_real I_T_yy = J_T_xx + J_T_zz;
+    const six_link_real I_T_zz = J_T_xx + J_T_yy;
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t4 = p->length * p->length;
+    const six_link_real t5 = t4 * p->length;
+    const six_link_real J_0_xx = t5 * REAL(0.3333333333333333) * p->rhoA;
+
+    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
+    const six_link_real M_Wphi_11 = p->length * p->rhoA;
+
+    /* Psi_c: turn of the tip section by each mode */
+    const six_link_real Psi_c_y2 = REAL(-2.7530109693450697) / p->length;
+    const six_link_real Psi_c_z1 = REAL(2.7530109693450697) / p->length;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+
+    /* S_T: their first moment about the tip point */
+    const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
+    const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
+    const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
+
+    /* chi: first moment of each mode shape */
+    const six_link_real chi_1 = t4 * REAL(0.5688257437099108) * p->rhoA;
+
+    /* sigma_t: spin momentum of each torsion mode */
+    const six_link_real sigma_t_3 = p->length * REAL(0.9003163161571061) * p->rhoIp;
+
+    /* sigma: momentum of each mode (B1) */
+    const six_link_real sigma_y1 = p->length * REAL(0.7829917560396258) * p->rhoA;
+
+    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
+    const six_link_real K_full_11 = p->EIz * REAL(12.362363368326191) / t5;
+    const six_link_real K_full_22 = p->EIy * REAL(12.362363368326191) / t5;
+    const six_link_real K_full_33 = p->GJ * REAL(2.4674011002723395) / p->length;
+
+    /* D: damping of each mode (torsion: N*m*s/rad) */
+    const six_link_real t6 = p->damping_ratio * 2;
+    const six_link_real D_1 = t6 * six_link_sqrt(K_full_11 * M_Wphi_11);
+    const six_link_real D_2 = t6 * six_link_sqrt(K_full_22 * M_Wphi_11);
+    const six_link_real D_3 = t6 * six_link_sqrt(K_full_33 * I_s);
+
+    /* outputs */
+    c->I_T_xx = I_T_xx;
+    c->I_T_yy = I_T_yy;
+    c->I_T_zz = I_T_zz;
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->J_T_xy = J_T_xy;
+    c->J_T_xz = J_T_xz;
+    c->J_T_yz = J_T_yz;
+    c->M_Wphi_11 = M_Wphi_11;
+    c->M_Wphi_22 = M_Wphi_11;
+    c->Psi_c_y2 = Psi_c_y2;
+    c->Psi_c_z1 = Psi_c_z1;
+    c->S_0_x = S_0_x;
+    c->S_T_x = S_T_x;
+    c->S_T_y = S_T_y;
+    c->S_T_z = S_T_z;
+    c->armature_1 = p->joint.armature[0];
+    c->body0_mass = p->bodies[0].mass;
+    c->chi_1 = chi_1;
+    c->chi_2 = chi_1;
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->mount_xyz_x = p->joint.mount_xyz[0];
+    c->mount_xyz_y = p->joint.mount_xyz[1];
+    c->mount_xyz_z = p->joint.mount_xyz[2];
+    c->mu = M_Wphi_11;
+    c->sigma_t_3 = sigma_t_3;
+    c->sigma_y1 = sigma_y1;
+    c->sigma_z2 = sigma_y1;
+    M_eta[0] = M_Wphi_11;
+    M_eta[1] = M_Wphi_11;
+    M_eta[2] = I_s;
+    K[0] = K_full_11;
+    K[1] = K_full_22;
+    K[2] = K_full_33;
+    D[0] = D_1;
+    D[1] = D_2;
+    D[2] = D_3;
+}
+
+/* links like forearm */
+static void constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+{
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_B: their second moment about the joint point */
+    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real J_B_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
+    const six_link_real J_B_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
+        - p->bodies[0].inertia[3];
+    const six_link_real J_B_xz = p->bodies[0].com[0] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[4];
+    const six_link_real J_B_yy = t3 + t2 + p->bodies[0].com[1] * p->bodies[0].com[1] * p->bodies[0].mass - t1;
+    const six_link_real J_B_yz = p->bodies[0].com[1] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[5];
+    const six_link_real J_B_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t4 = p->length * p->length;
+    const six_link_real t5 = t4 * p->length;
+    const six_link_real J_0_xx = J_B_xx + t5 * REAL(0.3333333333333333) * p->rhoA;
+
+    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
+    const six_link_real M_Wphi_11 = p->length * p->rhoA;
+
+    /* Psi_c: turn of the tip section by each mode */
+    const six_link_real Psi_c_y2 = REAL(-4.47213595499958) / p->length;
+    const six_link_real Psi_c_z1 = REAL(4.47213595499958) / p->length;
+
+    /* R_m: rotation of the mount */
+    const six_link_real t6 = six_link_cos(p->joint.mount_rpy[1]);
+    const six_link_real t7 = six_link_cos(p->joint.mount_rpy[2]);
+    const six_link_real R_m_xx = t6 * t7;
+    const six_link_real t8 = six_link_sin(p->joint.mount_rpy[0]);
+    const six_link_real minus_R_m_zx = six_link_sin(p->joint.mount_rpy[1]);
+    const six_link_real t9 = t8 * minus_R_m_zx;
+    const six_link_real t10 = six_link_sin(p->joint.mount_rpy[2]);
+    const six_link_real t11 = six_link_cos(p->joint.mount_rpy[0]);
+    const six_link_real R_m_xy = t9 * t7 - t10 * t11;
+    const six_link_real R_m_xz = t8 * t10 + minus_R_m_zx * t11 * t7;
+    const six_link_real R_m_yx = t10 * t6;
+    const six_link_real R_m_yy = t11 * t7 + t9 * t10;
+    const six_link_real R_m_yz = minus_R_m_zx * t10 * t11 - t8 * t7;
+    const six_link_real t12 = -minus_R_m_zx;
+    const six_link_real R_m_zy = t8 * t6;
+    const six_link_real R_m_zz = t11 * t6;
+
+    /* S_B: their first moment about the joint point */
+    const six_link_real S_B_x = p->bodies[0].com[0] * p->bodies[0].mass;
+    const six_link_real S_B_y = p->bodies[0].com[1] * p->bodies[0].mass;
+    const six_link_real S_B_z = p->bodies[0].com[2] * p->bodies[0].mass;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = S_B_x + t4 * REAL(0.5) * p->rhoA;
+
+    /* chi: first moment of each mode shape */
+    const six_link_real chi_1 = t4 * REAL(0.5590169943749475) * p->rhoA;
+
+    /* m: mass, base bodies included (27) */
+    const six_link_real m = p->bodies[0].mass + M_Wphi_11;
+
+    /* sigma: momentum of each mode (B1) */
+    const six_link_real sigma_y1 = p->length * REAL(0.7453559924999299) * p->rhoA;
+
+    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
+    const six_link_real K_full_11 = p->EIz * 20 / t5;
+    const six_link_real K_full_22 = p->EIy * 20 / t5;
+
+    /* D: damping of each mode (torsion: N*m*s/rad) */
+    const six_link_real t13 = p->damping_ratio * 2;
+    const six_link_real D_1 = t13 * six_link_sqrt(K_full_11 * M_Wphi_11);
+    const six_link_real D_2 = t13 * six_link_sqrt(K_full_22 * M_Wphi_11);
+
+    /* outputs */
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->J_B_xy = J_B_xy;
+    c->J_B_xz = J_B_xz;
+    c->J_B_yy = J_B_yy;
+    c->J_B_yz = J_B_yz;
+    c->J_B_zz = J_B_zz;
+    c->M_Wphi_11 = M_Wphi_11;
+    c->M_Wphi_22 = M_Wphi_11;
+    c->Psi_c_y2 = Psi_c_y2;
+    c->Psi_c_z1 = Psi_c_z1;
+    c->R_m_xx = R_m_xx;
+    c->R_m_xy = R_m_xy;
+    c->R_m_xz = R_m_xz;
+    c->R_m_yx = R_m_yx;
+    c->R_m_yy = R_m_yy;
+    c->R_m_yz = R_m_yz;
+    c->R_m_zx = t12;
+    c->R_m_zy = R_m_zy;
+    c->R_m_zz = R_m_zz;
+    c->S_0_x = S_0_x;
+    c->S_B_y = S_B_y;
+    c->S_B_z = S_B_z;
+    c->armature_1 = p->joint.armature[0];
+    c->chi_1 = chi_1;
+    c->chi_2 = chi_1;
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->m = m;
+    c->mount_rpy_x = p->joint.mount_rpy[0];
+    c->mount_rpy_y = p->joint.mount_rpy[1];
+    c->mount_rpy_z = p->joint.mount_rpy[2];
+    c->mount_xyz_x = p->joint.mount_xyz[0];
+    c->mount_xyz_y = p->joint.mount_xyz[1];
+    c->mount_xyz_z = p->joint.mount_xyz[2];
+    c->mu = M_Wphi_11;
+    c->sigma_y1 = sigma_y1;
+    c->sigma_z2 = sigma_y1;
+    M_eta[0] = M_Wphi_11;
+    M_eta[1] = M_Wphi_11;
+    K[0] = K_full_11;
+    K[1] = K_full_22;
+    D[0] = D_1;
+    D[1] = D_2;
+}
+
+/* links like wrist_roll */
+static void constants_of_wrist_roll(const six_link_link_parameters *p, six_link_link_constants *c)
+{
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t1 = p->length * p->length;
+    const six_link_real J_0_xx = t1 * p->length * REAL(0.3333333333333333) * p->rhoA;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
+    /* outputs */
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->S_0_x = S_0_x;
+    c->armature_1 = p->joint.armature[0];
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->mu = mu;
+}
+
+/* links like wrist_pitch */
+static void constants_of_wrist_pitch(const six_link_link_parameters *p, six_link_link_constants *c)
+{
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t1 = p->length * p->length;
+    const six_link_real J_0_xx = t1 * p->length * REAL(0.3333333333333333) * p->rhoA;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
+    /* outputs */
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->S_0_x = S_0_x;
+    c->armature_1 = p->joint.armature[0];
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->mu = mu;
+}
+
+/* links like flange */
+static void constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c)
+{
+
+    /* J_T: their second moment about the tip point */
+    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
+    const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
+        - p->bodies[0].inertia[3];
+    const six_link_real J_T_xz = p->bodies[0].com[0] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[4];
+    const six_link_real J_T_yy = t3 + t2 + p->bodies[0].com[1] * p->bodies[0].com[1] * p->bodies[0].mass - t1;
+    const six_link_real J_T_yz = p->bodies[0].com[1] * p->bodies[0].com[2] * p->bodies[0].mass
+        - p->bodies[0].inertia[5];
+    const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
+
+    /* I_T: their inertia about the tip point */
+    const six_link_real I_T_xx = J_T_yy + J_T_zz;
+    const six_link_real I_T_yy = J_T_xx + J_T_zz;
+    const six_link_real I_T_zz = J_T_xx + J_T_yy;
+
+    /* I_s: spin inertia of the beam */
+    const six_link_real I_s = p->length * p->rhoIp;
+
+    /* J_0: second moment, undeformed */
+    const six_link_real t4 = p->length * p->length;
+    const six_link_real J_0_xx = t4 * p->length * REAL(0.3333333333333333) * p->rhoA;
+
+    /* S_0: first moment, undeformed (27) */
+    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+
+    /* S_T: their first moment about the tip point */
+    const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
+    const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
+    const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
+
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
+    /* outputs */
+    c->I_T_xx = I_T_xx;
+    c->I_T_yy = I_T_yy;
+    c->I_T_zz = I_T_zz;
+    c->I_s = I_s;
+    c->J_0_xx = J_0_xx;
+    c->J_T_xy = J_T_xy;
+    c->J_T_xz = J_T_xz;
+    c->J_T_yz = J_T_yz;
+    c->S_0_x = S_0_x;
+    c->S_T_x = S_T_x;
+    c->S_T_y = S_T_y;
+    c->S_T_z = S_T_z;
+    c->armature_1 = p->joint.armature[0];
+    c->body0_mass = p->bodies[0].mass;
+    c->joint_damping_1 = p->joint.damping[0];
+    c->length = p->length;
+    c->mu = mu;
+}
+
+six_link_status six_link_prepare(const six_link_parameters *p, six_link_constants *c)
+{
+    int i, k;
+    if (!p || !c) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    if (!six_link_finite((const six_link_real *)p, (int)(sizeof *p / sizeof(six_link_real)))) {
+        return SIX_LINK_NONFINITE;
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        const six_link_link_parameters *link = &p->links[i];
+        if (!(link->length > 0) || !(link->rhoA > 0) || link->rhoIp < 0) {
+            return SIX_LINK_BAD_ARGUMENT;
+        }
+        for (k = 0; k < 1; ++k) {
+            if (link->bodies[k].mass < 0) {
+                return SIX_LINK_BAD_ARGUMENT;
+            }
+        }
+    }
+    memset(c, 0, sizeof *c);
+    for (i = 0; i < 3; ++i) {
+        c->gravity[i] = p->gravity[i];
+    }
+    constants_of_shoulder(&p->links[0], &c->links[0]);
+    constants_of_upper_arm(&p->links[1], &c->links[1], c->M_eta + 0, c->K + 0, c->D + 0);
+    constants_of_forearm(&p->links[2], &c->links[2], c->M_eta + 3, c->K + 3, c->D + 3);
+    constants_of_wrist_roll(&p->links[3], &c->links[3]);
+    constants_of_wrist_pitch(&p->links[4], &c->links[4]);
+    constants_of_flange(&p->links[5], &c->links[5]);
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || c->D[k] < 0) {
+            return SIX_LINK_BAD_ARGUMENT;
+        }
+    }
+    if (!six_link_finite((const six_link_real *)c, (int)(sizeof *c / sizeof(six_link_real)))) {
+        return SIX_LINK_NONFINITE;
+    }
+    return SIX_LINK_OK;
+}

@@ -1,0 +1,164 @@
+/* six_link_step.c: forward dynamics and the integrators of the joint form. */
+#include "six_link_links.h"
+
+/* Inertia and force of every mode. Implicit over dt: m = M + dt D + dt^2 K and f = K (eta + dt etadot) + D etadot,
+ * the modal force that the accelerations lead to dt after the state s.
+ */
+static void modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt, six_link_work *work)
+{
+    const six_link_real *eta = s->q + SIX_LINK_NTAU, *etadot = s->v + SIX_LINK_NTAU;
+    int k;
+    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
+        work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
+    }
+}
+
+/* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
+static int sound(const six_link_state *s, const six_link_input *u, const six_link_work *work)
+{
+    return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
+        && six_link_moderate(s->v, SIX_LINK_NV) && six_link_finite(u->tau, SIX_LINK_NTAU)
+        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(work->m_eta, SIX_LINK_NMODES);
+}
+
+/* Forward dynamics at s with the modal force that it leads to dt after the state from (0: the force there). */
+static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_state *from,
+    const six_link_input *u, six_link_real dt, six_link_work *work, six_link_output *y)
+{
+    six_link_status status;
+    modal_terms(c, from, dt, work);
+    status = six_link_dynamics(c, s, u, work, y);
+    if (status != SIX_LINK_OK) {
+        return sound(s, u, work) ? status : SIX_LINK_NONFINITE;
+    }
+    if (!six_link_finite(y->vdot, SIX_LINK_NV) || !six_link_finite(&y->wrench[0][0], 6 * SIX_LINK_NLINKS)
+        || !six_link_finite(&y->tip_rotation[0][0], 9) || !six_link_finite(y->tip_position, 3)) {
+        return SIX_LINK_NONFINITE;
+    }
+    return SIX_LINK_OK;
+}
+
+six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, six_link_output *output)
+{
+    if (!c || !state || !input || !work || !output) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    return accelerate(c, state, state, input, 0, work, output);
+}
+
+static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt, const six_link_work *work)
+{
+    return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
+}
+
+/* y = x + dt * rate for coordinates and rates. */
+static void advance(const six_link_state *x, six_link_real dt, const six_link_real *qdot, const six_link_real *vdot, six_link_state *y)
+{
+    int k;
+    for (k = 0; k < SIX_LINK_NV; ++k) {
+        y->q[k] = x->q[k] + dt * qdot[k];
+        y->v[k] = x->v[k] + dt * vdot[k];
+    }
+}
+
+/* The new state is taken only if it is finite. */
+static six_link_status accept(const six_link_state *next, six_link_state *state)
+{
+    if (!six_link_finite(next->q, SIX_LINK_NQ) || !six_link_finite(next->v, SIX_LINK_NV)) {
+        return SIX_LINK_NONFINITE;
+    }
+    *state = *next;
+    return SIX_LINK_OK;
+}
+
+six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
+    six_link_work *work)
+{
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, 0, work, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt, state->v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+/* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
+static six_link_status symplectic(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
+    six_link_real modal_dt, six_link_work *work)
+{
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, modal_dt, work, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt, state->v, work->output.vdot, &work->next);
+    advance(state, dt, work->next.v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
+{
+    return symplectic(c, state, input, dt, 0, work);
+}
+
+six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
+{
+    return symplectic(c, state, input, dt, dt, work);
+}
+
+six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
+{
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    status = accelerate(c, state, state, input, dt / 2, work, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
+    advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(state, dt / 2, state->v, work->output.vdot, &work->next);
+    advance(state, dt, state->v, work->output.vdot, &work->stage);
+    advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
+    return accept(&work->next, state);
+}
+
+six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
+    six_link_work *work)
+{
+    const six_link_real third = dt / 3, sixth = dt / 6, half = dt / 2;
+    const six_link_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    six_link_status status;
+    int stage;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    work->stage = *state;
+    work->next = *state;
+    for (stage = 0; stage < 4; ++stage) {
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work, &work->output);
+        if (status != SIX_LINK_OK) {
+            return status;
+        }
+        advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
+        advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
+    }
+    return accept(&work->next, state);
+}

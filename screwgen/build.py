@@ -104,7 +104,7 @@ class Model:
         return {name: text.encode() for name, text in project.files().items()}
 
     def _casadi_files(self) -> dict[str, bytes]:
-        from .emit.casadi_files import casadi_files
+        from .emit.casadi import casadi_files
 
         return casadi_files(self.robot, self.casadi(), self.parameter_names, VERSION)
 
@@ -113,6 +113,12 @@ class Model:
 
         name = self.robot.name
         return {f"{name}.tex": latex.document(self.robot).encode(), f"{name}.html": latex.html(self.robot).encode()}
+
+    def _repr_html_(self) -> str:
+        """The equations, as a notebook shows them."""
+        from .emit import latex
+
+        return latex.notebook(self.robot)
 
     def numpy(self, p: Sequence[float] | None = None) -> Numeric:
         """The functions on NumPy arrays, at the file's parameters or at ``p``."""

@@ -36,12 +36,12 @@ class Case(NamedTuple):
 
     @property
     def tolerance(self) -> float:
-        """What double precision allows, MODEL.md 7."""
+        """What double precision allows: the larger of 1e-10 and 50 eps cond."""
         return self.oracle.tolerance(self.state["q"])
 
     @property
     def agreement(self) -> float:
-        """How well two back ends agree in double precision, MODEL.md 7."""
+        """How well two back ends agree in double precision: the larger of 1e-12 and 50 eps cond."""
         return max(1e-12, 50 * EPS * self.oracle.condition(self.state["q"]))
 
 

@@ -119,7 +119,7 @@ def hat(a) -> np.ndarray:
 
 
 def quadrature(name: str, given: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """M and h of MODEL.md 2 by quadrature of ``rho A N^T N`` and ``rho A N^T (...)``; base bodies apart."""
+    """M and h of the link by quadrature of ``rho A N^T N`` and ``rho A N^T (...)``; base bodies apart."""
     key, f = CLASSES[name], Field(CLASSES[name], given)
     r, omega, v, g = key.modes, *(given[n].ravel() for n in ("omega", "v", "g"))
     eta, etadot, Phi = given["eta"].ravel(), given["etadot"].ravel(), f.Phi()

@@ -28,7 +28,7 @@ class BackEnds:
         }
 
     def check(self, state=None, tolerance=None) -> None:
-        """All are right to the tolerance of MODEL.md 7, or to `tolerance` where the state itself says so."""
+        """All are right to the usual tolerance, or to `tolerance` where the state itself says so."""
         case = self.case if state is None else self.case._replace(state=state)
         tolerance = case.tolerance if tolerance is None else tolerance
         errors = {who: max(case.oracle.errors(case.state, *r).values()) for who, r in self.results(case.inputs).items()}

@@ -6,7 +6,9 @@ the robot file.  The functions take SX and MX, differentiate, serialise and gene
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 import casadi as ca
 
@@ -15,6 +17,8 @@ from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
 from ..lower.program import Program
 from ..lower.replay import run
+from ..spec.robot import Robot
+from .templates import render
 
 LIMIT = 4.0
 TERMS = 14
@@ -155,3 +159,41 @@ def _stumpff(order: int, x: ca.SX) -> ca.SX:
 def _rotations(rows: ca.SX, n: int) -> ca.SX:
     """Rotations stored row by row, side by side as 3 x 3n."""
     return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))
+
+
+# ------------------------------------------------------------------------------------ the CasADi target
+
+INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
+
+
+def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str) -> dict[str, bytes]:
+    """``NAME.casadi`` per function and a README that lists their signatures."""
+    saved = {name: _saved(name, value) for name, value in functions.items()}
+    files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
+    rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
+    readme = render(
+        "casadi/README.md.jinja", name=robot.name, version=version, functions=rows, parameters=parameter_names
+    )
+    return files | {"README.md": readme.encode()}
+
+
+def _saved(name: str, value) -> ca.Function:
+    """A function as it is; a dictionary for ``casadi.integrator`` as the function of its expressions."""
+    if isinstance(value, ca.Function):
+        return value
+    inputs, outputs = INTEGRANDS[name]
+    return ca.Function(name, [value[i] for i in inputs], [value[o] for o in outputs], list(inputs), list(outputs))
+
+
+def _serialised(f: ca.Function) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "function.casadi"
+        f.save(str(path))
+        return path.read_bytes()
+
+
+def _signature(f: ca.Function, side: str) -> str:
+    """``q[9], v[9], w_ext[6x2]``."""
+    count, name, size = (getattr(f, f"{x}_{side}") for x in ("n", "name", "size"))
+    shapes = [size(i) for i in range(count())]
+    return ", ".join(f"{name(i)}[{r}x{c}]" if c > 1 else f"{name(i)}[{r}]" for i, (r, c) in enumerate(shapes))

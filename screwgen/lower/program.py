@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
+import mpmath
 import numpy as np
 
 Array = np.ndarray
@@ -199,10 +200,8 @@ class Tracer:
 
     def call(self, function: str, a: Value) -> Value:
         """A unary primitive."""
-        if function == "sin" and _is(a, 0.0):
-            return 0.0
-        if function == "cos" and _is(a, 0.0):
-            return 1.0
+        if not isinstance(a, Node) and function in ("sin", "cos", "sqrt"):
+            return float(getattr(mpmath, function)(a))  # the same on every machine
         if _negated(a) and function in ("sin", "cos"):
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)

@@ -28,7 +28,7 @@ def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, obje
         elif node.op == "epsilon":
             values[node.id] = epsilon
         elif len(args) == 1:
-            values[node.id] = unary(node.op, values[args[0].id])
+            values[node.id] = unary(node.op, values[args[0].id] if isinstance(args[0], Node) else args[0])
         else:
             a, b = (values[x.id] if isinstance(x, Node) else x for x in args)
             values[node.id] = BINARY[node.op](a, b)

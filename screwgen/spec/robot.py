@@ -2,7 +2,7 @@
 
 Presence has meaning. `None` is what the file omits: structurally zero, free of cost in generated code. A
 stated 0.0 is a runtime parameter that happens to be zero. SI units and radians throughout; the frames are
-those of MODEL.md, section 1.
+those of NOTATION.md.
 """
 
 from typing import Annotated, Self
@@ -146,7 +146,7 @@ class Robot(Part):
     """A chain of links, base to tip. `name` is the prefix of everything generated.
 
     `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
-    follows the slope of the tip (MODEL.md, section 2). A loop can build a robot of any number of links:
+    follows the slope of the tip (true by default). A loop can build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """

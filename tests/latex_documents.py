@@ -1,0 +1,63 @@
+"""The documents that the tests of the LaTeX back end share, one of them of a robot with everything at once."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from screwgen import Robot, load
+from screwgen.emit import latex
+
+ROOT = Path(__file__).resolve().parents[1]
+NAMES = ("ella", "six_link", "strange")
+every_robot = pytest.mark.parametrize("name", NAMES)
+
+SECTION = {"rhoA": 1.0, "EA": 1e6, "EIy": 1e3, "EIz": 2e3, "GJ": 3e2, "rhoIp": 1e-3}
+BODY = {"mass": 1.5, "com": [0.1, 0.0, -0.02], "inertia": [0.02, 0.03, 0.03, 0.0, 0.001, 0.0]}
+STRANGE = {
+    "name": "strange",
+    "gravity": [1.0, 0.0, -9.81],
+    "links": [
+        {
+            "name": "a_link_with_a_name_as_long_as_names_can_",
+            "length": 1.0,
+            "frame_at": 0.25,
+            "section": SECTION,
+            "modes": {"basis": "polynomial", "axial": 2, "bending_y": 4, "bending_z": 3, "torsion": 1},
+            "damping": {"ratio": 0.01},
+            "joint": {
+                "axes": [[0.3, -0.4, 0.866], "y", [0.1, 0.2, -0.97]],
+                "mount": {"xyz": [0.0, 0.1, 0.2], "rpy": [0.1, 0.2, 0.3]},
+                "armature": [0.1, 0.2, 0.3],
+                "damping": [0.1, 0.2, 0.3],
+                "stiffness": [1.0, 2.0, 3.0],
+            },
+            "bodies": [{"at": "base", **BODY}, {"at": "tip", **BODY}, {"at": "tip", **BODY}],
+        },
+        {"name": "welded", "length": 0.5, "section": {"rhoA": 2.0}, "joint": {"axes": []}},
+        {
+            "name": "thin",
+            "length": 0.7,
+            "section": {"rhoA": 0.3, "EIy": 10.0},
+            "modes": {"bending_z": 1},
+            "joint": {"axes": ["x", [1.0, 1.0, 0.0]]},
+        },
+    ],
+}
+
+
+@cache
+def robot(name: str) -> Robot:
+    return Robot.model_validate(STRANGE) if name == "strange" else load(ROOT / "examples" / f"{name}.toml")
+
+
+@cache
+def tex(name: str) -> str:
+    return latex.document(robot(name))
+
+
+@cache
+def page(name: str) -> str:
+    return latex.html(robot(name))

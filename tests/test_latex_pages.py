@@ -1,0 +1,109 @@
+"""The documents as a reader gets them: HTML that any browser shows, PDF in which nothing runs off the page."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import jinja2
+import numpy as np
+import pytest
+from conftest import require_tool
+from latex_documents import every_robot, page, robot, tex
+
+from screwgen import Robot, ScrewgenError
+from screwgen.emit import latex
+from screwgen.emit.templates import folder, render
+
+MATHML = "{http://www.w3.org/1998/Math/MathML}"
+
+# -------- HTML
+
+
+@every_robot
+def test_html_is_well_formed_and_has_mathml(name):
+    tree = ElementTree.fromstring(page(name))
+    formulas = [e for e in tree.iter() if e.tag in ("math", f"{MATHML}math")]
+    assert len(formulas) > 100
+    for element in formulas:
+        text = "".join(element.itertext())
+        assert "\\" not in text and "&" not in text, text
+        assert text.strip()
+
+
+def test_html_needs_nothing_from_elsewhere():
+    assert not re.search(r"(?:src|href)=\"(?!#)", page("ella"))
+
+
+def test_bold_letters_are_characters():
+    assert "\U0001d74e" in page("ella")  # bold italic omega
+    assert 'mathvariant="bold' not in page("ella")
+
+
+def test_notebook_is_short_and_well_formed():
+    text = latex.notebook(robot("ella"))
+    ElementTree.fromstring(text)
+    assert "<math" in text and len(text) < len(page("ella")) / 4
+
+
+# -------- templates
+
+
+def test_an_unknown_name_in_a_template_is_an_error():
+    with pytest.raises(jinja2.UndefinedError):
+        render("latex/document.tex.jinja")
+
+
+def test_the_templates_are_where_they_belong():
+    assert (folder() / "latex" / "document.tex.jinja").is_file()
+
+
+# -------- pdflatex
+
+
+def _log(text: str, where: Path) -> str:
+    (where / "equations.tex").write_text(text, encoding="utf-8")
+    command = [require_tool("pdflatex"), "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
+    done = subprocess.run(command, cwd=where, capture_output=True, text=True, errors="replace")
+    assert done.returncode == 0, done.stdout[-2000:]
+    return (where / "equations.log").read_text(errors="replace").replace("\n", " ")
+
+
+@every_robot
+def test_pdflatex_compiles_and_nothing_runs_off_the_page(name, tmp_path):
+    too_wide = [float(w) for w in re.findall(r"Overfull \\hbox \(([\d.]+)pt", _log(tex(name), tmp_path))]
+    assert max(too_wide, default=0.0) <= 5.0
+
+
+def test_random_robots_compile(tmp_path):
+    """One robot with whatever a draw gives; the width of every line is what this looks for."""
+    from random_robots import random_robot
+
+    text = latex.document(Robot.model_validate(random_robot(np.random.default_rng(3), n_links=2)))
+    too_wide = [float(w) for w in re.findall(r"Overfull \\hbox \(([\d.]+)pt", _log(text, tmp_path))]
+    assert max(too_wide, default=0.0) <= 5.0
+
+
+def test_the_pdf_is_the_same_every_time(tmp_path):
+    require_tool("pdflatex")
+    for name in ("first", "second"):
+        latex.write_pdf(tex("ella"), tmp_path / f"{name}.pdf")
+    first, second = ((tmp_path / f"{name}.pdf").read_bytes() for name in ("first", "second"))
+    assert first == second and first.startswith(b"%PDF")
+
+
+def test_without_pdflatex_one_line_says_so(monkeypatch, tmp_path):
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    with pytest.raises(ScrewgenError, match=r"^pdflatex was not found;.*$"):
+        latex.write_pdf("", tmp_path / "none.pdf")
+
+
+def test_a_failure_of_pdflatex_is_one_line(tmp_path):
+    require_tool("pdflatex")
+    with pytest.raises(ScrewgenError) as caught:
+        latex.write_pdf(r"\documentclass{article}\begin{document}\nonsense\end{document}", tmp_path / "none.pdf")
+    assert str(caught.value) == "pdflatex failed: Undefined control sequence."
+    assert not (tmp_path / "none.pdf").exists()

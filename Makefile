@@ -24,6 +24,7 @@ generated: $(READY)
 	$(BIN)/python examples/regenerate.py
 
 $(READY): pyproject.toml constraints.txt
+	@echo "making $(VENV), once: about a minute"
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@

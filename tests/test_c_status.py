@@ -169,8 +169,21 @@ def test_singular_postures_are_named_by_the_judge(name):
         model.numpy().dae_forward_dynamics(q, 0 * q, tau, w_ext)
 
 
+ALWAYS_SINGULAR = ("roll", "bent roll")
+"""Arms that no posture makes regular: no C is written for them."""
+
+
 @every_layout
-@pytest.mark.parametrize("name", SINGULAR_ARMS)
+@pytest.mark.parametrize("name", ALWAYS_SINGULAR)
+def test_an_arm_that_is_always_singular_is_refused(name, layout):
+    """One line names the link and the remedy; nothing is generated that could never run."""
+    robot, culprit, _ = SINGULAR_ARMS[name]
+    with pytest.raises(SingularError, match=f"nothing resists the joint of link '{culprit}'; give"):
+        model_of(robot).c_files(layout=layout)
+
+
+@every_layout
+@pytest.mark.parametrize("name", sorted(set(SINGULAR_ARMS) - set(ALWAYS_SINGULAR)))
 def test_singular_postures_are_named_in_c(name, layout):
     """Every integrator of both forms: SINGULAR, the link in work->fault, the state untouched."""
     robot, culprit, q = SINGULAR_ARMS[name]

@@ -1,6 +1,5 @@
 """Every command end to end: what it prints, what it writes, how it ends."""
 
-import importlib.util
 import json
 import os
 import shutil
@@ -12,9 +11,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import require_tool
 from oracle import Oracle
 
-from screwgen import Model, __version__, derive, load
+from screwgen import __version__, derive, load
 from screwgen.cli import main
 from screwgen.cli_commands import EVALUATIONS
 from screwgen.modes import natural_frequencies
@@ -30,11 +30,6 @@ STATE = {
 }
 GAINS = "kp = [40, 40, 20]\nkd = [8, 8, 3]\nq_des = [-0.4928, 0.6922, 0.4270]\nduration = 0.5\n"
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT)}
-
-needs_latex = pytest.mark.skipif(
-    importlib.util.find_spec("screwgen.emit.latex") is None, reason="no LaTeX back end in this build"
-)
-needs_write = pytest.mark.skipif(not hasattr(Model, "write"), reason="no generation of folders in this build")
 
 
 @pytest.fixture
@@ -91,8 +86,8 @@ def test_module_runs_as_the_command_does():
 @pytest.mark.parametrize("cell", sorted(EVALUATIONS), ids="-".join)
 def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
     backend, form = cell
-    if backend == "c" and importlib.util.find_spec("screwgen.compiled") is None:
-        pytest.skip("no compiled back end in this build")
+    if backend == "c":
+        require_tool("cc")
     options = ("--state", "state.json", "--backend", backend, "--form", form)
     found = json.loads(run(capsys, "evaluate", "ella.toml", *options))
     assert set(found) == {"vdot", "wrench", "tip_position", "tip_rotation", "kinetic", "potential"}
@@ -224,8 +219,6 @@ def test_interrupted_work_leaves_nothing(folder, number, status, message):
 
 
 def test_full_disk_is_one_line(folder):
-    if not os.path.exists("/dev/full"):
-        pytest.skip("no /dev/full here")
     with open("/dev/full", "w") as full, process("evaluate", "ella.toml", stdout=full) as p:
         err = p.communicate()[1]
     assert p.returncode == 1 and err.startswith("screwgen: error: ") and err.count("\n") == 1
@@ -243,7 +236,6 @@ def test_closed_pipe_is_no_traceback(folder):
 # -------- generate, latex
 
 
-@needs_write
 def test_generate_writes_what_it_lists(capsys, folder):
     listed = run(capsys, "generate", "ella.toml", "-o", "out", "--target", "c").split()
     written = {str(path) for path in Path("out").rglob("*") if path.is_file()}
@@ -254,7 +246,6 @@ def test_generate_writes_what_it_lists(capsys, folder):
     assert capsys.readouterr().err.count("\n") == 1 and Path("out/mine.txt").read_text() == "precious"
 
 
-@needs_latex
 @pytest.mark.parametrize("name", ["equations.tex", "equations.html"])
 def test_latex_writes_the_document(capsys, folder, name):
     assert run(capsys, "latex", "ella.toml", "-o", name) == f"{name}\n"

@@ -165,7 +165,8 @@ def test_rigid_rod_spin_inertia():
 
 def pinocchio_model(robot):
     """Pinocchio's rigid model, the joint index of each link and the placement of its joint point there."""
-    pin = pytest.importorskip("pinocchio")
+    import pinocchio as pin
+
     model, parent, place, found = pin.Model(), 0, pin.SE3.Identity(), []
     for i, link in enumerate(robot["links"]):
         mount = link["joint"].get("mount", {})

@@ -160,6 +160,6 @@ def test_ella_locked(arguments, expected, atol):
 
 
 def test_ellas_axial_modes_are_far_beyond_a_control_loop():
-    """About 1.4 kHz with one axial mode each and what the links carry (MODEL.md 4)."""
+    """About 1.4 kHz with one axial mode each and what the links carry."""
     model = model_of(ella(1, "clamped_free"))
     assert 1000 < frequencies(model)[-1] < 1600

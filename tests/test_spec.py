@@ -4,6 +4,7 @@ import math
 import pickle
 from pathlib import Path
 
+import numpy
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -130,7 +131,6 @@ def test_whole_numbers_are_numbers():
 
 
 def test_arrays_of_numpy_are_arrays():
-    numpy = pytest.importorskip("numpy")
     body = Body(at="tip", mass=numpy.float32(2), com=numpy.array([0.0, 0.5, 0.0]))
     assert body == Body(at="tip", mass=2.0, com=(0.0, 0.5, 0.0))
 

@@ -273,7 +273,7 @@ class CProject:
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
         work = 2 * length(c.n_modes) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
-        dae = 3 * length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 3 * dae_state + chain_reals
+        dae = 3 * length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state + chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
     @cached_property

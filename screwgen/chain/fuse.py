@@ -117,15 +117,22 @@ def _stumpff(order: int, x):
 # ------------------------------------------------------------------------------ the functions of a robot
 
 
+def _dynamics_inputs(chain: Chain, modes: bool) -> dict[str, int]:
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    return sizes | ({"m_eta": chain.n_modes, "f_eta": chain.n_modes} if modes else {})
+
+
+def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
+    """``vdot`` and ``wrench``, with the modes' inertia and force where they are inputs."""
+    if "m_eta" in x:
+        f.given_modes = (x["m_eta"], x["f_eta"])
+    vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+    return {"vdot": vdot, "wrench": wrench}
+
+
 def forward_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(q, v, tau, w_ext) -> (vdot, wrench)``."""
-    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
-
-    def body(f: Functions, x):
-        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-        return {"vdot": vdot, "wrench": wrench}
-
-    return fuse(chain, "forward_dynamics", inputs, body, constants)
+    return fuse(chain, "forward_dynamics", _dynamics_inputs(chain, False), _dynamics, constants)
 
 
 def modal_dynamics(chain: Chain, constants="parameters") -> Program:
@@ -134,41 +141,18 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
     ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode; the modal-implicit
     step gives its own.
     """
-    inputs = {
-        "q": chain.nq,
-        "v": chain.nq,
-        "tau": chain.n_joints,
-        "w_ext": 6 * chain.n,
-        "m_eta": chain.n_modes,
-        "f_eta": chain.n_modes,
-    }
-
-    def body(f: Functions, x):
-        f.given_modes = (x["m_eta"], x["f_eta"])
-        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-        return {"vdot": vdot, "wrench": wrench}
-
-    return fuse(chain, "modal_dynamics", inputs, body, constants)
+    return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _dynamics, constants)
 
 
 def complete_dynamics(chain: Chain, constants="constants") -> Program:
     """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
-    inputs = {
-        "q": chain.nq,
-        "v": chain.nq,
-        "tau": chain.n_joints,
-        "w_ext": 6 * chain.n,
-        "m_eta": chain.n_modes,
-        "f_eta": chain.n_modes,
-    }
 
     def body(f: Functions, x):
-        f.given_modes = (x["m_eta"], x["f_eta"])
-        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        outputs = _dynamics(f, x)
         R, position = f.poses(x["q"])[1][-1]
-        return {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
+        return outputs | {"tip_rotation": R, "tip_position": position}
 
-    return fuse(chain, "complete_dynamics", inputs, body, constants)
+    return fuse(chain, "complete_dynamics", _dynamics_inputs(chain, True), body, constants)
 
 
 def modal_properties(chain: Chain, constants="parameters") -> Program:

@@ -50,6 +50,7 @@ class CProject:
         sources = {
             f"{n}.h": "model.h",
             f"{n}_real.h": "real.h",
+            f"{n}_se3.h": "se3.h",
             f"{n}_links.h": "links.h",
             f"{n}_links.c": "links.c",
             f"{n}_parameters.c": "parameters.c",

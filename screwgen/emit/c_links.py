@@ -172,12 +172,12 @@ class Links:
         places = Places(self, variant, run, program)
         fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
         lines = Writer(program, self.prefix, places.place, fail, places.names()).lines()
-        key = (variant.name, phase, tuple(lines))
+        arguments, values = places.arguments()
+        signature = _wrapped(arguments)
+        key = (phase, signature, tuple(lines))
         if key not in self.functions:
             name = self._unique(f"{phase}_{variant.name}{'_last' if variant.last else ''}")
             title = f"{phase.replace('_', ' ')}, links like {variant.name}: {program.operation_count} operations"
-            arguments, values = places.arguments()
-            signature = _wrapped(arguments)
             self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)
         return self.functions[key]
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 import mpmath
-import numpy as np
 
 from ..chain import fuse
 from ..chain.algorithms import Functions
@@ -14,7 +12,6 @@ from ..chain.chain import Chain
 from ..errors import SingularError
 from ..lower.program import Program
 from ..lower.replay import run
-from ..spec.parameters import parameters
 
 TRIES = 20
 
@@ -35,24 +32,24 @@ def cases(chain: Chain, count: int) -> list[dict[str, list[float]]]:
     return found
 
 
-def condition(chain: Chain, q: list[float]) -> float:
-    """The condition of the mass matrix at a posture, rounded up to a power of ten."""
-    p = [float(x.value) for x in parameters(chain.robot)]
-    evaluate = lambda _, program, given: run(program, given, _floating)[0]  # noqa: E731
-    constants = [c | {"K": [0.0] * len(c["K"])} for c in fuse.prepared(chain, p, evaluate)]
-    still = Functions(chain, constants, [0.0] * 3, lambda i, _, program, given: evaluate(i, program, given))
-    rest, free = [0.0] * chain.nq, [0.0] * 6 * chain.n
-    offset = np.array(still.inverse_dynamics(q, rest, rest, free), float)
-    columns = [np.array(still.inverse_dynamics(q, rest, list(e), free), float) - offset for e in np.eye(chain.nq)]
-    return 10.0 ** np.ceil(np.log10(np.linalg.cond(np.array(columns)))) if columns else 1.0
+def rounding_error(chain: Chain, case: dict[str, list[float]], bits: int) -> float:
+    """How far arithmetic of so many bits is from a case's results: each part over its own largest entry."""
+    with mpmath.workprec(bits):
+        p, constants = fuse.exact(chain)
+        given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext")}
+        rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
+        functions = Functions(chain, rounded, [+g for g in p[:3]], _apply)
+        vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
+    m = chain.n_joints
+    parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
+    parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
+    return max((_deviation(x, reference) for x, reference in parts), default=0.0)
 
 
-def _floating(op: str, x: float) -> float:
-    """The unary primitives on doubles; the turns of a reference state are small."""
-    if op in ("c4", "c5"):
-        k = int(op[1])
-        return sum((-x) ** j / math.factorial(k + 2 * j) for j in range(12))
-    return -x if op == "neg" else getattr(math, op)(x)
+def _deviation(x: list, reference: list[float]) -> float:
+    scale = max((abs(r) for r in reference), default=0.0)
+    error = max((abs(float(a) - r) for a, r in zip(x, reference, strict=True)), default=0.0)
+    return error / scale if scale > 1e-6 else error
 
 
 def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:

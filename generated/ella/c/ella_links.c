@@ -1904,38 +1904,6 @@ static ella_status twist_rates_upper_arm(const ella_real quaternion[4], const el
     return ELLA_OK;
 }
 
-/* twist rates, links like forearm: 55 operations */
-static ella_status twist_rates_forearm(const ella_real quaternion[4], const ella_real gravity[3], const ella_real alpha[6], ella_real Vdot[6])
-{
-
-    const ella_real t1 = quaternion[1] * quaternion[1];
-    const ella_real t2 = quaternion[2] * quaternion[2];
-    const ella_real t3 = quaternion[3] * quaternion[3];
-    const ella_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const ella_real t5 = t1 + t2 + t3;
-    const ella_real t6 = quaternion[1] * quaternion[2];
-    const ella_real t7 = quaternion[1] * quaternion[3];
-    const ella_real t8 = quaternion[2] * quaternion[3];
-    const ella_real t9 = quaternion[0] * quaternion[3];
-    const ella_real t10 = quaternion[0] * quaternion[2];
-    const ella_real t11 = quaternion[0] * quaternion[1];
-    const ella_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const ella_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const ella_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return ELLA_OK;
-}
-
 /* project, links like upper_arm: 579 operations */
 static ella_status project_upper_arm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[2],
     const ella_real twist[6], const ella_real eta[3], const ella_real etadot[3],
@@ -4742,7 +4710,7 @@ static ella_status dae_dynamics_twist_rates(const ella_constants *c, const ella_
     case 0:
         return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     default:
-        return twist_rates_forearm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     }
 }
 

@@ -3359,252 +3359,8 @@ static six_link_status accelerate_wrist_pitch(const six_link_link_constants *c, 
     return SIX_LINK_OK;
 }
 
-/* accelerate, links like flange: 105 operations */
-static six_link_status accelerate_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real carried_2 = link->R_rel[0] * base->alpha[1] + link->R_rel[1] * base->alpha[2];
-    const six_link_real carried_3 = link->R_rel[0] * base->alpha[2] - link->R_rel[1] * base->alpha[1];
-    const six_link_real carried_5 = link->R_rel[0] * base->alpha[4] + link->R_rel[1] * base->alpha[5];
-    const six_link_real carried_6 = link->R_rel[0] * base->alpha[5] - link->R_rel[1] * base->alpha[4];
-    const six_link_real t1 = link->joint_W[0] * base->alpha[0] + link->joint_W[1] * carried_2
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * base->alpha[3];
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    const six_link_real t2 = link->Lambda_i[0] * base->alpha[0] + link->Lambda_i[1] * carried_2
-        + link->Lambda_i[2] * carried_3;
-    const six_link_real t3 = t2 + link->Lambda_i[3] * base->alpha[3] + link->Lambda_i[4] * carried_5
-        + link->Lambda_i[5] * carried_6;
-    const six_link_real t4 = link->Lambda_i[1] * base->alpha[0] + link->Lambda_i[6] * carried_2
-        + link->Lambda_i[7] * carried_3;
-    const six_link_real t5 = t4 + link->Lambda_i[8] * base->alpha[3] + link->Lambda_i[9] * carried_5
-        + link->Lambda_i[10] * carried_6;
-    const six_link_real t6 = link->Lambda_i[2] * base->alpha[0] + link->Lambda_i[7] * carried_2
-        + link->Lambda_i[11] * carried_3;
-    const six_link_real t7 = t6 + link->Lambda_i[12] * base->alpha[3] + link->Lambda_i[13] * carried_5
-        + link->Lambda_i[14] * carried_6;
-    const six_link_real t8 = link->Lambda_i[3] * base->alpha[0] + link->Lambda_i[8] * carried_2
-        + link->Lambda_i[12] * carried_3;
-    const six_link_real t9 = t8 + link->Lambda_i[15] * base->alpha[3] + link->Lambda_i[16] * carried_5
-        + link->Lambda_i[17] * carried_6;
-    const six_link_real t10 = link->Lambda_i[4] * base->alpha[0] + link->Lambda_i[9] * carried_2
-        + link->Lambda_i[13] * carried_3;
-    const six_link_real t11 = t10 + link->Lambda_i[16] * base->alpha[3] + link->Lambda_i[18] * carried_5
-        + link->Lambda_i[19] * carried_6;
-    const six_link_real t12 = link->Lambda_i[5] * base->alpha[0] + link->Lambda_i[10] * carried_2
-        + link->Lambda_i[14] * carried_3;
-    const six_link_real t13 = t12 + link->Lambda_i[17] * base->alpha[3] + link->Lambda_i[19] * carried_5
-        + link->Lambda_i[20] * carried_6;
-    const six_link_real wrench_1 = t3 + link->p_i[0];
-    const six_link_real wrench_2 = t5 + link->p_i[1];
-    const six_link_real wrench_3 = t7 + link->p_i[2];
-    const six_link_real wrench_4 = t9 + link->p_i[3];
-    const six_link_real wrench_5 = t11 + link->p_i[4];
-    const six_link_real wrench_6 = t13 + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_1 = base->alpha[0] + qddot_1;
-    const six_link_real alpha_2 = carried_2 + link->beta[0];
-    const six_link_real alpha_3 = carried_3 - link->beta[1];
-    const six_link_real alpha_5 = carried_5 + link->beta[2];
-    const six_link_real alpha_6 = carried_6 - link->beta[3];
-
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real alpha_T_5 = alpha_5 + alpha_3 * c->length;
-    const six_link_real alpha_T_6 = alpha_6 - alpha_2 * c->length;
-
-    /* outputs */
-    qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
-    alpha[0] = alpha_1;
-    alpha[1] = alpha_2;
-    alpha[2] = alpha_3;
-    alpha[3] = base->alpha[3];
-    alpha[4] = alpha_5;
-    alpha[5] = alpha_6;
-    tip->alpha[0] = alpha_1;
-    tip->alpha[1] = alpha_2;
-    tip->alpha[2] = alpha_3;
-    tip->alpha[3] = base->alpha[3];
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
-    return SIX_LINK_OK;
-}
-
 /* twist rates, links like shoulder: 55 operations */
 static six_link_status twist_rates_shoulder(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return SIX_LINK_OK;
-}
-
-/* twist rates, links like upper_arm: 55 operations */
-static six_link_status twist_rates_upper_arm(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return SIX_LINK_OK;
-}
-
-/* twist rates, links like forearm: 55 operations */
-static six_link_status twist_rates_forearm(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return SIX_LINK_OK;
-}
-
-/* twist rates, links like wrist_roll: 55 operations */
-static six_link_status twist_rates_wrist_roll(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return SIX_LINK_OK;
-}
-
-/* twist rates, links like wrist_pitch: 55 operations */
-static six_link_status twist_rates_wrist_pitch(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
-        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
-        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
-        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-
-    /* outputs */
-    Vdot[0] = alpha[0];
-    Vdot[1] = alpha[1];
-    Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
-    return SIX_LINK_OK;
-}
-
-/* twist rates, links like flange: 55 operations */
-static six_link_status twist_rates_flange(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
     six_link_real Vdot[6])
 {
 
@@ -4616,144 +4372,6 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     return SIX_LINK_OK;
 }
 
-/* project, links like flange: 138 operations */
-static six_link_status project_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
-    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
-    six_link_real new_position[3])
-{
-
-    const six_link_real t1 = quaternion[1] * quaternion[1];
-    const six_link_real t2 = quaternion[2] * quaternion[2];
-    const six_link_real t3 = quaternion[3] * quaternion[3];
-    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
-    const six_link_real t5 = t1 + t2 + t3;
-    const six_link_real t6 = quaternion[1] * quaternion[2];
-    const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real R_m_12 = t4 * (t6 - t9);
-    const six_link_real R_m_13 = t4 * (t10 + t7);
-    const six_link_real R_m_21 = t4 * (t9 + t6);
-    const six_link_real R_m_23 = t4 * (t8 - t11);
-    const six_link_real R_m_31 = t4 * (t7 - t10);
-    const six_link_real R_m_32 = t4 * (t11 + t8);
-    const six_link_real R_m_11 = 1 + t4 * (t1 - t5);
-    const six_link_real R_m_22 = 1 + t4 * (t2 - t5);
-    const six_link_real R_m_33 = 1 + t4 * (t3 - t5);
-    const six_link_real t12 = base->R_m[1] * R_m_12 + base->R_m[4] * R_m_22 + base->R_m[7] * R_m_32;
-    const six_link_real t13 = base->R_m[1] * R_m_13 + base->R_m[4] * R_m_23 + base->R_m[7] * R_m_33;
-    const six_link_real t14 = base->R_m[2] * R_m_12 + base->R_m[5] * R_m_22 + base->R_m[8] * R_m_32;
-    const six_link_real t15 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
-
-    const six_link_real t16 = q[0]
-        + (R_rel_yy * t14 - minus_R_rel_yz * t12 - (R_rel_yy * t13 + minus_R_rel_yz * t15)) * REAL(0.5);
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_2 = six_link_cos(t16);
-    const six_link_real minus_R_rel_yz_2 = six_link_sin(t16);
-
-    const six_link_real t17 = (R_rel_yy_2 * t14 - minus_R_rel_yz_2 * t12
-        - (R_rel_yy_2 * t13 + minus_R_rel_yz_2 * t15)) * REAL(0.5);
-    const six_link_real new_q_1 = t16 + t17;
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_3 = six_link_cos(new_q_1);
-    const six_link_real minus_R_rel_yz_3 = six_link_sin(new_q_1);
-
-    const six_link_real t18 = twist[0] - base->omega_m[0];
-
-    /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy_3 * base->omega[1] + minus_R_rel_yz_3 * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy_3 * base->omega[2] - minus_R_rel_yz_3 * base->omega[1];
-
-    /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + t18;
-
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy_3 * base->v[1] + minus_R_rel_yz_3 * base->v[2];
-    const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
-
-    const six_link_real R_xy = base->R[1] * R_rel_yy_3 + base->R[2] * minus_R_rel_yz_3;
-    const six_link_real R_xz = base->R[2] * R_rel_yy_3 - base->R[1] * minus_R_rel_yz_3;
-    const six_link_real R_yy = base->R[4] * R_rel_yy_3 + base->R[5] * minus_R_rel_yz_3;
-    const six_link_real R_yz = base->R[5] * R_rel_yy_3 - base->R[4] * minus_R_rel_yz_3;
-    const six_link_real R_zy = base->R[7] * R_rel_yy_3 + base->R[8] * minus_R_rel_yz_3;
-    const six_link_real R_zz = base->R[8] * R_rel_yy_3 - base->R[7] * minus_R_rel_yz_3;
-    const six_link_real t19 = new_q_1 * REAL(0.5);
-    const six_link_real t20 = six_link_sin(t19);
-    const six_link_real t21 = six_link_cos(t19);
-    const six_link_real new_quaternion_1 = base->Q[0] * t21 - base->Q[1] * t20;
-    const six_link_real new_quaternion_2 = base->Q[0] * t20 + t21 * base->Q[1];
-    const six_link_real new_quaternion_3 = t21 * base->Q[2] + base->Q[3] * t20;
-    const six_link_real new_quaternion_4 = t21 * base->Q[3] - base->Q[2] * t20;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = v_R_y + c->length * omega_R_z;
-    const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
-
-    const six_link_real r_x = base->r[0] + base->R[0] * c->length;
-    const six_link_real r_y = base->r[1] + base->R[3] * c->length;
-    const six_link_real r_z = base->r[2] + base->R[6] * c->length;
-
-    /* outputs */
-    new_q[0] = new_q_1;
-    tip->omega_m[0] = twist[0];
-    tip->omega_m[1] = twist[1];
-    tip->omega_m[2] = twist[2];
-    tip->R_m[0] = R_m_11;
-    tip->R_m[1] = R_m_12;
-    tip->R_m[2] = R_m_13;
-    tip->R_m[3] = R_m_21;
-    tip->R_m[4] = R_m_22;
-    tip->R_m[5] = R_m_23;
-    tip->R_m[6] = R_m_31;
-    tip->R_m[7] = R_m_32;
-    tip->R_m[8] = R_m_33;
-    new_twist[0] = omega_x;
-    new_twist[1] = omega_R_y;
-    new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
-    new_twist[4] = v_R_y;
-    new_twist[5] = v_R_z;
-    new_quaternion[0] = new_quaternion_1;
-    new_quaternion[1] = new_quaternion_2;
-    new_quaternion[2] = new_quaternion_3;
-    new_quaternion[3] = new_quaternion_4;
-    new_position[0] = base->r[0];
-    new_position[1] = base->r[1];
-    new_position[2] = base->r[2];
-    tip->omega[0] = omega_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = base->v[0];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    tip->R[0] = base->R[0];
-    tip->R[1] = R_xy;
-    tip->R[2] = R_xz;
-    tip->R[3] = base->R[3];
-    tip->R[4] = R_yy;
-    tip->R[5] = R_yz;
-    tip->R[6] = base->R[6];
-    tip->R[7] = R_zy;
-    tip->R[8] = R_zz;
-    tip->r[0] = r_x;
-    tip->r[1] = r_y;
-    tip->r[2] = r_z;
-    tip->Q[0] = new_quaternion_1;
-    tip->Q[1] = new_quaternion_2;
-    tip->Q[2] = new_quaternion_3;
-    tip->Q[3] = new_quaternion_4;
-    return SIX_LINK_OK;
-}
-
 /* forward kinematics, links like shoulder: 88 operations */
 static six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
@@ -5395,88 +5013,6 @@ static six_link_status forward_kinematics_wrist_pitch(const six_link_link_consta
     tip->R[5] = R_yz;
     tip->R[6] = R_zx;
     tip->R[7] = base->R[7];
-    tip->R[8] = R_zz;
-    tip->r[0] = r_x;
-    tip->r[1] = r_y;
-    tip->r[2] = r_z;
-    tip->Q[0] = new_quaternion_1;
-    tip->Q[1] = new_quaternion_2;
-    tip->Q[2] = new_quaternion_3;
-    tip->Q[3] = new_quaternion_4;
-    return SIX_LINK_OK;
-}
-
-/* forward kinematics, links like flange: 58 operations */
-static six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
-    six_link_real new_quaternion[4], six_link_real new_position[3])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
-
-    /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-
-    /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
-
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
-
-    const six_link_real R_xy = base->R[1] * R_rel_yy + base->R[2] * minus_R_rel_yz;
-    const six_link_real R_xz = base->R[2] * R_rel_yy - base->R[1] * minus_R_rel_yz;
-    const six_link_real R_yy = base->R[4] * R_rel_yy + base->R[5] * minus_R_rel_yz;
-    const six_link_real R_yz = base->R[5] * R_rel_yy - base->R[4] * minus_R_rel_yz;
-    const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
-    const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
-    const six_link_real t1 = q[0] * REAL(0.5);
-    const six_link_real t2 = six_link_sin(t1);
-    const six_link_real t3 = six_link_cos(t1);
-    const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
-    const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
-    const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
-    const six_link_real new_quaternion_4 = t3 * base->Q[3] - base->Q[2] * t2;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = v_R_y + c->length * omega_R_z;
-    const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
-
-    const six_link_real r_x = base->r[0] + base->R[0] * c->length;
-    const six_link_real r_y = base->r[1] + base->R[3] * c->length;
-    const six_link_real r_z = base->r[2] + base->R[6] * c->length;
-
-    /* outputs */
-    new_twist[0] = omega_x;
-    new_twist[1] = omega_R_y;
-    new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
-    new_twist[4] = v_R_y;
-    new_twist[5] = v_R_z;
-    new_quaternion[0] = new_quaternion_1;
-    new_quaternion[1] = new_quaternion_2;
-    new_quaternion[2] = new_quaternion_3;
-    new_quaternion[3] = new_quaternion_4;
-    new_position[0] = base->r[0];
-    new_position[1] = base->r[1];
-    new_position[2] = base->r[2];
-    tip->omega[0] = omega_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = base->v[0];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    tip->R[0] = base->R[0];
-    tip->R[1] = R_xy;
-    tip->R[2] = R_xz;
-    tip->R[3] = base->R[3];
-    tip->R[4] = R_yy;
-    tip->R[5] = R_yz;
-    tip->R[6] = base->R[6];
-    tip->R[7] = R_zy;
     tip->R[8] = R_zz;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
@@ -8982,180 +8518,6 @@ static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, co
     return SIX_LINK_OK;
 }
 
-/* link rows, links like wrist_pitch: 83 operations */
-static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
-    six_link_real W[12])
-{
-
-    const six_link_real t1 = -c->S_0_x;
-
-    /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real V_next_21 = tip->X[1] - c->length * tip->X[5];
-    const six_link_real V_next_22 = tip->X[7] - c->length * tip->X[11];
-    const six_link_real V_next_23 = tip->X[13] - c->length * tip->X[17];
-    const six_link_real V_next_24 = tip->X[19] - c->length * tip->X[23];
-    const six_link_real V_next_25 = tip->X[25] - c->length * tip->X[29];
-    const six_link_real V_next_26 = tip->X[31] - c->length * tip->X[35];
-    const six_link_real V_next_31 = c->length * tip->X[4] + tip->X[2];
-    const six_link_real V_next_32 = c->length * tip->X[10] + tip->X[8];
-    const six_link_real V_next_33 = c->length * tip->X[16] + tip->X[14];
-    const six_link_real V_next_34 = c->length * tip->X[22] + tip->X[20];
-    const six_link_real V_next_35 = c->length * tip->X[28] + tip->X[26];
-    const six_link_real V_next_36 = c->length * tip->X[34] + tip->X[32];
-
-    /* next_V: next joint's rows, twist columns (100) */
-    const six_link_real t2 = -tip->PX[0];
-    const six_link_real next_V_12 = c->length * tip->PX[5] - tip->PX[1];
-    const six_link_real minus_next_V_13 = c->length * tip->PX[4] + tip->PX[2];
-    const six_link_real t3 = -minus_next_V_13;
-    const six_link_real t4 = -tip->PX[3];
-    const six_link_real t5 = -tip->PX[4];
-    const six_link_real t6 = -tip->PX[5];
-    const six_link_real t7 = -tip->PX[6];
-    const six_link_real next_V_22 = c->length * tip->PX[11] - tip->PX[7];
-    const six_link_real minus_next_V_23 = c->length * tip->PX[10] + tip->PX[8];
-    const six_link_real t8 = -minus_next_V_23;
-    const six_link_real t9 = -tip->PX[9];
-    const six_link_real t10 = -tip->PX[10];
-    const six_link_real t11 = -tip->PX[11];
-    const six_link_real t12 = -tip->PX[12];
-    const six_link_real next_V_32 = c->length * tip->PX[17] - tip->PX[13];
-    const six_link_real minus_next_V_33 = c->length * tip->PX[16] + tip->PX[14];
-    const six_link_real t13 = -minus_next_V_33;
-    const six_link_real t14 = -tip->PX[15];
-    const six_link_real t15 = -tip->PX[16];
-    const six_link_real t16 = -tip->PX[17];
-    const six_link_real t17 = -tip->PX[18];
-    const six_link_real next_V_42 = c->length * tip->PX[23] - tip->PX[19];
-    const six_link_real minus_next_V_43 = c->length * tip->PX[22] + tip->PX[20];
-    const six_link_real t18 = -minus_next_V_43;
-    const six_link_real t19 = -tip->PX[21];
-    const six_link_real t20 = -tip->PX[22];
-    const six_link_real t21 = -tip->PX[23];
-    const six_link_real t22 = -tip->PX[24];
-    const six_link_real next_V_52 = c->length * tip->PX[29] - tip->PX[25];
-    const six_link_real minus_next_V_53 = c->length * tip->PX[28] + tip->PX[26];
-    const six_link_real t23 = -minus_next_V_53;
-    const six_link_real t24 = -tip->PX[27];
-    const six_link_real t25 = -tip->PX[28];
-    const six_link_real t26 = -tip->PX[29];
-    const six_link_real t27 = -tip->PX[30];
-    const six_link_real next_V_62 = c->length * tip->PX[35] - tip->PX[31];
-    const six_link_real minus_next_V_63 = c->length * tip->PX[34] + tip->PX[32];
-    const six_link_real t28 = -minus_next_V_63;
-    const six_link_real t29 = -tip->PX[33];
-    const six_link_real t30 = -tip->PX[34];
-    const six_link_real t31 = -tip->PX[35];
-
-    /* V_W: external wrench in the twist rows (100) */
-    const six_link_real V_W_2 = w_ext[1] - c->length * w_ext[5];
-    const six_link_real V_W_3 = c->length * w_ext[4] + w_ext[2];
-
-    /* outputs */
-    M[place[7]] = t2;
-    M[place[8]] = next_V_12;
-    M[place[9]] = t3;
-    M[place[10]] = t4;
-    M[place[11]] = t5;
-    M[place[12]] = t6;
-    M[place[13]] = t7;
-    M[place[14]] = next_V_22;
-    M[place[15]] = t8;
-    M[place[16]] = t9;
-    M[place[17]] = t10;
-    M[place[18]] = t11;
-    M[place[19]] = t12;
-    M[place[20]] = next_V_32;
-    M[place[21]] = t13;
-    M[place[22]] = t14;
-    M[place[23]] = t15;
-    M[place[24]] = t16;
-    M[place[25]] = t17;
-    M[place[26]] = next_V_42;
-    M[place[27]] = t18;
-    M[place[28]] = t19;
-    M[place[29]] = t20;
-    M[place[30]] = t21;
-    M[place[31]] = t22;
-    M[place[32]] = next_V_52;
-    M[place[33]] = t23;
-    M[place[34]] = t24;
-    M[place[35]] = t25;
-    M[place[36]] = t26;
-    M[place[37]] = t27;
-    M[place[38]] = next_V_62;
-    M[place[39]] = t28;
-    M[place[40]] = t29;
-    M[place[41]] = t30;
-    M[place[42]] = t31;
-    M[place[43]] = -1;
-    M[place[44]] = -1;
-    M[place[45]] = -1;
-    M[place[46]] = -1;
-    M[place[47]] = -1;
-    M[place[48]] = -1;
-    M[place[49]] = c->I_s;
-    M[place[50]] = c->J_0_xx;
-    M[place[51]] = t1;
-    M[place[52]] = c->J_0_xx;
-    M[place[53]] = c->S_0_x;
-    M[place[54]] = c->mu;
-    M[place[55]] = c->S_0_x;
-    M[place[56]] = c->mu;
-    M[place[57]] = t1;
-    M[place[58]] = c->mu;
-    M[place[59]] = tip->X[0];
-    M[place[60]] = tip->X[6];
-    M[place[61]] = tip->X[12];
-    M[place[62]] = tip->X[18];
-    M[place[63]] = tip->X[24];
-    M[place[64]] = tip->X[30];
-    M[place[65]] = V_next_21;
-    M[place[66]] = V_next_22;
-    M[place[67]] = V_next_23;
-    M[place[68]] = V_next_24;
-    M[place[69]] = V_next_25;
-    M[place[70]] = V_next_26;
-    M[place[71]] = V_next_31;
-    M[place[72]] = V_next_32;
-    M[place[73]] = V_next_33;
-    M[place[74]] = V_next_34;
-    M[place[75]] = V_next_35;
-    M[place[76]] = V_next_36;
-    M[place[77]] = tip->X[3];
-    M[place[78]] = tip->X[9];
-    M[place[79]] = tip->X[15];
-    M[place[80]] = tip->X[21];
-    M[place[81]] = tip->X[27];
-    M[place[82]] = tip->X[33];
-    M[place[83]] = tip->X[4];
-    M[place[84]] = tip->X[10];
-    M[place[85]] = tip->X[16];
-    M[place[86]] = tip->X[22];
-    M[place[87]] = tip->X[28];
-    M[place[88]] = tip->X[34];
-    M[place[89]] = tip->X[5];
-    M[place[90]] = tip->X[11];
-    M[place[91]] = tip->X[17];
-    M[place[92]] = tip->X[23];
-    M[place[93]] = tip->X[29];
-    M[place[94]] = tip->X[35];
-    H[6] = 0;
-    H[7] = link->h_V[0];
-    H[8] = link->h_V[1];
-    H[9] = link->h_V[2];
-    H[10] = link->h_V[3];
-    H[11] = link->h_V[4];
-    W[6] = w_ext[0];
-    W[7] = V_W_2;
-    W[8] = V_W_3;
-    W[9] = w_ext[3];
-    W[10] = w_ext[4];
-    W[11] = w_ext[5];
-    return SIX_LINK_OK;
-}
-
 /* link rows, links like flange: 35 operations */
 static six_link_status link_rows_flange_last(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
     const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
@@ -9296,7 +8658,7 @@ static six_link_status dae_dynamics_accelerate(const six_link_constants *c, cons
     case 4:
         return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
     default:
-        return accelerate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
+        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
     }
 }
 
@@ -9309,15 +8671,15 @@ static six_link_status dae_dynamics_twist_rates(const six_link_constants *c, con
     case 0:
         return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     case 1:
-        return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     case 2:
-        return twist_rates_forearm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     case 3:
-        return twist_rates_wrist_roll(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     case 4:
-        return twist_rates_wrist_pitch(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     default:
-        return twist_rates_flange(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
     }
 }
 
@@ -9338,7 +8700,7 @@ static six_link_status projection_project(const six_link_constants *c, const six
     case 4:
         return project_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return project_flange(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
@@ -9359,7 +8721,7 @@ static six_link_status placement_forward_kinematics(const six_link_constants *c,
     case 4:
         return forward_kinematics_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return forward_kinematics_flange(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
@@ -9399,7 +8761,7 @@ static six_link_status assembly_link_rows(const six_link_constants *c, const six
     case 3:
         return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 4:
-        return link_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
         return link_rows_flange_last(&c->links[i], &chain->links[i], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     }

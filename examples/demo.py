@@ -1,6 +1,6 @@
 """The paper's two-link arm from robot file to motion: derive, generate, compile, step, plot.
 
-Writes into build/ella and prints a short summary. The motion goes to the paper's set points under PD torques
+Writes build/ella and build/ella.png and prints a short summary. The motion goes to the paper's set points under PD torques
 with gravity compensation; the gains are ours, the paper gives none.
 """
 
@@ -22,6 +22,7 @@ from screwgen.simulation import FORMS, simulate
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
+PLOT = ROOT / "build" / "ella.png"
 DURATION, STEP = 2.0, 1e-3
 
 
@@ -40,8 +41,8 @@ def main() -> None:
     run = simulate(model, DURATION, STEP, controller=controller(model), form="compiled", integrator="modal_midpoint")
     print(f"stepped {DURATION:g} s of motion    {time.perf_counter() - clock:6.2f} s  controller in Python, arm in C")
     summary(model, compiled, run)
-    plot.save(run, FOLDER / "run.png")
-    print(f"plot                    {short(FOLDER / 'run.png')}")
+    plot.save(run, PLOT)
+    print(f"plot                    {short(PLOT)}")
 
 
 def short(path: Path) -> str:

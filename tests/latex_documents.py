@@ -11,7 +11,7 @@ from screwgen import Robot, load
 from screwgen.emit import latex
 
 ROOT = Path(__file__).resolve().parents[1]
-NAMES = ("ella", "six_link", "strange")
+NAMES = ("ella", "six_link", "strange", "measured")
 every_robot = pytest.mark.parametrize("name", NAMES)
 
 SECTION = {"rhoA": 1.0, "EA": 1e6, "EIy": 1e3, "EIz": 2e3, "GJ": 3e2, "rhoIp": 1e-3}
@@ -46,11 +46,34 @@ STRANGE = {
         },
     ],
 }
+FOUND = {"axial": [900.0, 2500.0], "bending_y": [20.0, 131.0, 340.0], "bending_z": [27.0], "torsion": [310.0]}
+MEASURED = {
+    "name": "measured",
+    "gravity": [0.0, 0.0, -9.81],
+    "links": [
+        {
+            "name": "by_frequencies",
+            "length": 1.0,
+            "section": {"rhoA": 1.0, "rhoIp": 1e-3},
+            "modes": {d: len(f) for d, f in FOUND.items()} | {"frequencies": FOUND},
+            "damping": {"ratio": 0.01},
+            "joint": {"axes": ["y", "z"]},
+        },
+        {
+            "name": "by_both",
+            "length": 0.7,
+            "section": {"rhoA": 0.3, "EIy": 10.0},
+            "modes": {"bending_y": 1, "bending_z": 2, "frequencies": {"bending_y": [12.0]}},
+            "joint": {"axes": ["z"]},
+        },
+    ],
+}
+BUILT = {"strange": STRANGE, "measured": MEASURED}
 
 
 @cache
 def robot(name: str) -> Robot:
-    return Robot.model_validate(STRANGE) if name == "strange" else load(ROOT / "examples" / f"{name}.toml")
+    return Robot.model_validate(BUILT[name]) if name in BUILT else load(ROOT / "examples" / f"{name}.toml")
 
 
 @cache

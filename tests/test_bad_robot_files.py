@@ -185,6 +185,55 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
 ]  # fmt: skip
 
 
+FOUND = f"{UPPER}.modes.frequencies"
+PAIR = "{ bending_y = [20.0, 130.0] }"
+NO_EIZ = "rhoA = 1.0, EA = 1e7, EIy = 1e3, GJ = 1e3, rhoIp = 1e-3"
+TWO = "bending_y = 2"
+
+WRONG_FREQUENCIES = [  # frequencies, section and modes in y of the upper link, then as in WRONG
+    # the table and its arrays
+    ("[20.0, 130.0]", NO_EIZ, TWO, FOUND, "is an array of 2; it must be a table of axial, bending_y"),
+    ("20.0", NO_EIZ, TWO, FOUND, "is 20.0; it must be a table of axial"),
+    ("{ bending = [20.0, 130.0] }", NO_EIZ, TWO, f"{FOUND}.bending", "is an unknown key; did you mean bending_"),
+    ("{ spin = [20.0] }", NO_EIZ, TWO, f"{FOUND}.spin", "known here: axial, bending_y, bending_z, torsion"),
+    ("{ bending_y = 20.0 }", NO_EIZ, TWO, f"{FOUND}.bending_y", "it must be an array of numbers, one for each mode"),
+    ('{ bending_y = "20 Hz" }', NO_EIZ, TWO, f"{FOUND}.bending_y", 'is "20 Hz"; it must be an array of numbers'),
+    # one number per mode
+    ("{ bending_y = [20.0] }", NO_EIZ, TWO, f"{FOUND}.bending_y (link upper)", "has length 1; it must hold one"),
+    ("{ bending_y = [1, 2, 3] }", NO_EIZ, TWO, f"{FOUND}.bending_y", "has length 3; it must hold one frequency"),
+    ("{ bending_y = [] }", NO_EIZ, TWO, f"{FOUND}.bending_y", "one frequency per mode, modes.bending_y = 2"),
+    (PAIR, NO_EIZ, "bending_y = 0", f"{FOUND}.bending_y", "one frequency per mode, modes.bending_y = 0"),
+    (PAIR, NO_EIZ, "", f"{FOUND}.bending_y", "one frequency per mode, modes.bending_y = 0"),
+    # each a number that a measurement can give, in ascending order
+    ("{ bending_y = [20.0, 0.0] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is 0.0; it must be > 0"),
+    ("{ bending_y = [-20.0, 130.0] }", NO_EIZ, TWO, f"{FOUND}.bending_y[0]", "is -20.0; it must be > 0"),
+    ("{ bending_y = [20.0, 1e200] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is 1e+200; its square must be a finite"),
+    ("{ bending_y = [1e-200, 20.0] }", NO_EIZ, TWO, f"{FOUND}.bending_y[0]", "is 1e-200; its square must be a finite"),
+    ("{ bending_y = [20.0, nan] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is nan; it must be a finite number"),
+    ("{ bending_y = [20.0, inf] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is inf; it must be a finite number"),
+    ('{ bending_y = [20.0, "130"] }', NO_EIZ, TWO, f"{FOUND}.bending_y[1]", 'is "130"; it must be a number'),
+    ("{ bending_y = [20.0, true] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is true; it must be a number"),
+    ("{ bending_y = [20.0, [130]] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is an array of 1; it must be a number"),
+    ("{ bending_y = [130.0, 20.0] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "is 20.0; it must be greater than the"),
+    ("{ bending_y = [20, 20] }", NO_EIZ, TWO, f"{FOUND}.bending_y[1]", "greater than the frequency before it, 20.0"),
+    # natural modes only
+    (PAIR, NO_EIZ, f'basis = "polynomial", {TWO}', f"{FOUND}.bending_y", 'basis "polynomial", whose shapes are not'),
+    (PAIR, NO_EIZ, f'basis = "polynomial", {TWO}', f"{FOUND}.bending_y", "or state EIz in the section"),
+    # beside a stiffness, be it zero or said by the material
+    (PAIR, LINE[2:-2], TWO, f"{FOUND}.bending_y (link upper)", "beside section.EIz (in the material spelling"),
+    (PAIR, LINE[2:-2], TWO, f"{FOUND}.bending_y", '"Iz"), but either gives the stiffness; leave one of them out'),
+    (PAIR, f"{NO_EIZ}, EIz = 0.0", TWO, f"{FOUND}.bending_y", "is stated beside section.EIz"),
+    (PAIR, MATERIAL[2:-2], TWO, f"{FOUND}.bending_y", "is stated beside section.EIz"),
+    ("{ bending_z = [1, 2] }", NO_EIZ, TWO, f"{FOUND}.bending_z", "is stated beside section.EIy"),
+    ("{ axial = [900.0] }", NO_EIZ, TWO, f"{FOUND}.axial", 'beside section.EA (in the material spelling: "E" and'),
+    ("{ torsion = [300.0] }", NO_EIZ, TWO, f"{FOUND}.torsion", "is stated beside section.GJ"),
+    # neither frequencies nor stiffness, or no inertia
+    ("{}", NO_EIZ, TWO, f"{UPPER}.section.EIz", "is missing, but modes.bending_y needs it"),
+    ("{ axial = [9.0] }", "rhoA = 1.0, EIy = 1e3, GJ = 1e3", TWO, f"{UPPER}.section.EIz", "is missing, but modes"),
+    ("{ axial = [9.0], torsion = [3.0] }", "rhoA = 1.0, EIy = 1, EIz = 1", TWO, f"{UPPER}.section.rhoIp", "is missing"),
+]  # fmt: skip
+
+
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
     return tmp_path_factory.mktemp("robots") / "bot.toml"
@@ -212,6 +261,28 @@ def test_wrong_file_is_refused_in_one_line(path, old, new, where, fragment):
     message = refusal(path)
     assert message.startswith(where) and fragment in message
     assert not message.removeprefix(where)[:1].isalnum()
+
+
+@pytest.mark.parametrize(("frequencies", "section", "modes", "where", "fragment"), WRONG_FREQUENCIES)
+def test_wrong_frequencies_are_refused_in_one_line(path, frequencies, section, modes, where, fragment):
+    others = "axial = 1, bending_z = 2, torsion = 1"
+    counts = f"{modes}, {others}" if modes else others
+    table = f"{{ {counts}, frequencies = {frequencies} }}"
+    path.write_text(GOOD.replace(LINE, f"{{ {section} }}").replace(MODES, table), encoding="utf-8")
+    message = refusal(path)
+    assert message.startswith(where) and fragment in message
+    assert not message.removeprefix(where)[:1].isalnum() and "(and " not in message
+
+
+def test_measured_frequencies_in_their_place_are_good(path):
+    table = MODES.replace(" }", f", frequencies = {PAIR} }}")
+    path.write_text(GOOD.replace(LINE, f"{{ {NO_EIZ} }}").replace(MODES, table), encoding="utf-8")
+    assert load(path).links[0].modes.measured == ("bending_y",)
+
+
+def test_frequencies_belong_to_the_modes(path):
+    path.write_text(GOOD.replace("frame_at = 0.1", f"frequencies = {PAIR}"), encoding="utf-8")
+    assert refusal(path).startswith("links[0].frequencies (link upper): is an unknown key")
 
 
 def test_several_faults_are_counted(path):

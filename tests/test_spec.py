@@ -1,5 +1,6 @@
 """What robot files say, that both spellings say it, and the names and order of what follows from it."""
 
+import itertools
 import math
 import pickle
 from pathlib import Path
@@ -13,6 +14,7 @@ from screwgen.errors import RobotFileError, ScrewgenError
 from screwgen.spec import (
     Body,
     Damping,
+    Frequencies,
     Joint,
     Link,
     Modes,
@@ -26,14 +28,13 @@ from screwgen.spec import (
 )
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
+STIFFNESS_OF = {"axial": "EA", "bending_y": "EIz", "bending_z": "EIy", "torsion": "GJ"}
 STEEL = {"density": 7800.0, "area": 2.09e-4, "E": 2.1e11, "Iy": 1.0095e-8, "Iz": 1.7476e-8}
 
 
 def link(**changed):
     """A rigid link on a z joint."""
-    return Link(
-        **({"name": "arm", "length": 1.0, "section": Section(rhoA=1.0), "joint": Joint(axes=["z"])} | changed)
-    )
+    return Link(**({"name": "arm", "length": 1.0, "section": Section(rhoA=1.0), "joint": Joint(axes=["z"])} | changed))
 
 
 def robot(*links, **changed):
@@ -103,9 +104,7 @@ def test_defaults_are_absent_not_zero():
 
 
 def test_a_stated_zero_is_not_an_absent_value(tmp_path):
-    stated = robot(
-        link(frame_at=0, section=Section(rhoA=1, EA=0, rhoIp=0), joint=Joint(axes=["z"], stiffness=[0]))
-    )
+    stated = robot(link(frame_at=0, section=Section(rhoA=1, EA=0, rhoIp=0), joint=Joint(axes=["z"], stiffness=[0])))
     assert stated != robot()
     again = reloaded(stated, tmp_path).links[0]
     assert (again.frame_at, again.section.EA, again.section.rhoIp, again.joint.stiffness) == (0, 0, 0, (0,))
@@ -179,9 +178,7 @@ def test_material_without_second_moments_has_no_spin_inertia():
 @given(*[st.floats(1e-12, 1e12)] * 7)
 def test_both_spellings_are_equal(density, area, E, Iy, Iz, G, J):
     material = Section(density=density, area=area, E=E, Iy=Iy, Iz=Iz, G=G, J=J)
-    line = Section(
-        rhoA=density * area, EA=E * area, EIy=E * Iy, EIz=E * Iz, GJ=G * J, rhoIp=density * (Iy + Iz)
-    )
+    line = Section(rhoA=density * area, EA=E * area, EIy=E * Iy, EIz=E * Iz, GJ=G * J, rhoIp=density * (Iy + Iz))
     assert material == line
 
 
@@ -198,6 +195,11 @@ def test_link_count_comes_from_a_loop():
     [
         (lambda: link(length=-1), "Link arm: length: is -1; it must be > 0"),
         (lambda: link(frame_at="0"), 'Link arm: frame_at: is "0"; it must be a number'),
+        (
+            lambda: Modes(bending_y=1, frequencies={"bending_y": (3, 4)}),
+            "Modes: frequencies.bending_y: has length 2; it must hold one frequency per mode, modes.bending_y = 1",
+        ),
+        (lambda: Frequencies(axial=[2, 1]), "Frequencies: axial[1]: is 1; it must be greater than the frequency"),
         (lambda: Modes(axial=True), "Modes: axial: is true; it must be a whole number from 0 to 32"),
         (lambda: Section(), "Section: rhoA: is missing; state mass per length, kg/m (or density and area)"),
         (
@@ -250,19 +252,32 @@ bodies = st.builds(
 
 
 @st.composite
+def flexible(draw):
+    """Section and modes; each direction's stiffness by the section or by frequencies."""
+    counts = {direction: draw(st.integers(0, 32)) for direction in STIFFNESS_OF}
+    measured = {d: draw(ascending(n)) for d, n in counts.items() if draw(st.integers(0, 3)) == 0}
+    basis = draw(st.sampled_from(["clamped_free", "polynomial"]))
+    basis = "clamped_free" if any(measured.values()) else basis
+    frequencies = draw(maybe() | st.just(Frequencies())) if not measured else Frequencies(**measured)
+    names = ["rhoA", "rhoIp", *(STIFFNESS_OF[d] for d in counts if not measured.get(d))]
+    section = Section(**{name: draw(st.floats(1e-3, 1e12)) for name in names})
+    return {"section": section, "modes": Modes(basis=basis, frequencies=frequencies, **counts)}
+
+
+def ascending(count):
+    """So many frequencies."""
+    steps = st.lists(st.floats(0.01, 1e4), min_size=count, max_size=count)
+    return steps.map(lambda gaps: tuple(itertools.accumulate(gaps)))
+
+
+@st.composite
 def robots(draw):
-    stiff = st.floats(1e-3, 1e12)
-    sections = st.builds(Section, rhoA=stiff, EA=stiff, EIy=stiff, EIz=stiff, GJ=stiff, rhoIp=stiff)
-    count = st.integers(0, 32)
-    basis = st.sampled_from(["clamped_free", "polynomial"])
-    modes = st.builds(Modes, basis=basis, axial=count, bending_y=count, bending_z=count, torsion=count)
     links = [
         Link(
             name=f"link{i}",
             length=draw(st.floats(0.5, 10)),
             frame_at=draw(maybe() | st.floats(0, 0.5)),
-            section=draw(sections),
-            modes=draw(modes),
+            **draw(flexible()),
             damping=draw(maybe() | st.builds(Damping, ratio=amounts)),
             joint=draw(joints()),
             bodies=draw(st.lists(bodies, max_size=2)),
@@ -343,6 +358,21 @@ def test_parameters_of_a_robot_that_states_everything():
     assert "yz" in last.description and "tip" in last.description
     assert by_name["gravity[2]"].link is None and by_name["b.rhoA"].link == 1
     assert all(p.unit and p.description for p in found)
+
+
+def test_measured_frequencies_are_parameters_in_place_of_the_stiffness():
+    frequencies = Frequencies(torsion=[300], bending_y=[20, 130.5])
+    modes = Modes(bending_y=2, bending_z=1, torsion=1, frequencies=frequencies)
+    measured = robot(link(section=Section(rhoA=1, EIy=3, rhoIp=6), modes=modes, damping=Damping(ratio=0)))
+    found = parameters(measured)[3:]
+    names = ("length", "rhoA", "EIy", "rhoIp", "bending_y[0]", "bending_y[1]", "torsion[0]", "damping.ratio")
+    assert [p.name for p in found] == [f"arm.{'frequencies.' if '[' in n else ''}{n}" for n in names]
+    assert [(p.value, p.unit, p.index) for p in found[4:7]] == [
+        (20.0, "Hz", (0,)),
+        (130.5, "Hz", (1,)),
+        (300.0, "Hz", (0,)),
+    ]
+    assert modes.measured == ("bending_y", "torsion") and Modes(bending_y=2).measured == ()
 
 
 def test_coordinates_are_joints_then_modes_link_by_link():

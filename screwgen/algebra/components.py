@@ -15,6 +15,7 @@ from .expression import (
     Expression,
     Hat,
     Integral,
+    Inverse,
     Negative,
     Product,
     Root,
@@ -60,6 +61,8 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
             return np.array([[stumpff(e.order, inner(e.arg).item())]], dtype=object)
         case Root():
             return np.vectorize(sp.sqrt, otypes=[object])(inner(e.arg))
+        case Inverse() if e.shape == (1, 1):
+            return np.array([[1 / inner(e.arg).item()]], dtype=object)
         case Integral():
             weight = None if e.weight is None else e.weight.name
             integrate = lambda entry: e.rule(entry, weight)  # noqa: E731

@@ -172,12 +172,27 @@ class Root(Expression):
 
 
 @dataclass(frozen=True)
+class Inverse(Expression):
+    """The inverse of a square matrix."""
+
+    arg: Expression
+
+    @property
+    def shape(self) -> Shape:
+        return self.arg.shape
+
+
+@dataclass(frozen=True)
 class Integral(Expression):
-    """``∫ weight · integrand dξ`` along the link; ``rule`` integrates one scalar component."""
+    """``∫ weight · integrand dξ`` along the link; ``rule`` integrates one scalar component.
+
+    Without a rule the integral has no components: it is printed and evaluated on numbers alone.
+    """
 
     integrand: Expression
     weight: Symbol | None
-    rule: Callable[[sp.Expr, str | None], sp.Expr]
+    rule: Callable[[sp.Expr, str | None], sp.Expr] | None = None
+    index: str = "i"
 
     @property
     def shape(self) -> Shape:
@@ -278,7 +293,15 @@ def transpose(e: Expression) -> Expression:
             return zeros(*e.shape[::-1])
         case Constant() if is_identity(e):
             return e
+        case Inverse():
+            return Inverse(transpose(e.arg))
+        case Integral(rule=None):
+            return Integral(transpose(e.integrand), e.weight, None, e.index)
     return e if e.shape == (1, 1) else Transpose(e)
+
+
+def inverse(e: Expression) -> Expression:
+    return e if is_identity(e) else Inverse(e)
 
 
 def hat(a: Expression) -> Expression:

@@ -14,6 +14,7 @@ from .expression import (
     Expression,
     Hat,
     Integral,
+    Inverse,
     Negative,
     Product,
     Root,
@@ -46,7 +47,9 @@ def terms(e: Expression) -> list[str]:
 
 
 def number(value: sp.Expr) -> str:
-    """A number with at most six significant digits."""
+    """A number with at most six significant digits, or a multiple of π."""
+    if value.has(sp.pi):
+        return sp.latex(value)
     if value.is_Rational:
         sign, top, below = "-" if value < 0 else "", abs(value.p), value.q
         return f"{sign}{top}" if below == 1 else rf"{sign}\tfrac{{{top}}}{{{below}}}"
@@ -130,7 +133,7 @@ def _factor(e: Expression, last: bool = False) -> str:
 
 
 def _may_be_squared(e: Expression) -> bool:
-    return isinstance(e, Hat | Symbol | Sum) and e.shape[0] == e.shape[1]
+    return isinstance(e, Diagonal | Hat | Symbol | Sum) and e.shape[0] == e.shape[1]
 
 
 def _power(e: Expression, n: int) -> str:
@@ -146,7 +149,8 @@ def _transpose(e: Transpose) -> str:
         return text.removesuffix(TRANSPOSED)
     if isinstance(e.arg, Symbol) and text.endswith("^{+}"):
         return rf"{text.removesuffix('^{+}')}^{{+\top}}"
-    return rf"\left({text}\right)^{{\top}}" if "^" in text and not text.endswith(")") else rf"{text}^{{\top}}"
+    scripted = ("^" in text or "'" in text) and not text.endswith(")")
+    return rf"\left({text}\right)^{{\top}}" if scripted else rf"{text}^{{\top}}"
 
 
 # --------------------------------------------------------------------------------------- other nodes
@@ -173,10 +177,20 @@ def _rotation(e: Rotation, sign: str = "") -> str:
     return rf"\exp\left({sign}{tilde(axis_latex(e.axis))}\,{latex(e.angle)}\right)"
 
 
+def _inverse(e: Inverse) -> str:
+    """``A^{-1}``, and ``A^{-T}`` of a transpose; of a scalar symbol, a fraction."""
+    if isinstance(e.arg, Symbol) and e.shape == (1, 1):
+        return rf"\frac{{1}}{{{latex(e.arg)}}}"
+    transposed = isinstance(e.arg, Transpose)
+    text = _factor(e.arg.arg if transposed else e.arg)
+    script = r"-\top" if transposed else "-1"
+    return rf"\left({text}\right)^{{{script}}}" if "^" in text and not text.endswith(")") else rf"{text}^{{{script}}}"
+
+
 def _integral(e: Integral) -> str:
     weight = "" if e.weight is None else latex(e.weight)
     integrand = "" if is_identity(e.integrand) else rf"{_factor(e.integrand, True)}\,"
-    return rf"{weight}\int_{{a_i}}^{{c_i}} {integrand}d\xi"
+    return rf"{weight}\int_{{a_{e.index}}}^{{c_{e.index}}} {integrand}d\xi"
 
 
 _LATEX: dict[type, Callable] = {
@@ -192,6 +206,7 @@ _LATEX: dict[type, Callable] = {
     Block: _block,
     Rotation: _rotation,
     Stumpff: lambda e: rf"c_{{{e.order}}}\left({latex(e.arg)}\right)",
+    Inverse: _inverse,
     Root: lambda e: rf"\sqrt{{{latex(e.arg)}}}",
     Integral: _integral,
 }

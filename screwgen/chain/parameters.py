@@ -16,6 +16,8 @@ def label(parameter: Parameter) -> str:
             return f"mount_{parameter.field[-3:]}_{_component(parameter)}"
         case "joint.armature":
             return f"armature_{index[0] + 1}"
+        case "frequencies.axial" | "frequencies.bending_y" | "frequencies.bending_z" | "frequencies.torsion":
+            return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "bodies.mass":

@@ -37,6 +37,8 @@ class LinkClass:
     damping: bool
     section_rotation: bool
     bodies: tuple[BodyClass, ...]
+    measured: tuple[str, ...] = ()
+    """The directions whose stiffness is stated by natural frequencies."""
 
     @property
     def modes(self) -> int:
@@ -81,4 +83,5 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
+        measured=modes.measured,
     )

@@ -5,31 +5,16 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import (
-    Diagonal,
-    Expression,
-    Integral,
-    Root,
-    Symbol,
-    Trace,
-    block,
-    hat,
-    identity,
-    unit,
-    zeros,
-)
-from .block import Block
+from ..algebra.expression import Expression, Trace, block, hat, identity, unit, zeros
 from .bodies import lumped
 from .fields import AXIS, XI, Fields
+from .link_stiffness import LinkStiffness
 
 FRAME = "F_i"
 
 
-class LinkConstants(Block):
+class LinkConstants(LinkStiffness):
     """Declarations and parameter-level steps of the link block, and the integrator that knows them."""
-
-    def integral(self, integrand: Expression, weight: Symbol | None) -> Integral:
-        return Integral(integrand, weight, self.fields.integrate)
 
     def _declare(self) -> None:
         r, state = self.key.modes, self.input
@@ -223,54 +208,8 @@ class LinkConstants(Block):
             same = self.fields.gram(first[i], second[j]) == 1
             self.fields.name_moment("rhoA", mu if same else value, phi[first[i]], phi[second[j]])
 
-    def _stiffness(self) -> None:
-        """``K = ∫ B^T C B dξ`` and ``D``: both diagonal, kept as columns."""
-        stiff = [self.parameter(*row) if n else zeros(1) for row, n in zip(_STIFFNESS, self.key.counts, strict=True)]
-        rows = [[stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)]
-        C = block(*rows)
-        K = self.step(
-            "K_full",
-            self.integral(self.strain.T @ C @ self.strain, None),
-            r"\mathbf{K}_i",
-            unit="N/m",
-            equation="88",
-            symmetric=True,
-            meaning="stiffness of the modes (torsion: N*m), diagonal",
-        )
-        self.K = self._column("K", K, r"\mathbf{k}_i", "N/m", "stiffness of each mode (torsion: N*m/rad)")
-        inertia = self._column(
-            "M_eta",
-            Symbol("M_Wphi", K.shape, r"\mathbf{M}_{W\phi,i}"),
-            r"\mathbf{m}_{\eta}",
-            "kg",
-            "inertia of each mode (torsion: kg*m^2)",
-        )
-        if self.key.damping:
-            ratio = self.parameter("damping_ratio", (1, 1), r"\zeta_i", "-", "-", "damping ratio of each mode")
-            self.D = self.step(
-                "D",
-                (2 * ratio) @ Root(Diagonal(self.K) @ inertia),
-                r"\mathbf{d}_i",
-                unit="N*s/m",
-                meaning="damping of each mode (torsion: N*m*s/rad)",
-            )
-        else:
-            self.D = zeros(self.key.modes)
-
-    def _column(self, name: str, full: Symbol, display: str, unit_: str, meaning: str) -> Symbol:
-        ones = self.field(f"{name}_ones", np.full((self.key.modes, 1), sp.S.One, dtype=object), r"\mathbf{1}")
-        return self.step(name, full @ ones, display, unit=unit_, meaning=meaning)
-
     def _translational(self) -> list[int]:
         return [k for k, (d, _) in enumerate(self.key.directions) if d in AXIS]
-
-
-_STIFFNESS = (
-    ("EA", (1, 1), "E_iA_i", "N", "-", "axial stiffness"),
-    ("EIz", (1, 1), "E_iI_{z_i}", "N*m^2", "-", "bending stiffness for displacement in y"),
-    ("EIy", (1, 1), "E_iI_{y_i}", "N*m^2", "-", "bending stiffness for displacement in z"),
-    ("GJ", (1, 1), "G_iJ_i", "N*m^2", "-", "torsion stiffness"),
-)
 
 
 def _row(entries) -> np.ndarray:

@@ -105,6 +105,7 @@ class CProject:
             "masked": self.masked,
             "tolerance": self.tolerance,
             "has_spin": any(link.section.rhoIp is not None for link in robot.links),
+            "frequencies": [f for f in parameter_structs(robot)["link"] if f.name.startswith("frequencies_")],
             "defaults": self.defaults,
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,

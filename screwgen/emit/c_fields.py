@@ -35,6 +35,7 @@ PATTERNS = (
     (r"mount_(xyz|rpy)_([xyz])", lambda m: f"joint.mount_{m[1]}[{'xyz'.index(m[2])}]"),
     (r"armature_(\d+)", lambda m: f"joint.armature[{int(m[1]) - 1}]"),
     (r"joint_(damping|stiffness)_(\d+)", lambda m: f"joint.{m[1]}[{int(m[2]) - 1}]"),
+    (r"(frequencies_\w+)_(\d+)", lambda m: f"{m[1]}[{int(m[2]) - 1}]"),
     (r"body(\d+)_mass", lambda m: f"bodies[{m[1]}].mass"),
     (r"body(\d+)_com_([xyz])", lambda m: f"bodies[{m[1]}].com[{'xyz'.index(m[2])}]"),
     (r"body(\d+)_inertia_(\d)", lambda m: f"bodies[{m[1]}].inertia[{int(m[2]) - 1}]"),

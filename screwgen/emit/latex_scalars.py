@@ -113,7 +113,7 @@ class Scalars:
     def _factor(self, f: sp.Expr) -> str:
         if f.is_Symbol:
             return self.names.get(f, str(f))
-        if f.is_Number:
+        if f.is_Number or f.is_NumberSymbol:
             return number(f)
         if f.is_Pow:
             return self._power(f)

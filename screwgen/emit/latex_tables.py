@@ -68,6 +68,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "modal damping": key.damping,
         "frame off the joint": key.frame_at,
         "spin inertia": key.spin,
+        "measured frequencies": key.measured,
     }
     return "; ".join(bodies + [name for name, present in stated.items() if present])
 

@@ -88,7 +88,7 @@ def translate(e: sp.Expr, known: Mapping, tracer: Tracer) -> Value:
     inner = lambda x: translate(x, known, tracer)  # noqa: E731
     if e.is_Symbol:
         return known[e]
-    if e.is_Number:
+    if e.is_Number or e.is_NumberSymbol:
         return float(e)
     if e.is_Add:
         return _sum(e, inner)

@@ -1,5 +1,7 @@
 """Robots as validated descriptions: classes, files, parameters."""
 
+from screwgen.spec.equivalent import equivalent_stiffness
+from screwgen.spec.frequencies import Frequencies
 from screwgen.spec.load import dump, load
 from screwgen.spec.parameters import Parameter, coordinate_names, parameters
 from screwgen.spec.robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot, Section
@@ -8,6 +10,7 @@ __all__ = [
     "DIRECTIONS",
     "Body",
     "Damping",
+    "Frequencies",
     "Joint",
     "Link",
     "Modes",
@@ -17,6 +20,7 @@ __all__ = [
     "Section",
     "coordinate_names",
     "dump",
+    "equivalent_stiffness",
     "load",
     "parameters",
 ]

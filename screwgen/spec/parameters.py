@@ -40,6 +40,7 @@ class Field(NamedTuple):
 XYZ = ("x", "y", "z")
 RPY = ("roll", "pitch", "yaw")
 TENSOR = ("xx", "yy", "zz", "xy", "xz", "yz")
+MEASURED = "natural frequency of the bare link clamped at its base:"
 
 FIELDS = {
     "gravity": Field("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
@@ -51,6 +52,10 @@ FIELDS = {
     "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
     "GJ": Field("GJ", "N·m²", "torsional stiffness"),
     "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
+    "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
+    "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
+    "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
+    "frequencies.torsion": Field("frequencies.torsion[{}]", "Hz", f"{MEASURED} torsion"),
     "damping.ratio": Field("damping.ratio", "1", "damping ratio of each mode"),
     "joint.mount.xyz": Field("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
     "joint.mount.rpy": Field("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
@@ -86,6 +91,8 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
     yield "frame_at", link.frame_at
     for name in type(link.section).model_fields:
         yield name, getattr(link.section, name)
+    for direction, values in link.modes.frequencies or ():
+        yield f"frequencies.{direction}", values
     yield "damping.ratio", link.damping and link.damping.ratio
 
 

@@ -58,8 +58,7 @@ def inertia(value: Any) -> tuple[float, ...]:
     entries = numbers(value, 6)
     if not some_body_has(entries):
         raise refuse(
-            "is an inertia that no body has; "
-            "no principal moment may be negative, nor exceed the sum of the other two"
+            "is an inertia that no body has; no principal moment may be negative, nor exceed the sum of the other two"
         )
     return entries
 

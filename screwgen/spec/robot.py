@@ -10,6 +10,7 @@ from typing import Annotated, Self
 from pydantic import Field, PlainValidator, model_validator
 
 from screwgen.bases import BENDING_BASES
+from screwgen.spec.frequencies import Frequencies
 from screwgen.spec.names import distinct, link_name, robot_name
 from screwgen.spec.part import Part
 from screwgen.spec.physics import axes, inertia
@@ -26,7 +27,7 @@ End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
-NEEDS = {  # direction of deflection: the line properties without which it has no stiffness or no inertia
+NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
     "axial": ("EA",),
     "bending_y": ("EIz",),
     "bending_z": ("EIy",),
@@ -38,6 +39,7 @@ class Modes(Part):
     """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
 
     `basis` names the bending shapes. Modal coordinates are in metres, those of torsion in radians.
+    `frequencies` (Hz) of the bare clamped link, if measured, take the place of the section's stiffness.
     """
 
     basis: Basis = "clamped_free"
@@ -45,6 +47,30 @@ class Modes(Part):
     bending_y: Count = 0
     bending_z: Count = 0
     torsion: Count = 0
+    frequencies: Frequencies | None = None
+
+    @model_validator(mode="after")
+    def _one_frequency_per_mode(self) -> Self:
+        for direction, values in self.frequencies or ():
+            if values is not None and len(values) != getattr(self, direction):
+                count = f"modes.{direction} = {getattr(self, direction)}"
+                what = f"has length {len(values)}; it must hold one frequency per mode, {count}"
+                raise refuse(what, at=("frequencies", direction))
+        return self
+
+    @model_validator(mode="after")
+    def _frequencies_of_natural_modes(self) -> Self:
+        for direction in self.measured:
+            if direction.startswith("bending") and self.basis != "clamped_free":
+                why = f"is stated with basis {quoted(self.basis)}, whose shapes are not the beam's natural modes"
+                what = f'{why}; use basis "clamped_free", or state {NEEDS[direction][0]} in the section'
+                raise refuse(what, at=("frequencies", direction))
+        return self
+
+    @property
+    def measured(self) -> tuple[str, ...]:
+        """The directions whose stiffness is stated by frequencies."""
+        return tuple(self.frequencies.stated) if self.frequencies else ()
 
     @property
     def counts(self) -> tuple[int, int, int, int]:
@@ -134,10 +160,16 @@ class Link(Part):
         return self
 
     @model_validator(mode="after")
+    def _stiffness_stated_once(self) -> Self:
+        for direction in self.modes.measured:
+            refuse_both(self.section, NEEDS[direction][0], direction)
+        return self
+
+    @model_validator(mode="after")
     def _modes_have_stiffness(self) -> Self:
-        for direction, stiffnesses in NEEDS.items():
+        for direction, (stiffness, *others) in NEEDS.items():
             if getattr(self.modes, direction):
-                for name in stiffnesses:
+                for name in others if direction in self.modes.measured else (stiffness, *others):
                     require(self.section, name, direction)
         return self
 
@@ -162,6 +194,15 @@ class Robot(Part):
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct([link.name for link in self.links])
         return self
+
+
+def refuse_both(section: Section, name: str, direction: str) -> None:
+    """Refuse a section that states the stiffness `name` of a direction whose frequencies are stated."""
+    if getattr(section, name) is not None:
+        spelling = " and ".join(map(quoted, PRODUCTS[name]))
+        both = f"is stated beside section.{name} (in the material spelling: {spelling})"
+        what = f"{both}, but either gives the stiffness; leave one of them out"
+        raise refuse(what, at=("modes", "frequencies", direction))
 
 
 def require(section: Section, name: str, direction: str) -> None:

@@ -1,0 +1,57 @@
+"""Measured natural frequencies of a link, in place of the stiffness of its section."""
+
+import math
+from typing import Annotated, Any
+
+from pydantic import Field, PlainValidator
+
+from screwgen.spec.part import Part
+from screwgen.spec.values import Path, array, positive, refuse, shown
+
+
+def frequency(value: Any, *, at: Path) -> float:
+    """A finite number > 0 whose square, to which the stiffness is proportional, is one as well."""
+    result = positive(value, at=at)
+    if not 0.0 < result * result < math.inf:
+        raise refuse(f"is {shown(value)}; its square must be a finite number > 0", at)
+    return result
+
+
+def ascending(value: Any) -> tuple[float, ...]:
+    """Any number of finite numbers > 0, each greater than the one before it."""
+    entries = array(value, "an array of numbers, one for each mode")
+    numbers = tuple(frequency(entry, at=(k,)) for k, entry in enumerate(entries))
+    for k in range(1, len(numbers)):
+        if numbers[k] <= numbers[k - 1]:
+            what = f"is {shown(entries[k])}; it must be greater than the frequency before it, {numbers[k - 1]}"
+            raise refuse(what, at=(k,))
+    return numbers
+
+
+PerMode = Annotated[tuple[float, ...], PlainValidator(ascending)]
+
+
+class Frequencies(Part):
+    """Measured natural frequencies in Hz, ascending, one for each mode of a direction: its stiffness.
+
+    They are those of the *bare link*: clamped at its base, free at its tip, no body mounted, no other link. Each
+    gives its mode the stiffness `K_kk = M_kk (2π f_k)²`, `M_kk = ρA l` (torsion: `ρI_p l`), which is the paper's
+    wavenumber identification, `β_n² = 2π f_n √(ρA/EI)`, solved for EI mode by mode. A direction takes its
+    stiffness from here or from the section, never from both.
+
+    Limits. With a motor, a payload or the rest of an arm on the link other frequencies are measured: those must
+    not be put here, the model adds the bodies itself. The frequencies fix K alone; the shapes, and so the
+    inertia, stay those of the uniform beam. Higher modes of a link that is not uniform are then met in
+    frequency, not in shape. In bending the basis must be `clamped_free`: its shapes alone are the beam's modes.
+    `equivalent_stiffness` tells how far the link is from a uniform beam.
+    """
+
+    axial: PerMode | None = Field(None, description="of the axial modes, Hz")
+    bending_y: PerMode | None = Field(None, description="of the modes of bending in y, Hz")
+    bending_z: PerMode | None = Field(None, description="of the modes of bending in z, Hz")
+    torsion: PerMode | None = Field(None, description="of the torsion modes, Hz")
+
+    @property
+    def stated(self) -> dict[str, tuple[float, ...]]:
+        """The frequencies of every direction that has some."""
+        return {direction: values for direction, values in self if values}

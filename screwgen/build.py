@@ -11,7 +11,8 @@ from pathlib import Path
 
 from .chain.chain import Chain
 from .chain.dae_functions import dae_names
-from .chain.scope import derived
+from .chain.scope import common, derived
+from .chain.z_functions import cauchy_names
 from .derive.block import Block
 from .emit.numeric import Numeric
 from .errors import UsageError
@@ -55,19 +56,25 @@ class Model:
         return self.chain.n_joints
 
     def blocks(self, link: int) -> dict[str, Block]:
-        """The derived blocks of a link (those of its class) by name."""
-        return derived(self.chain.keys[link])
+        """The derived blocks of a link (those of its class, and those that all links share) by name."""
+        return derived(self.chain.keys[link]) | common()
 
     @property
     def dae_names(self) -> dict[str, list[str]]:
         """The names of the entries of ``x`` and ``z`` of the DAE form."""
         return dae_names(self.chain)
 
+    @property
+    def cauchy_names(self) -> dict[str, list[str]]:
+        """The names of the entries of ``x_c`` and of the unknowns ``q_sys`` of the Z-form."""
+        return cauchy_names(self.chain)
+
     @cached_property
     def _casadi(self) -> Mapping:
-        from .emit import casadi
+        from .emit import casadi, casadi_z
 
         functions = casadi.functions(self.chain) | casadi.dae_functions(self.chain)
+        functions |= casadi_z.z_functions(self.chain)
         return functions | {
             "ode": casadi.ode(self.chain, functions["forward_dynamics"]),
             "dae": casadi.dae(self.chain, functions["assemble"]),

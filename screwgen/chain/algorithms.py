@@ -36,7 +36,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
     out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
-    out[0] |= {"R_m": IDENTITY, "omega_m": [0.0] * 3}
+    out[0] |= {"R_m": IDENTITY, "omega_m": [0.0] * 3, "h_M": [0.0] * 6}
     out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
     return out
 

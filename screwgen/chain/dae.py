@@ -152,10 +152,14 @@ def _joint_quaternion(s: Scope, q: Array) -> Array:
 
 
 def _tip_quaternion(s: Scope, eta: Array) -> Array:
-    """``exp(theta)`` as a quaternion: ``[c_0(x/4), c_1(x/4) theta / 2]``, regular at rest."""
+    """The quaternion of ``R_T``."""
     if not s.key.section_rotation:
         return mx.array([1.0, 0.0, 0.0, 0.0])
-    (theta,) = s.lower("tip_pose", {"eta": eta}, "theta")
+    return turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
+
+
+def turn_quaternion(s: Scope, theta: Array) -> Array:
+    """``exp(theta)`` as a quaternion: ``[c_0(x/4), c_1(x/4) theta / 2]``, regular at rest."""
     quarter = 0.25 * mx.dot(theta, theta)
     c2 = 0.5 - quarter * s.tracer.call("c4", quarter)
     c3 = 1.0 / 6.0 - quarter * s.tracer.call("c5", quarter)

@@ -126,6 +126,10 @@ class DaeFunctions(Functions):
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""
         parts = (self._with_modes(x), self._torques(tau), self._wrenches(w_ext), self._gravity())
         links, _ = self._run(ASSEMBLY, *parts)
+        return self._stacked(links)
+
+    def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:
+        """The blocks of all links in their places."""
         M: Entries = {}
         for i, link in enumerate(links):
             for name, (row, col, _, cols) in block_places(self.chain, i).items():

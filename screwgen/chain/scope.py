@@ -25,6 +25,7 @@ from ..derive.link import LinkBlock
 from ..derive.link_class import LinkClass
 from ..derive.link_rows import link_rows_block
 from ..derive.tip import tip_block, tip_body_block, tip_pose_block
+from ..derive.z_form import z_form_block, z_rows_block
 from ..lower.block import lower
 from ..lower.program import Array, Node, Program, Tracer, Value, give_label
 from .matrices import zeros
@@ -43,7 +44,14 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "joint_rows": joint_rows_block(key),
         "link_rows": link_rows_block(key),
         "energy": energy_block(key),
+        "z_rows": z_rows_block(key),
     }
+
+
+@cache
+def common() -> dict[str, Block]:
+    """The blocks that are the same for every link."""
+    return {"z_form": z_form_block()}
 
 
 SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega", "v"})
@@ -104,7 +112,7 @@ class Scope:
         return self.read(f"c.{label}", 1).item()
 
     def blocks(self) -> dict[str, Block]:
-        return derived(self.key)
+        return derived(self.key) | common()
 
     def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
         """Record a derived block; columns come back flat, matrices as matrices."""

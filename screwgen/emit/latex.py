@@ -12,7 +12,7 @@ import numpy as np
 
 from ..algebra.components import Array
 from ..chain.chain import Chain
-from ..chain.scope import derived
+from ..chain.scope import common, derived
 from ..derive.block import Block
 from ..derive.link_class import LinkClass
 from ..errors import ScrewgenError
@@ -25,6 +25,7 @@ from .latex_class import class_section, ordered
 from .latex_content import Document, Paragraph, Section, parse
 from .latex_steps import BlockView, block_view
 from .latex_symbols import entries
+from .latex_z import z_section, z_view
 from .templates import render
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
@@ -90,11 +91,12 @@ def content(robot: Robot) -> Document:
     chain = Chain(robot)
     views = {key: class_views(key) for key in chain.classes}
     printed: dict = {}
-    sections = [_robot(robot, chain), *_theory(robot, chain)]
+    sections = [_robot(robot, chain), *_theory(robot, chain), z_section(chain)]
     for number, key in enumerate(chain.classes, 1):
         members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
+    known.append((common()["z_form"], z_view()))
     sections += [
         Section("Symbols", [tables.symbols(entries(known))]),
         Section("Parameters", [tables.parameters(parameters(robot))]),

@@ -68,6 +68,12 @@ class Document:
     name: str
     version: str
     sections: tuple[Section, ...]
+    title: str = ""
+
+    @property
+    def heading(self) -> str:
+        """The title: of a robot's document it is made from the robot's name."""
+        return self.title or f"Equations of motion of `{self.name}`"
 
 
 def parse(prose: str) -> list[Item]:

@@ -59,7 +59,12 @@ SYSTEM = (
     (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "n_{q,i} × n_{q,i}"),
     (r"\mathbf{D}_q,\ \mathbf{S}_q", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "n_{q,i} × n_{q,i}"),
     (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries", "", "6 × 6, 6"),
-    (r"\mathbf{R}_{oi},\ \mathbf{r}_{oi}", "rotation and position of F_i in the inertial frame", "m", "3 × 3, 3"),
+    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "joint wrenches with rates of twists, or of Z", "", "12 n"),
+    (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "", "12 n × 12 n, 12 n"),
+    (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, and their bias", "", "12 n × 12 n, 12 n"),
+    (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "", "12 n"),
+    (r"\mathbf{x}_c", "state of the Cauchy form", "", r"12 n + 2 \sum r_i"),
+    (r"\mathbf{A}_c,\ \mathbf{g}_c", "matrix and free term of the Cauchy form", "", ""),
     (r"\mathbf{g}", "free fall, inertial frame", "m/s^2", "3"),
 )
 """The symbols of the text: LaTeX, meaning, unit, shape."""

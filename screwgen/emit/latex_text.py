@@ -5,12 +5,13 @@ from __future__ import annotations
 import html
 import re
 
+from ..algebra.plain import LETTERS
 from . import latex_mathml as mathml
 from .latex_layout import Formula
 from .templates import markup
 
 PIECES = re.compile(r"(\$[^$]*\$|`[^`]*`)")
-SPECIAL = {
+SPECIAL: dict[str, str] = {
     "\\": r"\textbackslash{}",
     "_": r"\_",
     "%": r"\%",
@@ -20,16 +21,27 @@ SPECIAL = {
     "}": r"\}",
     "^": r"\textasciicircum{}",
     "~": r"\textasciitilde{}",
-    "ξ": r"$\xi$",
     "×": r"$\times$",
     "²": "$^2$",
     "³": "$^3$",
+    "⁴": "$^4$",
+    "⁻": "$^-$",
     "·": r"$\cdot$",
-    "η": r"$\eta$",
     "−": "$-$",
-    "ζ": r"$\zeta$",
-    "ρ": r"$\rho$",
+    "≤": r"$\leq$",
+    "≥": r"$\geq$",
+    "≈": r"$\approx$",
+    "√": r"$\surd$",
+    "°": r"$^\circ$",
+    "∫": r"$\int$",
+    "→": r"$\to$",
+    "ᵀ": r"$^\top$",
 }
+LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} - {
+    *("Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega")
+}
+"""Greek letters for which LaTeX has no name."""
+SPECIAL |= {letter: rf"$\{name}$" for name, letter in LETTERS.items() if name not in LATIN}
 RUN = 10
 """An identifier may be broken after that many characters, and after any that is no letter."""
 

@@ -1,14 +1,21 @@
-# make demo: derive, generate, compile and run the two-link arm. make test: the whole test suite.
-# Both make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
+# make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
+# figures and a report. make test: the whole test suite.
+# All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
 BIN = $(VENV)/bin
 READY = $(VENV)/.ready
 WORKERS ?= 2
 export PYTHONDONTWRITEBYTECODE = 1
+# Two workers share the cores: threads of the linear algebra would only get into each other's way.
+export OMP_NUM_THREADS = 1
+export OPENBLAS_NUM_THREADS = 1
 
 demo: $(READY)
 	$(BIN)/python examples/demo.py
+
+paper: $(READY)
+	$(BIN)/python examples/ella_paper.py
 
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) -q -p no:cacheprovider $(ARGS)
@@ -32,4 +39,4 @@ $(READY): pyproject.toml constraints.txt
 clean:
 	rm -rf $(VENV) build
 
-.PHONY: demo test lint bench generated clean
+.PHONY: demo paper test lint bench generated clean

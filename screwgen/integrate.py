@@ -75,7 +75,7 @@ class Dynamics:
     """Accelerations and joint wrenches of the joint form, the modes' inertia and forces chosen by the method."""
 
     def __init__(self, model: Model, p: Sequence[float]):
-        functions = _modal_functions(model.chain)
+        functions = modal_functions(model.chain)
         self.p, self.n_modes, self.n_links = np.array(p, float), model.nq - model.n_joints, model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
         self.M_eta, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
@@ -98,10 +98,11 @@ class Dynamics:
 
 
 @lru_cache(maxsize=4)
-def _modal_functions(chain):
-    from .emit.casadi import modal_functions
+def modal_functions(chain):
+    """`emit.casadi.modal_functions` of a chain, built once for all who step it."""
+    from .emit import casadi
 
-    return modal_functions(chain)
+    return casadi.modal_functions(chain)
 
 
 class Held(NamedTuple):

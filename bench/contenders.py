@@ -146,8 +146,12 @@ def contenders(model: Model) -> list[Contender]:
         _ours(model, "baked", "screwgen, fused baked", screwgen_library(model, "fused", "baked", "baked")),
         _theirs("casadi_baked", "CasADi", casadi_library(baked, "casadi_baked"), None),
         _theirs("casadi_baked_cse", "CasADi, cse", casadi_library(baked, "casadi_baked_cse", cse=True), None),
-        _theirs("casadi_baked_short", "CasADi, short series",
-                casadi_library(baked, "casadi_baked_short", short_series, True), None),
+        _theirs(
+            "casadi_baked_short",
+            "CasADi, short series",
+            casadi_library(baked, "casadi_baked_short", short_series, True),
+            None,
+        ),
         _ours(model, "float", "screwgen, fused float", float_library(fused, model), exact=False),
         _theirs("casadi_float", "CasADi, float", single, "c", "float"),
     ]

@@ -48,8 +48,12 @@ class Program:
         for library in libraries.values():
             prepare_folder(self.folder / library.name, library)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            jobs = [pool.submit(self._compile_source, x, s, level, progress)
-                    for x in libraries.values() for s in x.sources for level in self.levels]
+            jobs = [
+                pool.submit(self._compile_source, x, s, level, progress)
+                for x in libraries.values()
+                for s in x.sources
+                for level in self.levels
+            ]
             for job in jobs:
                 job.result()
             adapters = [(c, level) for c in self.contenders for level in self.levels]

@@ -3,13 +3,16 @@
 One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 """
 
-from .build import Model, derive
+from .analysis import Analysis, analyse
+from .build import Model
 from .controllers import PD
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
+from .formulation import derive
 from .integrate import DivergedError
 from .modes import natural_frequencies
 from .runs import Run
 from .simulation import simulate
+from .spec.frequencies import Frequencies
 from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
 from .spec.section import Section
@@ -17,9 +20,11 @@ from .version import __version__
 
 __all__ = [
     "PD",
+    "Analysis",
     "Body",
     "Damping",
     "DivergedError",
+    "Frequencies",
     "Joint",
     "Link",
     "Model",
@@ -33,6 +38,7 @@ __all__ = [
     "SingularError",
     "UsageError",
     "__version__",
+    "analyse",
     "derive",
     "dump",
     "load",

@@ -25,7 +25,7 @@ EPILOG = (
 ClickException = typer.BadParameter.__mro__[2]
 """Whatever is wrong with a command line; typer has it under names that change with its version."""
 
-RESERVED = ("paper", "analyse", "equilibrium")
+RESERVED = ("equilibrium",)
 
 app = typer.Typer(
     name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
@@ -140,11 +140,14 @@ def evaluate(
         str, typer.Option(metavar="NAME", help="numpy, casadi or c, which compiles the generated code.")
     ] = "numpy",
     form: Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")] = "joint",
+    formulation: Annotated[
+        str, typer.Option(metavar="NAME", help="consistent, or printed: the paper's equations as they stand.")
+    ] = "consistent",
 ) -> None:
     """Print accelerations, joint wrenches, tip pose and energies at a state, as JSON."""
     from .cli_commands import run_evaluate
 
-    run_evaluate(robot, state, backend, form)
+    run_evaluate(robot, state, backend, form, formulation)
 
 
 @app.command(short_help="Print natural frequencies.", epilog=EPILOG)
@@ -163,6 +166,38 @@ def modes(
     run_modes(robot, posture, joints, json)
 
 
+@app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)
+def analyse(
+    context: typer.Context,
+    robot: RobotFile,
+    state: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FILE", help="A state file; may be given again. Without: all zero.", show_default=False),
+    ] = None,
+    samples: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N", min=0, max=10000, help="Random states besides; 20 if no --state is given.", show_default=False
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the random states.")] = 0,
+    step: Annotated[float, typer.Option(metavar="S", help="The time step whose growth is reported.")] = 1e-3,
+    controller: Annotated[
+        str | None,
+        typer.Option(metavar="KIND:FILE", help="pd:gains.toml: closes the loop, torques held.", show_default=False),
+    ] = None,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Draw the structure of M_sys, as .png.", show_default=False)
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")] = False,
+    quiet: Quiet = False,
+) -> None:
+    """Report whether the equations are well posed: rank and condition of M_sys, definiteness, spectrum, step limits."""
+    from .cli_commands import run_analyse
+
+    run_analyse(robot, state or [], samples, seed, step, controller, plot, json, quiet or context.obj)
+
+
 @app.command(short_help="Write the equations as .tex, .pdf or .html.", epilog=EPILOG)
 def latex(
     context: typer.Context,
@@ -178,13 +213,40 @@ def latex(
     run_latex(robot, output, quiet or context.obj)
 
 
+@app.command(short_help="Show the paper's equations, checked.", epilog=EPILOG)
+def paper(
+    context: typer.Context,
+    label: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).", show_default=False),
+    ] = None,
+    errata: Annotated[bool, typer.Option("--errata", help="The errata, not the equations.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print as JSON, formulas in LaTeX.")] = False,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md.", show_default=False
+        ),
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Show the paper's printed equations: what holds, what fails, and what holds instead, judged by numbers.
+
+    Without a label: the list. With labels: equations printed, derived, their difference; errata with their figures.
+    """
+    from .cli_paper import run_paper
+
+    run_paper(label or (), errata, json, output, quiet or context.obj)
+
+
 def _reserve(name: str) -> None:
     """A command whose name is taken but whose work is not written yet."""
     settings = {"allow_extra_args": True, "ignore_unknown_options": True, "help_option_names": []}
 
     @app.command(name, hidden=True, context_settings=settings)
     def reserved() -> None:
-        raise UsageError(f"'{name}' is not yet available; choose generate, simulate, evaluate, modes or latex")
+        known = "generate, simulate, evaluate, modes, analyse, latex or paper"
+        raise UsageError(f"'{name}' is not yet available; choose {known}")
 
 
 for _name in RESERVED:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json as json_format
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from .build import TARGETS, Model, derive
 from .cli_output import bar, busy, say
 from .errors import SingularError, UsageError
 from .spec.load import load, one_line
+from .spec.robot import Robot
 from .state import State, read_state, state_of
 
 
@@ -141,14 +142,38 @@ BACKENDS = ("numpy", "casadi", "c")
 FORMS = ("joint", "dae")
 
 
-def run_evaluate(robot: str, state: str | None, backend: str, form: str) -> None:
+def run_evaluate(robot: str, state: str | None, backend: str, form: str, formulation: str) -> None:
     """Print the JSON of an evaluation."""
+    from .formulation import FORMULATIONS
+
+    check_choice("--formulation", formulation, FORMULATIONS)
     check_choice("--backend", backend, BACKENDS)
     check_choice("--form", form, FORMS)
     if (backend, form) not in EVALUATIONS:
         raise UsageError(f"--backend {backend} does not evaluate --form {form}; choose another")
-    model = derive(load(robot))
-    print(json_format.dumps(evaluation(model, _state(state, model), backend, form), allow_nan=False))
+    if formulation == "printed" and (backend, form) != ("numpy", "joint"):
+        raise UsageError(
+            "--formulation printed is evaluated by NumPy in the joint form; leave out --backend and --form"
+        )
+    evaluated = _printed if formulation == "printed" else partial(_consistent, backend=backend, form=form)
+    print(json_format.dumps(evaluated(load(robot), state), allow_nan=False))
+
+
+def _consistent(robot: Robot, state: str | None, backend: str, form: str) -> dict:
+    model = derive(robot)
+    return evaluation(model, _state(state, model), backend, form)
+
+
+def _printed(robot: Robot, state: str | None) -> dict:
+    """An evaluation with the paper's equations as printed, and which of them changed it."""
+    from .paper.printed import PrintedModel
+
+    printed = PrintedModel(robot)
+    s = _state(state, printed.model)
+    vdot, wrench = printed.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    own = evaluation(printed.model, s)
+    dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench + 0.0).tolist()}
+    return own | dynamics | {"as_printed": list(printed.as_printed)}
 
 
 def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "joint") -> dict:
@@ -171,6 +196,47 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
         "kinetic": float(kinetic),
         "potential": float(potential),
     }
+
+
+# ------------------------------------------------------------------------------ analyse
+
+
+def run_analyse(
+    robot: str,
+    states: Sequence[str],
+    samples: int | None,
+    seed: int,
+    step: float,
+    controller: str | None,
+    plot: str | None,
+    json: bool,
+    quiet: bool,
+) -> None:
+    """Print the report or the JSON, and draw the structure."""
+    from .analysis import SAMPLES, analyse, sample_states
+    from .analysis.spectrum import check_step
+    from .controllers import read_controller
+    from .runs import check_output, outputs
+
+    check_step(step)
+    if plot is not None:
+        check_output(plot, (".png",))
+    count = (0 if states else SAMPLES) if samples is None else samples
+    model = derive(load(robot))
+    law = read_controller(controller, model) if controller is not None else None
+    given = {one_line(path): read_state(path, model) for path in states} or {"zero": _state(None, model)}
+    for path, state in given.items():
+        if law is not None and state.tau.any():
+            raise UsageError(f"{path}: tau: is given beside --controller; leave one of them out")
+    given |= sample_states(model, count, seed, hold=law is None)
+    with outputs(*filter(None, (plot,))) as streams:
+        with bar("analysing", len(given), quiet) as progress:
+            found = analyse(model, given, step, law, progress)
+        if plot is not None:
+            from .analysis.structure_plot import png
+
+            streams[0].write(png(found.structure, model.robot.name))
+    print(found.to_json() if json else found.text())
 
 
 # ------------------------------------------------------------------------------ modes, latex

@@ -473,9 +473,7 @@ class Oracle:
         self.damping = np.concatenate(
             [link.joint_damping for link in self.links] + [link.damping for link in self.links]
         )
-        self.armature = np.concatenate(
-            [link.armature for link in self.links] + [np.zeros(self.nv - self.n_joint)]
-        )
+        self.armature = np.concatenate([link.armature for link in self.links] + [np.zeros(self.nv - self.n_joint)])
         self.q, self.v, self.a, self.trial = (ca.SX.sym(name, self.nv) for name in ("q", "v", "a", "trial"))
         self.w_ext = ca.SX.sym("w_ext", 6, self.n)
 

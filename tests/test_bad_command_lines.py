@@ -17,7 +17,6 @@ LINES = {
     "simulat ella.toml": "no such command 'simulat'",
     "--quie": "no such option: --quie",
     "paper": "'paper' is not yet available",
-    "analyse ella.toml --fast": "'analyse' is not yet available",
     "equilibrium ella.toml -o x.json": "'equilibrium' is not yet available",
     # robots
     "modes": "missing argument 'ROBOT'",
@@ -74,6 +73,21 @@ LINES = {
     "latex ella.toml": "missing option",
     "latex ella.toml -o x.docx": "it must end in .tex or .pdf or .html",
     "latex ella.toml -o none/x.tex": "its folder does not exist",
+    "analyse": "missing argument 'ROBOT'",
+    "analyse ella.toml --fast": "no such option: --fast",
+    "analyse massless.toml": "links[0].section.rhoA",
+    "analyse ella.toml --state none.json": "none.json: there is no such file",
+    "analyse ella.toml --state folder": "folder: is a directory",
+    "analyse ella.toml --samples -1": "--samples",
+    "analyse ella.toml --samples many": "--samples",
+    "analyse ella.toml --seed -1": "--seed",
+    "analyse ella.toml --step 0": "the step is 0 s",
+    "analyse ella.toml --step nan": "the step is nan s",
+    "analyse ella.toml --plot m.jpg": "m.jpg: has an unknown suffix",
+    "analyse ella.toml --plot none/m.png": "its folder does not exist",
+    "analyse ella.toml --controller pid:gains.toml": "there is no controller 'pid'",
+    "analyse ella.toml --controller pd:none.toml": "none.toml: there is no such file",
+    "analyse ella.toml --controller pd:gains.toml --state torque.json": "torque.json: tau: is given beside",
     "generate ella.toml": "missing option",
     "generate ella.toml -o ella.toml": "ella.toml",
     "generate ella.toml -o .": ".",
@@ -166,7 +180,10 @@ def test_bad_command_line(capsys, folder, line):
 
 
 @pytest.mark.parametrize("text", STATES, ids=lambda text: text[:40])
-@pytest.mark.parametrize("command", ["evaluate ella.toml --state", "modes ella.toml --posture", f"{RUN} --state"])
+@pytest.mark.parametrize(
+    "command",
+    ["evaluate ella.toml --state", "analyse ella.toml --state", "modes ella.toml --posture", f"{RUN} --state"],
+)
 def test_bad_state(capsys, folder, command, text):
     Path("state.json").write_text(text)
     refused(capsys, folder, [*command.split(), "state.json"], STATES[text])

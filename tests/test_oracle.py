@@ -254,9 +254,7 @@ def test_axial_and_torsional_frequencies():
     assert np.allclose(oracle.frequencies(), np.sort(expected), rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    "count, ratio", [(1, 0.970688), (2, 0.995404), (3, 0.998556), (4, 0.999377), (5, 0.999678)]
-)
+@pytest.mark.parametrize("count, ratio", [(1, 0.970688), (2, 0.995404), (3, 0.998556), (4, 0.999377), (5, 0.999678)])
 def test_static_tip_deflection_of_clamped_free_modes(count, ratio):
     oracle = Oracle(beam(modes=modes("clamped_free", bending_y=count)))
     load = oracle.bias(np.zeros(count), np.zeros(count), [[0, 0, 0, 0, 1.0, 0]])

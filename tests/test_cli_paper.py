@@ -1,0 +1,113 @@
+"""The command `paper`: lists, single equations and errata, files, and what it refuses."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from screwgen.algebra.plain import WIDTH, shown
+from screwgen.cli import main
+from screwgen.paper.document import errata_page
+from screwgen.paper.register import equations, errata
+
+ROOT = Path(__file__).resolve().parents[1]
+ERRATA_PAGE, README = ROOT / "docs" / "errata.md", ROOT / "README.md"
+
+
+def output(capsys, *arguments):
+    assert main(["paper", *arguments]) == 0
+    return capsys.readouterr().out
+
+
+def test_the_list_has_every_equation(capsys):
+    text = output(capsys)
+    for e in equations():
+        assert f"({e.label})" in text
+    assert f"{len(equations())} equations: " in text
+    assert all(shown(line) <= 120 for line in text.splitlines())
+
+
+@pytest.mark.parametrize("e", equations(), ids=lambda e: e.label)
+def test_every_equation_is_shown(e, capsys):
+    text = output(capsys, e.label)
+    assert f"({e.label})" in text and e.standing.value in text
+    assert ("\n  derived\n" in text) == bool(e.derived)
+    assert "\\" not in text.replace("\\n", "")
+    assert all(shown(line) <= WIDTH + 30 for line in text.splitlines())
+
+
+@pytest.mark.parametrize("label", ["(29)", "eq:29", "29"])
+def test_a_label_may_be_written_as_in_the_paper(label, capsys):
+    assert output(capsys, label).startswith("(29)")
+
+
+def test_the_difference_is_shown_as_a_formula(capsys):
+    text = output(capsys, "34")
+    assert "printed − derived = −r̃_ξi ω̇_i − ω̃_i v_i" in text
+
+
+def test_errata_are_shown_with_figures(capsys):
+    text = output(capsys, "E16")
+    assert "printed" in text and "derived" in text and "must be" in text and "22." in text
+    listing = output(capsys, "--errata")
+    assert all(e.number in listing for e in errata())
+
+
+def test_several_at_once(capsys):
+    text = output(capsys, "29", "E5")
+    assert text.startswith("(29)") and "\nE5 " in text
+
+
+def test_json_has_the_formulas(capsys):
+    rows = json.loads(output(capsys, "--json"))
+    assert len(rows) == len(equations())
+    by_label = {row["label"]: row for row in rows}
+    assert by_label["29"]["standing"] == "fails" and by_label["29"]["difference"]
+    (erratum,) = json.loads(output(capsys, "E25", "--json"))
+    assert erratum["number"] == "E25" and erratum["figures"]
+
+
+@pytest.mark.parametrize("suffix", [".tex", ".html"])
+def test_the_document_is_written(suffix, tmp_path, capsys):
+    file = tmp_path / f"paper{suffix}"
+    output(capsys, "29", "E7", "-o", str(file))
+    text = file.read_text(encoding="utf-8")
+    assert "(29)" in text and "E7" in text
+    first = file.read_bytes()
+    output(capsys, "29", "E7", "-o", str(file))
+    assert file.read_bytes() == first
+
+
+def test_the_page_of_errata_is_current(tmp_path, capsys):
+    file = tmp_path / "errata.md"
+    output(capsys, "--errata", "-o", str(file))
+    assert file.read_text(encoding="utf-8") == errata_page(errata()) == ERRATA_PAGE.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["4711"], "the paper has no equation '4711'"),
+        (["phi_q"], "did you mean"),
+        (["E99"], "the paper has no erratum 'E99'"),
+        (["29", "--errata"], "--errata means all errata"),
+        (["29", "-o", "paper.md"], "a .md file holds errata alone"),
+        (["--json", "-o", "paper.tex"], "--json prints"),
+        (["-o", "paper.doc"], "unknown suffix"),
+        (["-o", "missing/paper.tex"], "folder does not exist"),
+    ],
+)
+def test_what_cannot_be_done_is_one_line(arguments, message, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["paper", *arguments]) == 2
+    error = capsys.readouterr().err
+    assert message in error and error.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_readme_shows_what_is_printed(capsys):
+    block = re.search(r"\$ screwgen paper 34\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)[1]
+    text = output(capsys, "34")
+    for part in block.split("...\n"):
+        assert part.rstrip() in text

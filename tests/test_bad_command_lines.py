@@ -16,7 +16,7 @@ LINES = {
     "": "missing command",
     "simulat ella.toml": "no such command 'simulat'",
     "--quie": "no such option: --quie",
-    "paper": "'paper' is not yet available",
+    "paper 4711": "the paper has no equation '4711'",
     "equilibrium ella.toml -o x.json": "'equilibrium' is not yet available",
     # robots
     "modes": "missing argument 'ROBOT'",

@@ -57,14 +57,16 @@ def process(*arguments: str, **options) -> subprocess.Popen:
 
 # -------- help
 
+COMMANDS = ("generate", "simulate", "evaluate", "modes", "analyse", "latex")
+
 
 def test_help_lists_the_commands(capsys):
     text = run(capsys, "--help")
-    assert all(name in text for name in ("generate", "simulate", "evaluate", "modes", "latex", "Exit status"))
-    assert "paper" not in text and "╭" not in text
+    assert all(name in text for name in (*COMMANDS, "paper", "Exit status"))
+    assert "equilibrium" not in text and "╭" not in text
 
 
-@pytest.mark.parametrize("command", ["generate", "simulate", "evaluate", "modes", "latex"])
+@pytest.mark.parametrize("command", COMMANDS)
 def test_every_command_has_help(capsys, command):
     text = run(capsys, command, "--help")
     assert text.startswith(f"Usage: screwgen {command}") and "ROBOT" in text and "Exit status" in text

@@ -69,6 +69,11 @@ def test_the_difference_is_printed_minus_derived(e):
             assert np.allclose(formula, gap, rtol=1e-10, atol=1e-12 * max(1.0, np.abs(gap).max()))
 
 
+@pytest.mark.parametrize("e", [e for e in ALL if e.derived], ids=ids)
+def test_a_failing_equation_shows_its_difference(e):
+    assert e.gaps()
+
+
 @pytest.mark.parametrize("e", [e for e in JUDGED if e.standing is not Standing.FAILS], ids=ids)
 def test_the_judge_sees_a_wrong_sign(e):
     """Every term of every line of a formula that holds: with the other sign it holds no more."""

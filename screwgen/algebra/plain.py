@@ -31,7 +31,8 @@ GREEK = (
 LETTERS = {name: chr(0x3B1 + k) for k, name in enumerate(GREEK.split())}
 LETTERS |= {name.capitalize(): chr(0x391 + k) for k, name in enumerate(GREEK.split())}
 SIGNS = {
-    "top": "ᵀ", "int": "∫", "sum": "Σ", "leq": "≤", "geq": "≥", "in": "∈", "times": "×", "cdots": "⋯", "vdots": "⋮",
+    "top": "ᵀ", "int": "∫", "sum": "Σ", "prod": "∏", "leq": "≤", "geq": "≥", "in": "∈", "times": "×", "cdots": "⋯",
+    "vdots": "⋮",
     "ddots": "⋱", "quad": "  ", "qquad": "    ", "infty": "∞", "sqrt": "√", "pm": "±", "to": "→", "mapsto": "↦",
     "ldots": "…", "dots": "…", "neq": "≠", "approx": "≈", "partial": "∂", "cdot": "·", "succ": "≻", "succeq": "⪰",
     "left": "", "right": "", "displaystyle": "", "limits": "",

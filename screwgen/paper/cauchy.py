@@ -144,6 +144,12 @@ EQUATIONS = (
         *(Formula(line) for line in TABLE),
         derived=tuple(Formula(mended(k)) for k in range(len(TABLE))),
         errata=("E17", "E18"),
+        gap=(
+            Formula(
+                r"step viii: $(\mathbf{J}(\boldsymbol{\theta}_i) - \mathbf{J}(\boldsymbol{\theta}_i)^{-1})"
+                r"\boldsymbol{\omega}_i$ in $\dot{\boldsymbol{\theta}}_i$"
+            ),
+        ),
         judge=on_motion(step_defects),
         note="Judged by steps vii to x on the motion, one step of forward Euler forwards and backwards: the error per "
         "length of the step, extrapolated to a step of zero, which is zero if and only if the steps follow the motion. "

@@ -258,6 +258,14 @@ SYMMETRY = (
         ),
         section="6",
         errata=("E26", "E29"),
+        gap=(
+            Formula(
+                r"$\mathbf{M} - \mathbf{M}^{\top} = [\mathbf{M}_V\mathbf{T}_\gamma - "
+                r"\mathbf{T}_\gamma^{\top}\mathbf{M}_V, -\mathbf{T}_\gamma^{\top}\boldsymbol{M}_D; "
+                r"\boldsymbol{M}_D^{\top}\mathbf{T}_\gamma, \mathbf{0}]$, with $\mathbf{M}_V$ the inertia of the "
+                "deformed link: zero in the derived form"
+            ),
+        ),
         judge=asymmetry,
         block="link.M_V, link.M_D, link.M_Dphi, link.M_Wphi",
         note="Judged by the asymmetry of the block, and by its eigenvalues.",

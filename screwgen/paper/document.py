@@ -76,10 +76,10 @@ def equation_items(e: Equation) -> list[Item]:
         items.append(Paragraph(f"Read ${latex(symbol)}$ as ${latex(value)}$."))
     if e.derived:
         items += [Paragraph("Derived:"), *map(statement, e.derived)]
-    differences = e.differences()
+    differences = e.gaps()
     if differences:
         items.append(Paragraph("Printed minus derived:"))
-        items += [Display(_laid_out("", d)) for d in differences]
+        items += [statement(d) if isinstance(d, Statement) else Display(_laid_out("", d)) for d in differences]
     see = f"See {', '.join(e.errata)}." if e.errata else ""
     block = f"Derived block and step: `{e.block}`." if e.block else ""
     verdict = judgement(e) if e.derived else ""

@@ -167,6 +167,7 @@ EQUATIONS = (
         *map(Formula, SECTION_TEXT),
         derived=(Formula(SECTION_TEXT[0]), Formula(SECTION_TEXT[1].replace("EI_y", "EI_z"))),
         errata=("E20",),
+        gap=(Formula(r"$EI_y$: $3.67 \times 10^3 - 2.12 \times 10^3 = 1.55 \times 10^3$ N·m²"),),
         judge=judges.section,
         note="Judged by the frequencies of the bare second link in z. The text's $EA$ is "
         f"{100 * (1 - SECTION.EA / (YOUNG * AREA)):.1f} % below its product of E and A; with its density, "
@@ -182,6 +183,13 @@ EQUATIONS = (
         Formula(CONTROL),
         derived=(Formula(JOINT_CONTROL),),
         errata=("E37",),
+        gap=(
+            Formula(
+                r"$\boldsymbol{\theta}_i - \mathbf{q}_i$ for the angles, with $\exp(\tilde{\boldsymbol{\theta}}_i) = "
+                r"\mathbf{R}_{o(i-1)}\prod_j\exp(\tilde{\mathbf{a}}_{ij}q_{ij})$: "
+                "zero for a single axis of the first joint alone"
+            ),
+        ),
         judge=judges.control_law,
         note="Judged by the work of the proportional torque round a closed path of the universal joint: a spring does "
         "none. The paper gives no gains.",
@@ -230,6 +238,10 @@ EQUATIONS = (
             ),
         ),
         errata=("E19",),
+        gap=(
+            Formula(r"amplification per step: $1 - \sqrt{1 + T_s^2\omega^2}$"),
+            Formula(r"$\omega_n$ of bending: $(1.8751^2 n^2 - \lambda_n^2)\sqrt{EI/\rho A}/l^2$"),
+        ),
         judge=judges.stability,
         note="Judged by stepping an oscillation of the bare link at 0.9 of the bound, and with symplectic Euler on "
         "both sides of it.",

@@ -73,7 +73,8 @@ class Equation:
     stand.  ``reading``: symbols (by name) that must be read as something else for the printed lines to hold.
     ``where``: definitions by which symbols are replaced before formulas are compared or judged.  ``isolated``: the
     link of the judge is moved by its own external wrenches, as in the paper's Section 3.  ``judge`` replaces the
-    judgement on motions where an equation is not about motion.  ``block``: the derived block and its step.
+    judgement on motions where an equation is not about motion.  ``block``: the derived block and its step.  ``gap``:
+    the difference of printed and derived where they are statements that no algebra can subtract.
     """
 
     label: str
@@ -88,6 +89,7 @@ class Equation:
     note: str = ""
     isolated: bool = False
     judge: Judge | None = None
+    gap: tuple[Formula, ...] = ()
 
     @property
     def standing(self) -> Standing:
@@ -117,6 +119,12 @@ class Equation:
         pairs = zip(self.printed, self.derived, strict=True)
         return [d for d in (self._difference(p.read(self.reading), d) for p, d in pairs) if not is_zero(d)]
 
+    def gaps(self) -> tuple[Expression | Formula, ...]:
+        """The differences as they are shown: of matrix expressions, of sympy's equalities, or as stated."""
+        pairs = zip(self.printed, self.derived, strict=False)
+        equalities = [_subtracted(p.statement, d.statement) for p, d in pairs if _are_equalities(p, d)]
+        return (*self.differences(), *equalities, *self.gap)
+
     def _difference(self, printed: Relation, derived: Relation) -> Expression:
         """The shorter of the differences with and without the definitions put in."""
         found = []
@@ -125,6 +133,18 @@ class Equation:
             same = p.left == d.left
             found.append(difference(p.right, d.right, rank) if same else difference(p.residual, d.residual, rank))
         return min(found, key=length)
+
+
+def _are_equalities(*lines: Statement) -> bool:
+    """Whether lines give the same quantity by formulas of sympy."""
+    statements = [s.statement for s in lines if isinstance(s, Formula)]
+    return (
+        len(statements) == 2 and all(isinstance(s, sp.Eq) for s in statements) and len({s.lhs for s in statements}) == 1
+    )
+
+
+def _subtracted(printed: sp.Eq, derived: sp.Eq) -> Formula:
+    return Formula(sp.Add(printed.rhs, -derived.rhs, evaluate=False))
 
 
 def length(e: Expression) -> int:

@@ -89,6 +89,12 @@ SHAPES = (
             Formula(r"$\phi_x \in H^1(a_i,c_i)$ and $\phi_y, \phi_z \in H^2(a_i,c_i)$, with (82) in its weak form"),
         ),
         errata=("E30",),
+        gap=(
+            Formula(
+                r"$\int\boldsymbol{\phi}''''^{\top}\boldsymbol{\phi}\,d\xi - "
+                r"\int\boldsymbol{\phi}''^{\top}\boldsymbol{\phi}''\,d\xi$, which is not zero in $H^2$"
+            ),
+        ),
         judge=weak_stiffness,
         note="Judged by the bending stiffness of the cubic of two beam elements, which is in H²: (82) as printed asks "
         "for a fourth derivative, which is zero wherever it exists, and finds no stiffness.",

@@ -57,8 +57,9 @@ def equation_text(e: Equation) -> str:
         lines += ["", "  read", *(f"    {line}" for line in relation(_named(e, name), value, WIDTH - 4))]
     if e.derived:
         lines += ["", *_formulas("derived", e.derived)]
-    for d in e.differences():
-        lines += ["", *(f"  {line}" for line in hung("printed − derived = ", boxed(d, WIDTH - 22)))]
+    for d in e.gaps():
+        text = _text(d, WIDTH - 22) if isinstance(d, Formula) else boxed(d, WIDTH - 22)
+        lines += ["", *(f"  {line}" for line in hung("printed − derived = ", text))]
     lines += ["", *_wrapped(judgement(e))]
     if e.note:
         lines += ["", *_wrapped(f"{letters_in(e.note)}")]
@@ -81,22 +82,22 @@ def _formulas(head: str, statements: tuple[Relation | Formula, ...]) -> list[str
     return lines
 
 
-def _text(s: Formula) -> list[str]:
+def _text(s: Formula, width: int = WIDTH - 4) -> list[str]:
     if isinstance(s.statement, str):
-        return [line for part in letters_in(s.statement).splitlines() for line in textwrap.wrap(part, WIDTH - 4)]
-    return [letters(s.latex)]
+        return [line for part in letters_in(s.statement).splitlines() for line in textwrap.wrap(part, width)]
+    return textwrap.wrap(letters(s.latex), width, subsequent_indent="  ")
 
 
 def judgement(e: Equation) -> str:
     """What the judge says, in a sentence."""
     printed, derived = e.misfits(SEED)
-    where = "by its judge" if e.judge else "on a random motion"
+    where = "By its own judge" if e.judge else "On a random motion"
     if e.standing is Standing.FAILS:
         return (
-            f"Judged {where}, the printed formula misses by {printed:.2g} of its largest term, "
+            f"{where}, the printed formula misses by {printed:.2g} of its largest term, "
             f"the derived one by {bounded(derived)}."
         )
-    return f"Judged {where}, the two sides agree to {bounded(printed)} of the largest term."
+    return f"{where}, the two sides agree to {bounded(printed)} of the largest term."
 
 
 def bounded(misfit: float) -> str:
@@ -178,7 +179,7 @@ def record(e: Equation | Erratum) -> dict:
         "errata": e.errata,
         "printed": [_latex(s) for s in e.printed],
         "derived": [_latex(s) for s in e.derived],
-        "difference": [latex(d) for d in e.differences()],
+        "difference": [d.latex if isinstance(d, Formula) else latex(d) for d in e.gaps()],
         "reading": {latex(_named(e, name)): latex(value) for name, value in e.reading.items()},
         "block": e.block,
     }

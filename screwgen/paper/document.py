@@ -94,7 +94,10 @@ def statement(s: Relation | Statement) -> Item:
         if isinstance(s.left, Sum) and not isinstance(s.right, Block) and width(f"{left} = {right}") > PAGE:
             return Display(tuple(("", line) for line in fill([*terms(s.left), f"= {right}"], PAGE)))
         return Display(_laid_out(left, s.right))
-    return Paragraph(s.latex) if isinstance(s.statement, str) else Display((("", s.latex),))
+    if isinstance(s.statement, str):
+        return Paragraph(s.latex)
+    lines = fill(s.terms, PAGE) if width(s.latex) > PAGE else [s.latex]
+    return Display(tuple(("", line) for line in lines))
 
 
 def _laid_out(left: str, right: Expression) -> Formula:

@@ -59,6 +59,12 @@ class Formula:
     def latex(self) -> str:
         return self.statement if isinstance(self.statement, str) else sp.latex(self.statement, order="none")
 
+    @property
+    def terms(self) -> list[str]:
+        """The LaTeX of the terms of a sum, each with its sign: where a long line may be broken."""
+        first, *rest = (sp.latex(t, order="none") for t in sp.Add.make_args(self.statement))
+        return [first, *(t if t.startswith("-") else f"+ {t}" for t in rest)]
+
 
 Statement = Relation | Formula
 Judge = Callable[[int], tuple[float, float]]

@@ -5,6 +5,7 @@ PYTHON ?= python3.11
 VENV = .venv
 BIN = $(VENV)/bin
 READY = $(VENV)/.ready
+BENCH = .venv-bench
 WORKERS ?= 2
 export PYTHONDONTWRITEBYTECODE = 1
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
@@ -21,10 +22,24 @@ test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) -q -p no:cacheprovider $(ARGS)
 
 lint: $(READY)
-	$(BIN)/ruff check --no-cache screwgen tests examples bench
+	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware
 
-bench: $(READY)
-	$(BIN)/python bench/bench.py
+# The generated C against what else computes the same; the other tools live in an environment of their own.
+bench: $(BENCH)/.ready
+	$(BENCH)/bin/python bench/bench.py $(ARGS)
+
+# What ELLA costs on a Cortex-M4F, a Cortex-M7 and a RISC-V: cross-compiled, run under QEMU, held against the budgets.
+firmware: $(READY)
+	$(BIN)/python firmware/firmware.py --workers $(WORKERS) $(ARGS)
+
+# Every analyser over the C of three robots in all layouts and precisions: gcc -fanalyzer, clang-tidy, cppcheck with its
+# MISRA addon, sanitizers, valgrind. Some minutes.
+analyse-c: $(READY)
+	$(BIN)/python tests/analyse_c.py
+
+# Ten million steps of ELLA: what drifts. Some minutes.
+long-run: $(READY)
+	$(BIN)/python tests/long_run.py
 
 # Regenerate the committed output of the examples.
 generated: $(READY)
@@ -36,7 +51,17 @@ $(READY): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@
 
-clean:
-	rm -rf $(VENV) build
+$(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
+	@echo "making $(BENCH), once: about a minute"
+	$(PYTHON) -m venv $(BENCH)
+	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
+	@grep -v '^#' bench/requirements.txt | while read -r package; do \
+	    $(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt "$$package" || \
+	    echo "bench: $$package could not be installed; the rows that need it will be missing"; \
+	done
+	touch $@
 
-.PHONY: demo paper test lint bench generated clean
+clean:
+	rm -rf $(VENV) $(BENCH) build
+
+.PHONY: demo paper test lint bench analyse-c long-run firmware generated clean

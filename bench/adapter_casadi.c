@@ -1,7 +1,8 @@
 /* adapter_casadi.c: the C that casadi.Function.generate writes as a contender.
  *
  * The function is -DFUNCTION, its inputs q, v, tau, w_ext and, unless -DBAKED, one of constants or parameters
- * (-DEXTRA, an array of -DDATA); its outputs vdot, wrench, tip rotation by rows, tip position.
+ * (-DEXTRA, an array of -DDATA); its outputs vdot, wrench, tip rotation by rows, tip position. -DPLAIN: q, v, tau to
+ * vdot, and that is all.
  */
 #include DATA
 
@@ -51,14 +52,18 @@ int CALL(int k)
     arg[0] = q[k];
     arg[1] = v[k];
     arg[2] = tau[k];
+#if !defined(PLAIN)
     arg[3] = w_ext[k];
+#endif
 #if !defined(BAKED)
     arg[4] = extra;
 #endif
     res[0] = vdot;
+#if !defined(PLAIN)
     res[1] = wrench;
     res[2] = R;
     res[3] = position;
+#endif
     return FUNCTION(arg, res, iw, w, 0);
 }
 
@@ -73,8 +78,17 @@ static double *give(const casadi_real *from, int n, double *y)
 
 static void result(double *y)
 {
-    give(position, 3, give(R, 9, give(wrench, 6 * NLINKS, give(vdot, NQ, y))));
+    y = give(vdot, NQ, y);
+#if !defined(PLAIN)
+    give(position, 3, give(R, 9, give(wrench, 6 * NLINKS, y)));
+#endif
 }
 
+#if defined(PLAIN)
+#define RESULTS NQ
+#else
+#define RESULTS (NQ + 6 * NLINKS + 12)
+#endif
+
 extern const contender VARIANT;
-const contender VARIANT = { TEXT(VARIANT), NQ + 6 * NLINKS + 12, init, CALL, result };
+const contender VARIANT = { TEXT(VARIANT), RESULTS, init, CALL, result };

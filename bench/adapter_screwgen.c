@@ -1,7 +1,7 @@
 /* adapter_screwgen.c: the generated C of a robot as a contender.
  *
  * -DROBOT: its prefix; -DHEADER, -DDATA: its header and its states. -DWITH_PREPARE: every call prepares the
- * constants from the parameters first. -DSTEP, -DDAE_STEP: a step by that function instead of forward dynamics.
+ * constants from the parameters first. -DACCELERATIONS: vdot alone. -DSTEP, -DDAE_STEP: a step by that function instead of forward dynamics.
  */
 #include <string.h>
 
@@ -65,7 +65,11 @@ int CALL(int k)
         return 1;
     }
 #endif
+#if defined(ACCELERATIONS)
+    return (int)OF_ROBOT(_accelerations)(&constants, &states[k], &inputs[k], &work, &output);
+#else
     return (int)OF_ROBOT(_forward_dynamics)(&constants, &states[k], &inputs[k], &work, &output);
+#endif
 #endif
 }
 
@@ -75,6 +79,7 @@ static void result(double *y)
     for (i = 0; i < NQ; ++i) {
         *y++ = (double)output.vdot[i];
     }
+#if !defined(ACCELERATIONS)
     for (i = 0; i < 6 * NLINKS; ++i) {
         *y++ = (double)output.wrench[i / 6][i % 6];
     }
@@ -84,10 +89,13 @@ static void result(double *y)
     for (i = 0; i < 3; ++i) {
         *y++ = (double)output.tip_position[i];
     }
+#endif
 }
 
 #if defined(STEP) || defined(DAE_STEP)
 #define RESULTS 0
+#elif defined(ACCELERATIONS)
+#define RESULTS NQ
 #else
 #define RESULTS (NQ + 6 * NLINKS + 12)
 #endif

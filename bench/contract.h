@@ -2,9 +2,11 @@
 #ifndef BENCH_CONTRACT_H
 #define BENCH_CONTRACT_H
 
+enum { STATES = 8 }; /* states at which every contender runs, in turns */
+
 typedef struct {
     const char *name;
-    int results; /* numbers that result() writes; 0 where there is nothing to compare */
+    int results; /* numbers that result() writes, vdot first; 0 where there is nothing to compare */
     void (*init)(void); /* take the states over and prepare what is prepared once */
     int (*call)(int k); /* one evaluation at state k; 0 where it succeeds */
     void (*result)(double *y); /* what the last call gave: vdot, wrench, tip rotation by rows, tip position */

@@ -1,7 +1,7 @@
-/* driver.c: runs the contenders of one robot in one process, in turns.
+/* driver.c: runs the contenders of one group in one process, in turns.
  *
- *   driver verify             prints "deviation <name> <largest relative deviation from the first contender>"
- *   driver count              calls every contender of "countable" once per state, for callgrind
+ *   driver verify             prints "deviation <name> <largest relative deviation from its judge>"
+ *   driver count              calls every contender once per state, for callgrind
  *   driver time <n> <batch>   n rounds in which every contender runs for about <batch> seconds; prints
  *                             "time <round> <name> <nanoseconds per call>"; processor time of this thread
  *                             only, so that a busy machine disturbs little
@@ -13,28 +13,26 @@
 #include <string.h>
 #include <time.h>
 
-#include DATA
-
 #include "contract.h"
 
-/* The list of contenders: "X(symbol, countable)" per line. */
-#define X(symbol, countable) extern const contender symbol;
+/* The list of contenders: "X(symbol, judge)" per line; judge: place of the contender that it is compared with. */
+#define X(symbol, judge) extern const contender symbol;
 #include LIST
 #undef X
 
 typedef struct {
     const contender *it;
-    int countable;
+    int judge;
     long laps; /* laps over all states in a batch */
 } entry;
 
-#define X(symbol, countable) { &symbol, countable, 1 },
+#define X(symbol, judge) { &symbol, judge, 1 },
 static entry entries[] = {
 #include LIST
 };
 #undef X
 
-enum { ENTRIES = sizeof entries / sizeof entries[0], RESULTS = NQ + 6 * NLINKS + 12 };
+enum { ENTRIES = sizeof entries / sizeof entries[0] };
 
 static double now(void)
 {
@@ -63,27 +61,36 @@ static double run(const contender *it, long n)
     return now() - start;
 }
 
-static void verify(void)
+static double deviation(const entry *e, int k)
 {
     static double expected[RESULTS], y[RESULTS];
-    int e, i, k;
+    const contender *judge = entries[e->judge].it;
+    const int n = judge->results < e->it->results ? judge->results : e->it->results;
+    double worst = 0;
+    int i;
+    judge->call(k);
+    if (e->it->call(k)) {
+        fprintf(stderr, "%s: fails at state %d\n", e->it->name, k);
+        exit(1);
+    }
+    if (n) {
+        judge->result(expected);
+        e->it->result(y);
+    }
+    for (i = 0; i < n; ++i) {
+        worst = fmax(worst, fabs(y[i] - expected[i]) / (1 + fabs(expected[i])));
+        worst = y[i] == y[i] ? worst : INFINITY;
+    }
+    return worst;
+}
+
+static void verify(void)
+{
+    int e, k;
     for (e = 0; e < ENTRIES; ++e) {
         double worst = 0;
         for (k = 0; k < STATES; ++k) {
-            entries[0].it->call(k);
-            entries[0].it->result(expected);
-            if (entries[e].it->call(k)) {
-                fprintf(stderr, "%s: fails at state %d\n", entries[e].it->name, k);
-                exit(1);
-            }
-            if (entries[e].it->results == 0) {
-                continue;
-            }
-            entries[e].it->result(y);
-            for (i = 0; i < RESULTS; ++i) {
-                worst = fmax(worst, fabs(y[i] - expected[i]) / (1 + fabs(expected[i])));
-                worst = y[i] == y[i] ? worst : INFINITY;
-            }
+            worst = fmax(worst, deviation(&entries[e], k));
         }
         printf("deviation %s %.2e\n", entries[e].it->name, worst);
     }
@@ -121,20 +128,15 @@ static void measure(int rounds, double batch)
 
 int main(int argc, char **argv)
 {
-    const int counting = argc == 2 && strcmp(argv[1], "count") == 0; /* code for this machine only is not even entered */
     int e;
     for (e = 0; e < ENTRIES; ++e) {
-        if (entries[e].countable || !counting) {
-            entries[e].it->init();
-        }
+        entries[e].it->init();
     }
     if (argc == 2 && strcmp(argv[1], "verify") == 0) {
         verify();
-    } else if (counting) {
+    } else if (argc == 2 && strcmp(argv[1], "count") == 0) {
         for (e = 0; e < ENTRIES; ++e) {
-            if (entries[e].countable) {
-                run(entries[e].it, 1);
-            }
+            run(entries[e].it, 1);
         }
     } else if (argc == 4 && strcmp(argv[1], "time") == 0) {
         measure(atoi(argv[2]), atof(argv[3]));

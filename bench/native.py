@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shutil
 import subprocess
+import threading
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from contenders import Contender, Library, prepare_folder
+from contenders import Contender, Library
 
 HERE = Path(__file__).resolve().parent
 COMMON = ("-std=c99", "-ffunction-sections", "-fdata-sections", "-w")
@@ -24,77 +26,117 @@ LEVELS = {
 COUNTABLE = ("O2", "O3")
 TOLERANCE = 1e-8
 PROCESSES = 11
+PEAK_LIBRARY = Library("peak", {}, (), (), operations=2 * 12 * 200)
+PEAK = Contender("peak", "multiplications and additions", PEAK_LIBRARY, "peak.c", "", exact=False)
+SCALAR = ("-fno-tree-vectorize", "-fno-tree-slp-vectorize")
 
 
 class BenchError(Exception):
     """Something the benchmark needs failed; one line."""
 
 
+def command(*words) -> str:
+    """Standard output of a command; a failure is one line."""
+    done = subprocess.run([str(w) for w in words], capture_output=True, text=True)
+    if done.returncode:
+        said = (done.stderr or done.stdout).strip().splitlines()[:3]
+        raise BenchError(f"{Path(str(words[0])).name} failed: {' | '.join(said)}")
+    return done.stdout
+
+
+@dataclass(frozen=True)
+class Compiler:
+    """A C compiler at a level of optimisation that keeps what it has compiled: large functions take minutes."""
+
+    name: str
+    level: str
+    store: Path
+
+    def compile(self, folder: Path, source: str, defines: Sequence[str]) -> Path:
+        """The object of a source in ``folder``; from the store if source, headers, flags and compiler are the same."""
+        flags = (*COMMON, *LEVELS[self.level], *defines)
+        key = hashlib.sha256(" ".join((self.version, *flags)).encode())
+        for file in sorted([folder / source, *folder.glob("*.h")]):
+            key.update(file.read_bytes())
+        out = self.store / f"{key.hexdigest()[:24]}.o"
+        if not out.exists():
+            self.store.mkdir(parents=True, exist_ok=True)
+            partial = out.with_suffix(f".{os.getpid()}.{threading.get_ident()}.part")  # others may compile the same
+            command(self.name, *flags, "-c", folder / source, "-o", partial)
+            partial.replace(out)
+        return out
+
+    @property
+    def version(self) -> str:
+        """The first line that the compiler says about itself."""
+        return command(self.name, "--version").splitlines()[0]
+
+
 @dataclass
 class Program:
-    """The driver of one robot with its contenders at the given levels of optimisation."""
+    """The driver with the contenders of one group, and with the kernel that measures the machine's peak."""
 
     folder: Path
     contenders: Sequence[Contender]
-    levels: Sequence[str]
-    compiler: str
+    compiler: Compiler
 
-    def build(self, data: str, progress: Callable[[str], None]) -> None:
-        """Compile every library and adapter at every level and link them with the driver."""
+    def __post_init__(self):
+        self.contenders = [*self.contenders, PEAK]
+        self.libraries = {c.library.name: c.library for c in self.contenders if c.library.sources}
+        self.objects: dict[str, list[Path]] = {}
+
+    def build(self, data: Mapping[str, str], progress: Callable[[str], None]) -> None:
+        """Compile every library and adapter and link them with the driver; ``data``: headers of states by name."""
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
-        (self.folder / "data.h").write_text(data)
-        libraries = {c.library.name: c.library for c in self.contenders}
-        for library in libraries.values():
-            prepare_folder(self.folder / library.name, library)
+        for name, text in data.items():
+            (self.folder / f"{name}_data.h").write_text(text)
+        for library in self.libraries.values():
+            (self.folder / library.name).mkdir()
+            for name, text in library.files.items():
+                (self.folder / library.name / name).write_text(text)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            jobs = [
-                pool.submit(self._compile_source, x, s, level, progress)
-                for x in libraries.values()
-                for s in x.sources
-                for level in self.levels
-            ]
-            for job in jobs:
-                job.result()
-            adapters = [(c, level) for c in self.contenders for level in self.levels]
-            list(pool.map(lambda job: self._compile_adapter(*job), adapters))
+            sources = [(x, s) for x in self.libraries.values() for s in x.sources]
+            sources.sort(key=lambda job: -len(job[0].files[job[1]]))
+            jobs = [(x, pool.submit(self._compile_source, x, s, progress)) for x, s in sources]
+            for library, job in jobs:
+                self.objects.setdefault(library.name, []).append(job.result())
+            list(pool.map(self._compile_adapter, self.contenders))
         self._link()
 
     def jobs(self) -> int:
         """How many sources there are to compile."""
-        libraries = {c.library.name: c.library for c in self.contenders}
-        return sum(len(x.sources) for x in libraries.values()) * len(self.levels)
+        return sum(len(x.sources) for x in self.libraries.values())
 
-    def _compile_source(self, library: Library, source: str, level: str, progress: Callable[[str], None]) -> None:
-        folder = self.folder / library.name
-        out = folder / f"{Path(source).stem}.{level}.o"
-        self._run(self.compiler, *COMMON, *LEVELS[level], *library.defines, "-c", folder / source, "-o", out)
-        progress(f"{library.name}/{source} {level}")
+    def _compile_source(self, library: Library, source: str, progress: Callable[[str], None]) -> Path:
+        out = self.compiler.compile(self.folder / library.name, source, library.defines)
+        progress(f"{library.name}/{source}")
+        return out
 
-    def _objects(self, library: Library, level: str) -> list[Path]:
-        return [self.folder / library.name / f"{Path(s).stem}.{level}.o" for s in library.sources]
-
-    def _compile_adapter(self, c: Contender, level: str) -> None:
-        symbol = f"{c.name}_{level}"
-        adapter, whole = self.folder / f"{symbol}.adapter.o", self.folder / f"{symbol}.o"
-        defines = [*c.library.defines, *c.defines, f"-DVARIANT={symbol}", f'-DDATA="{self.folder / "data.h"}"']
-        places = ["-I", HERE, "-I", self.folder / c.library.name]
-        self._run(self.compiler, *COMMON, *LEVELS[level], *defines, *places, "-c", HERE / c.adapter, "-o", adapter)
-        self._partial(whole, (symbol,), [adapter, *self._objects(c.library, level)])
-        self._run("objcopy", f"--keep-global-symbol={symbol}", f"--keep-global-symbol={symbol}_call", whole)
+    def _compile_adapter(self, c: Contender) -> None:
+        adapter, whole = self.folder / f"{c.name}.adapter.o", self.folder / f"{c.name}.o"
+        flags = [*COMMON, *LEVELS[self.compiler.level], *(SCALAR if c is PEAK else ())]
+        flags += [*c.library.defines, *c.defines, f"-DVARIANT={c.symbol}"]
+        flags += [f'-DDATA="{self.folder / c.data}_data.h"', "-I", HERE, "-I", self.folder / c.library.name]
+        command(self.compiler.name, *flags, "-c", HERE / c.adapter, "-o", adapter)
+        self._partial(whole, (c.symbol,), [adapter, *self.objects.get(c.library.name, [])])
+        command("objcopy", f"--keep-global-symbol={c.symbol}", f"--keep-global-symbol={c.symbol}_call", whole)
 
     def _partial(self, out: Path, entries: Sequence[str], objects: Sequence[Path]) -> None:
         """Objects as one, without what the entries do not reach."""
         keep = [f"-Wl,-u,{entry}" for entry in entries]
-        self._run(self.compiler, "-r", "-nostdlib", "-Wl,--gc-sections", *keep, "-o", out, *objects)
+        command(self.compiler.name, "-r", "-nostdlib", "-Wl,--gc-sections", *keep, "-o", out, *objects)
 
     def _link(self) -> None:
-        lines = [f"X({c.name}_{x}, {int(x in COUNTABLE)})" for c in self.contenders for x in self.levels]
-        (self.folder / "list.h").write_text("\n".join(lines) + "\n")
-        objects = [self.folder / f"{c.name}_{x}.o" for c in self.contenders for x in self.levels]
-        files = [f'-DDATA="{self.folder / "data.h"}"', f'-DLIST="{self.folder / "list.h"}"', "-I", HERE]
-        sources = [HERE / "driver.c", *objects]
-        self._run(self.compiler, *COMMON, "-O2", *files, *sources, "-Wl,-z,now", "-lm", "-o", self.driver)
+        first = {c.data: i for i, c in reversed(list(enumerate(self.contenders)))}
+        (self.folder / "list.h").write_text("".join(f"X({c.symbol}, {first[c.data]})\n" for c in self.contenders))
+        objects = [self.folder / f"{c.name}.o" for c in self.contenders]
+        foreign = list(dict.fromkeys(o for c in self.contenders for o in c.library.objects))
+        files = [f'-DLIST="{self.folder / "list.h"}"', "-DRESULTS=4096", "-I", HERE]
+        main = self.folder / "driver.o"
+        command(self.compiler.name, *COMMON, "-O2", *files, "-c", HERE / "driver.c", "-o", main)
+        runtime = ["-lstdc++"] if foreign else []
+        command(self.compiler.name, main, *objects, *foreign, "-Wl,-z,now", *runtime, "-lm", "-o", self.driver)
 
     @property
     def driver(self) -> Path:
@@ -103,12 +145,13 @@ class Program:
     # measurements -------------------------------------------------------------------------------
 
     def verify(self) -> float:
-        """The largest deviation between contenders in double; raises where they do not compute the same."""
-        exact = {f"{c.name}_{x}" for c in self.contenders for x in self.levels if c.exact}
-        found = dict(line.split()[1:] for line in self._run(self.driver, "verify").splitlines())
+        """The largest deviation of a contender in double; raises where they do not compute the same."""
+        exact = {c.symbol for c in self.contenders if c.exact}
+        found = dict(line.split()[1:] for line in command(self.driver, "verify").splitlines())
         worst = max((float(found[name]), name) for name in exact)
         if not worst[0] < TOLERANCE:
-            raise BenchError(f"{worst[1]} does not agree with {self.contenders[0].name}: deviation {worst[0]:g}")
+            name = worst[1].removeprefix("run_")
+            raise BenchError(f"{name} does not agree with the others of its robot: deviation {worst[0]:g}")
         return worst[0]
 
     def times(self, rounds: int, batch: float, progress: Callable[[str], None]) -> dict[str, list[float]]:
@@ -121,33 +164,29 @@ class Program:
         copies = [self.folder / f"driver{number}" for number in range(PROCESSES)]
         for copy in copies:
             shutil.copy(self.driver, copy)
-            lines = self._run(copy, "time", -(-rounds // PROCESSES), batch).splitlines()
+            lines = command(copy, "time", -(-rounds // PROCESSES), batch).splitlines()
             for name, value in (line.split()[2:] for line in lines):
-                out[name].append(float(value))
+                out[name.removeprefix("run_")].append(float(value))
             progress(copy.name)
         for copy in copies:  # not earlier: the next copy would be given the same pages
             copy.unlink()
         return out
 
     def instructions(self, calls: int) -> dict[str, float]:
-        """Instructions per call of every countable contender, by callgrind; empty where it is missing."""
-        if not (shutil.which("valgrind") and shutil.which("callgrind_annotate")):
+        """Instructions per call by callgrind; empty where it is missing or does not know the machine's instructions."""
+        tools = [shutil.which(tool) for tool in ("valgrind", "callgrind_annotate")]
+        if self.compiler.level not in COUNTABLE or not all(tools):
             return {}
         out = self.folder / "callgrind.out"
-        self._run("valgrind", "-q", "--tool=callgrind", f"--callgrind-out-file={out}", self.driver, "count")
-        text = self._run("callgrind_annotate", "--inclusive=yes", "--threshold=100", out)
-        found = re.findall(r"^\s*([\d,]+) .*?[:/](\w+)_call(?: |$)", text, re.MULTILINE)
+        command("valgrind", "-q", "--tool=callgrind", f"--callgrind-out-file={out}", self.driver, "count")
+        text = command("callgrind_annotate", "--inclusive=yes", "--threshold=100", out)
+        found = re.findall(r"^\s*([\d,]+) .*?[:/]run_(\w+)_call(?: |$)", text, re.MULTILINE)
         return {name: int(count.replace(",", "")) / calls for count, name in found}
 
-    def text_size(self, library: Library, level: str) -> int:
-        """Bytes of code and constants that the entries of a library need."""
-        out = self.folder / library.name / f"reachable.{level}.o"
-        self._partial(out, library.entries, self._objects(library, level))
-        return int(self._run("size", out).splitlines()[1].split()[0])
-
-    def _run(self, *command) -> str:
-        done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-        if done.returncode:
-            said = (done.stderr or done.stdout).strip().splitlines()[:3]
-            raise BenchError(f"{Path(str(command[0])).name} failed: {' | '.join(said)}")
-        return done.stdout
+    def text_size(self, c: Contender) -> int | None:
+        """Bytes of code and constants that the entries of a contender's library need."""
+        if not c.library.sources:
+            return None
+        out = self.folder / f"{c.name}.reachable.o"
+        self._partial(out, c.library.entries, self.objects[c.library.name])
+        return int(command("size", out).splitlines()[1].split()[0])

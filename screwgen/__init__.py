@@ -10,6 +10,7 @@ from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
 from .integrate import DivergedError
 from .modes import natural_frequencies
+from .rollout import Rollout, rollout
 from .runs import Run
 from .simulation import simulate
 from .spec.frequencies import Frequencies
@@ -32,6 +33,7 @@ __all__ = [
     "Mount",
     "Robot",
     "RobotFileError",
+    "Rollout",
     "Run",
     "ScrewgenError",
     "Section",
@@ -43,5 +45,6 @@ __all__ = [
     "dump",
     "load",
     "natural_frequencies",
+    "rollout",
     "simulate",
 ]

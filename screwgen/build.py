@@ -84,16 +84,19 @@ class Model:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""
         return self._casadi
 
-    def write(self, folder, targets=TARGETS, parameters="runtime", layout="auto") -> list[str]:
+    def write(
+        self, folder, targets=TARGETS, parameters="runtime", layout="auto", batch=False, derivatives=False
+    ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
-        ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``.  Writes all or
-        nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
+        ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
+        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau.  Writes
+        all or nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
-            "c": lambda: self.c_files(parameters, layout),
+            "c": lambda: self.c_files(parameters, layout, batch, derivatives),
             "casadi": self._casadi_files,
             "latex": self._latex_files,
         }
@@ -103,11 +106,11 @@ class Model:
         files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
         return write_folder(folder, files, tuple(targets))
 
-    def c_files(self, parameters="runtime", layout="auto") -> dict[str, bytes]:
+    def c_files(self, parameters="runtime", layout="auto", batch=False, derivatives=False) -> dict[str, bytes]:
         """The files of the C target."""
         from .emit.c import CProject
 
-        project = CProject(self.chain, VERSION, parameters, layout)
+        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives)
         return {name: text.encode() for name, text in project.files().items()}
 
     def _casadi_files(self) -> dict[str, bytes]:

@@ -80,6 +80,12 @@ def generate(
         str,
         typer.Option(metavar="HOW", help="fused: C in one piece, fast for few links; modular: small; auto chooses."),
     ] = "auto",
+    batch: Annotated[
+        bool, typer.Option("--batch", help="Also C that steps many scenarios at once, for hosts with vector registers.")
+    ] = False,
+    derivatives: Annotated[
+        bool, typer.Option("--derivatives", help="Also C of the accelerations' derivatives with q, v and tau.")
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Write a folder of generated code: C99 without heap, CasADi functions, LaTeX equations.
@@ -88,7 +94,7 @@ def generate(
     """
     from .cli_commands import run_generate
 
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj)
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, batch, derivatives)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)

@@ -29,18 +29,25 @@ PARAMETERS = ("runtime", "baked")
 LAYOUTS = ("auto", "fused", "modular")
 
 
-def run_generate(robot: str, output: str, targets, parameters: str, layout: str, quiet: bool) -> None:
+def run_generate(
+    robot: str, output: str, targets, parameters: str, layout: str, quiet: bool, batch: bool, derivatives: bool
+) -> None:
     """Write the folder and list its files."""
     for target in targets or ():
         check_choice("--target", target, TARGETS)
     check_choice("--parameters", parameters, PARAMETERS)
     check_choice("--layout", layout, LAYOUTS)
+    for option, asked in (("--batch", batch), ("--derivatives", derivatives)):
+        if asked and targets and "c" not in targets:
+            raise UsageError(f"{option} adds to the C, which --target leaves out; add --target c or leave {option} out")
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load(robot))
     with busy("generating", quiet):
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
-        files = model.write(output, targets=wanted, parameters=parameters, layout=layout)
+        files = model.write(
+            output, targets=wanted, parameters=parameters, layout=layout, batch=batch, derivatives=derivatives
+        )
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,23 @@ STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
 FLAGS = ("-std=c99", "-fPIC", "-shared")
 
 
+def build_library(folder: Path, files: Mapping[str, str], compiler: str, flags: Sequence[str]) -> ctypes.CDLL:
+    """Write the files of a robot's C into a folder, compile them but the programs, and load the library.
+
+    Raises :class:`ScrewgenError` where the compiler is missing or fails.
+    """
+    if shutil.which(compiler) is None:
+        raise ScrewgenError(f"no C compiler '{compiler}'; install gcc or name one in the environment variable CC")
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    sources = sorted(name for name in files if name.endswith(".c") and name not in ("main.c", "check.c"))
+    command = [compiler, *FLAGS, *flags, "-o", "model.so", *sources, "-lm"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        raise ScrewgenError(f"{compiler} failed on the generated C: {done.stderr.strip().splitlines()[:1]}")
+    return ctypes.CDLL(str(folder / "model.so"))
+
+
 class Compiled:
     """A robot's C in a shared library.  Arrays are those of the NumPy back end; precision may be single.
 
@@ -27,27 +45,29 @@ class Compiled:
     :class:`SingularError` naming the link whose joint is singular.
     """
 
-    def __init__(self, model: Model, layout="auto", parameters="runtime", single=False, flags=("-O2",), compiler=None):
+    def __init__(
+        self,
+        model: Model,
+        layout="auto",
+        parameters="runtime",
+        single=False,
+        flags=("-O2",),
+        compiler=None,
+        derivatives=False,
+    ):
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.float32 if single else np.float64
-        self.project = CProject(self.chain, model.version, parameters, layout)
+        self.project = CProject(self.chain, model.version, parameters, layout, derivatives=derivatives)
         self._folder = tempfile.TemporaryDirectory(prefix="screwgen-")
         self.library = self._load(compiler or os.environ.get("CC") or "cc", flags)
         self.prepare(None)
 
     def _load(self, compiler: str, flags) -> ctypes.CDLL:
-        if shutil.which(compiler) is None:
-            raise ScrewgenError(f"no C compiler '{compiler}'; install gcc or name one in the environment variable CC")
-        folder = Path(self._folder.name)
-        for name, text in (self.project.files() | {"shim.c": self.project.shim()}).items():
-            (folder / name).write_text(text)
-        sources = [f for f in os.listdir(folder) if f.endswith(".c") and f not in ("main.c", "check.c")]
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if self.single else []
-        command = [compiler, *FLAGS, *flags, *define, "-o", "model.so", *sorted(sources), "-lm"]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-        if done.returncode:
-            raise ScrewgenError(f"{compiler} failed on the generated C: {done.stderr.strip().splitlines()[:1]}")
-        return ctypes.CDLL(str(folder / "model.so"))
+        files = self.project.files() | {"shim.c": self.project.shim()}
+        if self.project.with_derivatives:
+            files |= {"derivatives_shim.c": self.project.shim("derivatives_shim.c")}
+        return build_library(Path(self._folder.name), files, compiler, [*flags, *define])
 
     def prepare(self, p) -> None:
         """Set the parameters (None: the robot file's values)."""
@@ -67,6 +87,38 @@ class Compiled:
         call = self.library.shim_forward if form == "joint" else self.library.shim_dae_forward
         self._check(call(*self._state(q, v), *self._input(tau, w_ext), *map(self._out, (vdot, wrench, R, r))))
         return vdot[: c.nq], wrench, R, r
+
+    def linearise(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """``vdot`` (nq,) and its partial derivatives with q, v (nq, nq) and tau (nq, m).
+
+        Needs ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
+        """
+        nq, m = self.chain.nq, self.chain.n_joints
+        arrays = [np.zeros(shape, self.real) for shape in (nq, (nq, nq), (nq, nq), (nq, m))]
+        status = self.library.shim_linearise(*self._state(q, v), *self._input(tau, w_ext), *map(self._out, arrays))
+        self._check(status, "shim_linearise_fault")
+        return tuple(arrays)
+
+    def accelerations(self, q, v, tau, w_ext) -> np.ndarray:
+        """``vdot`` alone."""
+        vdot = np.zeros(max(self.chain.nq, 1), self.real)
+        self._check(self.library.shim_accelerations(*self._state(q, v), *self._input(tau, w_ext), self._out(vdot)))
+        return vdot[: self.chain.nq]
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """The forces on all coordinates (nq,) and the joint wrenches (n, 6) that a motion needs."""
+        c = self.chain
+        force, wrench = np.zeros(max(c.nq, 1), self.real), np.zeros((c.n, 6), self.real)
+        given = (*self._state(q, v), self._in(w_ext, 6 * c.n), self._in(vdot, c.nq))
+        self._check(self.library.shim_inverse(*given, self._out(force), self._out(wrench)))
+        return force[: c.nq], wrench
+
+    def mass_matrix(self, q) -> np.ndarray:
+        """``M`` (nq, nq)."""
+        size = max(self.chain.nq, 1)
+        M = np.zeros((size, size), self.real)
+        self._check(self.library.shim_mass_matrix(self._in(q, self.chain.nq), self._out(M)))
+        return M[: self.chain.nq, : self.chain.nq]
 
     def step(self, q, v, tau, w_ext, dt: float, method="rk4", count=1) -> tuple[np.ndarray, np.ndarray]:
         """The state after ``count`` steps of the joint form, the input held."""
@@ -129,9 +181,9 @@ class Compiled:
     def _real(self, value: float):
         return ctypes.c_float(value) if self.single else ctypes.c_double(value)
 
-    def _check(self, status: int) -> None:
+    def _check(self, status: int, fault="shim_fault") -> None:
         if status == 2:
-            link = self.chain.robot.links[self.library.shim_fault()].name
+            link = self.chain.robot.links[getattr(self.library, fault)()].name
             raise SingularError(f"the joint of link '{link}' is singular in this posture")
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")

@@ -17,6 +17,7 @@ LAYERS = [
     {"folder"},
     {"build"},
     {"compiled", "controllers", "state", "runs", "dae", "integrate", "modes", "motion", "plot", "simulation"},
+    {"batch", "rollout"},
     {"analysis"},
     {"paper"},
     {"formulation"},

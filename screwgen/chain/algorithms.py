@@ -8,6 +8,7 @@ from itertools import pairwise
 from ..lower.program import Value
 from . import dae
 from . import phases as ph
+from . import sensitivity as sy
 from .chain import INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
@@ -18,7 +19,8 @@ SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
 FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
-ENERGY: Algorithm = (KINEMATICS, POSES, Phase(ph.energy, OUTWARD))
+ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
+SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 DAE_RATES: Algorithm = (Phase(dae.pose_rates, OUTWARD),)
@@ -34,9 +36,12 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     """The n + 1 nodes with what is known beforehand: a base at rest, falling up; a tip that carries nothing."""
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
-    out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha_0": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
     out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
     out[0] |= {"R_m": IDENTITY, "omega_m": [0.0] * 3, "h_M": [0.0] * 6}
+    out[0] |= {"acc": out[0]["alpha_0"]}
+    out[-1] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18}
     out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
     return out
 
@@ -96,6 +101,11 @@ class Functions:
         motion = self.chain.split(vdot, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta")
+
+    def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
+        """What every link answers to small changes at given accelerations; see :mod:`.linearise`."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
 
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""

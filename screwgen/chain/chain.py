@@ -13,9 +13,12 @@ from ..errors import SingularError
 from ..lower.block import lower
 from ..lower.program import Program, Tracer, Value
 from ..spec.robot import Robot
+from .modes import COMPLIANCE, FACTOR, WAYS
 from .scope import Layout, Scope, derived
 
 OUTWARD, INWARD = +1, -1
+FEW, MANY = 3, 12
+"""With fewer modes than FEW the r x r factor is always the smaller, with more than MANY never."""
 
 
 @dataclass(frozen=True)
@@ -29,17 +32,32 @@ class Phase:
     def name(self) -> str:
         return self.work.__name__
 
+    @property
+    def eliminates(self) -> bool:
+        """Whether the phase solves for modal accelerations."""
+        return self.name == "eliminate"
+
 
 Algorithm = tuple[Phase, ...]
 
 
 @cache
 def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
-    """The programs of a link class, one per phase of an algorithm; links of a class share them."""
+    """The programs of a link class, one per phase of an algorithm; links of a class share them.
+
+    Of the ways to eliminate modes the one with the fewest operations is taken.
+    """
+    ways = WAYS if any(phase.eliminates for phase in algorithm) else (FACTOR,)
+    ways = ways if FEW <= key.modes <= MANY else (FACTOR if key.modes < FEW else COMPLIANCE,)
+    traced = [_traced(key, algorithm, way) for way in ways]
+    return min(traced, key=lambda programs: sum(p.operation_count for p in programs))
+
+
+def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[Program, ...]:
     layouts: dict[str, Layout] = {}
     programs = []
     for phase in algorithm:
-        scope = Scope(key, Tracer(), layouts)
+        scope = Scope(key, Tracer(), layouts, way)
         phase.work(scope)
         programs.append(scope.program(phase.name))
     return tuple(programs)

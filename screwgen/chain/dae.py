@@ -10,27 +10,18 @@ import numpy as np
 
 from ..lower.program import Array, Tracer
 from . import matrices as mx
-from .phases import joint_point, keep_joint, link_terms, mount
+from .phases import joint_motion, joint_point, mount, relative_posture, tip_motion
 from .scope import Scope
 
 
 def dae_kinematics(s: Scope) -> None:
-    """Base to tip: the joint's rates from the twists, then biases and inertia at the link's own twist."""
-    twist = s.read("twist", 6)
-    _joint_from_twist(s, twist)
-    link_terms(s, twist[:3], twist[3:])
-
-
-def _joint_from_twist(s: Scope, twist: Array) -> Array:
-    """The joint's rates, its rows' ingredients stored."""
-    q, omega_P = s.read("q", s.key.joints), s.read("base.omega", 3)
-    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
-    qdot = mx.multiply(pseudo_inverse(A, s.tracer), twist[:3] - mx.multiply(R.T, omega_P))
+    """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
+    q, omega_R = s.read("q", s.key.joints), relative_posture(s, s.read("q", s.key.joints))
+    (A,) = s.lower("posture", {"q": q}, "A")
+    qdot = mx.multiply(pseudo_inverse(A, s.tracer), s.read("twist", 6)[:3] - omega_R)
     s.write("qdot", qdot)
-    state = {"q": q, "qdot": qdot, "omega_P": omega_P, "v_P": s.read("base.v", 3)}
-    R, A, beta_omega, beta_v = s.lower("joint", state, "R_rel", "A", "beta_omega", "beta_v")
-    keep_joint(s, R, A, np.concatenate([beta_omega, beta_v]))
-    return qdot
+    joint_motion(s, q, qdot, omega_R)
+    tip_motion(s)
 
 
 def pseudo_inverse(A: Array, tracer: Tracer) -> Array:
@@ -41,11 +32,11 @@ def pseudo_inverse(A: Array, tracer: Tracer) -> Array:
 
 
 def twist_rates(s: Scope) -> None:
-    """The rate of the link's twist: the free fall that the elimination left out is added."""
+    """The rate of the link's twist in its own frame; the free fall that the elimination left out is added."""
     R = quaternion_matrix(s.read("quaternion", 4))
     fall = mx.multiply(R.T, s.read("gravity", 3))
-    alpha = s.read("alpha", 6)
-    s.write("Vdot", np.concatenate([alpha[:3], alpha[3:] + fall]))
+    alpha, twist = s.read("alpha", 6), s.read("twist", 6)
+    s.write("Vdot", np.concatenate([alpha[:3], alpha[3:] + fall - mx.cross(twist[:3], twist[3:])]))
 
 
 def pose_rates(s: Scope) -> None:
@@ -189,20 +180,22 @@ LINK_ROWS = (
 
 def joint_rows(s: Scope) -> None:
     """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
-    twist = s.read("twist", 6)
-    qdot = _joint_from_twist(s, twist)
-    g = mx.multiply(quaternion_matrix(s.read("quaternion", 4)).T, s.read("gravity", 3))
-    link_terms(s, twist[:3], twist[3:], g)
-    A = s.kept("A")[:3]
+    twist, q = s.read("twist", 6), s.read("q", s.key.joints)
+    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
+    A_plus = pseudo_inverse(A, s.tracer)
+    qdot = mx.multiply(A_plus, twist[:3] - mx.multiply(R.T, parent["omega_P"]))
+    beta = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "beta_omega", "beta_v")
+    _free_terms(s, twist)
     given = {
-        "R_rel": s.kept("R_rel"),
+        "R_rel": R,
         "A": A,
-        "A_plus": pseudo_inverse(A, s.tracer),
-        "beta": s.kept("beta"),
+        "A_plus": A_plus,
+        "beta": np.concatenate(beta),
         "b_P": s.read("base.b", 6),
         "tau": s.read("tau", s.key.joints),
         "qdot": qdot,
-        "q": s.read("q", s.key.joints),
+        "q": q,
     }
     for name, value in zip(JOINT_ROWS, s.lower("joint_rows", given, *JOINT_ROWS), strict=True):
         s.write(name, value)
@@ -212,11 +205,37 @@ def joint_rows(s: Scope) -> None:
     s.write("tip.b", s.kept("b_T"))
 
 
+def _free_terms(s: Scope, twist: Array) -> None:
+    """Store inertia and bias of the link, of its tip section and of the bodies there, weight included."""
+    g = mx.multiply(quaternion_matrix(s.read("quaternion", 4)).T, s.read("gravity", 3))
+    state = {"omega": twist[:3], "v": twist[3:], "g": g}
+    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
+    s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
+    s.keep("M_D", M_D)
+    s.keep("h_V", h_V)
+    s.keep("h_eta", h_eta)
+    names = ["r_T", "omega_T", "v_T", "b_omega", "b_v", "Phi_c"]
+    turned = ["R_T", "J_l", "Psi_c"] if s.key.section_rotation else []
+    values = dict(zip(names + turned, s.lower("tip", state, *names, *turned), strict=True))
+    for name, absent in (("R_T", mx.identity(3)), ("J_l", mx.identity(3)), ("Psi_c", mx.zeros(3, s.key.modes))):
+        s.keep(name, values.get(name, absent))
+    s.keep("r_T", values["r_T"])
+    s.keep("Phi_c", values["Phi_c"])
+    s.keep("b_T", np.concatenate([values["b_omega"], values["b_v"]]))
+    s.write("tip.omega", values["omega_T"])
+    s.write("tip.v", values["v_T"])
+    state = {"omega_T": values["omega_T"], "v_T": values["v_T"], "g_T": mx.multiply(s.kept("R_T").T, g)}
+    m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
+    s.keep("M_T", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
+    s.keep("h_T", np.concatenate([tau, F]))
+
+
 def link_rows(s: Scope) -> None:
     """Tip to base: the link's six rows and its modal rows, and its columns in the next joint's rows."""
     r = s.key.modes
     given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
-    given |= {"J_l": s.kept("G")[:3, :3], "Psi_c": s.kept("E")[:3], "Phi_c": s.kept("E")[3:]}
+    given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
     given |= {"m_eta": s.read("m_eta", r), "h_phi": s.kept("h_eta") + s.read("f_eta", r), "w_ext": s.read("w_ext", 6)}
     given |= {"X": s.read("tip.X", 6, 6), "PX": s.read("tip.PX", 6, 6)}
     for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):

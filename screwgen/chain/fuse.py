@@ -99,7 +99,7 @@ def precise(op: str, x):
     """The unary primitives in mpmath."""
     if op == "neg":
         return -x
-    if op in ("c4", "c5"):
+    if op in ("c4", "c5", "c6", "c7"):
         return _stumpff(int(op[1]), x)
     return getattr(mpmath, op)(x)
 

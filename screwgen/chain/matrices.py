@@ -95,7 +95,23 @@ def unpack(entries: Sequence[Value], n: int = 6) -> Array:
 def rotate(R: Array, Lambda: Array) -> Array:
     """``blkdiag(R, R) Lambda blkdiag(R, R)^T``: components of the frame that ``R`` maps to."""
     A, B, C = Lambda[:3, :3], Lambda[:3, 3:], Lambda[3:, 3:]
-    return blocks(congruence(R.T, A), chain(R, B, R.T), congruence(R.T, C))
+    return blocks(turn(R, A), chain(R, B, R.T), turn(R, C))
+
+
+def turn(R: Array, A: Array) -> Array:
+    """``R A R^T`` of a rotation and a symmetric 3 x 3.
+
+    Where all entries are computed: with ``A = a 1 + T + T^T``, ``T`` strictly upper but for two diagonal entries,
+    it is ``a 1 + X + X^T`` with ``X = R T R^T``.
+    """
+    if not all(isinstance(x, Node) for x in (*A.flat, *R.flat)):
+        return congruence(R.T, A)
+    a, r, s = A[2, 2], R[:, 0], R[:, 1]
+    y = (0.5 * (A[0, 0] - a)) * r + A[0, 1] * s + A[0, 2] * R[:, 2]
+    z = (0.5 * (A[1, 1] - a)) * s + A[1, 2] * R[:, 2]
+    doubled = lambda i: 2.0 * (r[i] * y[i] + s[i] * z[i]) + a  # noqa: E731
+    mixed = lambda i, j: (r[i] * y[j] + s[i] * z[j]) + (r[j] * y[i] + s[j] * z[i])  # noqa: E731
+    return symmetric(3, lambda i, j: doubled(i) if i == j else mixed(i, j))
 
 
 def rotate_wrench(R: Array, w: Array) -> Array:

@@ -3,42 +3,56 @@
 The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) says how the
 modes move the tip section and ``Q`` is the inertia that it carries.  Two ways give the same result:
 factorise the r x r matrix, or take the tip's inertia through the modes' compliance: O(r), for many modes.
+Which of them a class of links uses is counted when its programs are traced (:func:`.chain.trace`).
 """
 
 from __future__ import annotations
+
+import numpy as np
 
 from ..lower.program import Array
 from . import matrices as mx
 from .scope import Scope
 
-DENSE_LIMIT = 8
-"""Up to this many modes the r x r factor needs fewer operations than the 6 x 6 one."""
+FACTOR, COMPLIANCE = "factor", "compliance"
+WAYS = (FACTOR, COMPLIANCE)
+"""By the r x r factor, or through the modes' compliance."""
 
 
-def eliminate_modes(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
+Rows = tuple[Array, Array, Array, Array]
+"""``M_V, M_D, h_V, h_eta`` of the link alone."""
+
+
+def eliminate_modes(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     """Fold the tip's reaction ``Lambda, p`` (F_i axes, tip point) in and eliminate etaddot."""
     with s.step("modes: the tip load folded in, modal accelerations eliminated (83)"):
-        if s.key.modes <= DENSE_LIMIT:
-            return _dense(s, Lambda, p)
-        return _compliant(s, Lambda, p)
+        if s.way == FACTOR:
+            return _dense(s, own, Lambda, p)
+        return _compliant(s, own, Lambda, p)
 
 
-def modal_accelerations(s: Scope, alpha: Array) -> Array:
-    """etaddot from the acceleration ``alpha`` of F_i."""
-    if s.key.modes <= DENSE_LIMIT:
-        return -mx.backward(s.kept("modes_L"), s.kept("modes_w") + mx.multiply(s.kept("modes_W"), alpha))
-    return _compliant_accelerations(s, alpha)
+def modal_accelerations(s: Scope, delta: Array) -> Array:
+    """etaddot from what the joints add to the acceleration of F_i."""
+    if s.way == FACTOR:
+        return -mx.backward(s.kept("modes_L"), s.kept("modes_w") + mx.multiply(s.kept("modes_W"), delta))
+    return _compliant_accelerations(s, delta)
 
 
-def _dense(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
-    r_T, G, E, m_eta = s.kept("r_T"), s.kept("G"), s.kept("E"), s.read("m_eta", s.key.modes)
-    M = s.name("M_loaded", s.kept("M_V") + mx.shift(r_T, Lambda))
-    h = s.name("h_loaded", s.kept("h_V") + mx.shift_wrench(r_T, p))
-    loaded = mx.multiply(Lambda, G)
-    C = s.name("C", s.kept("M_D") + _columns(r_T, mx.multiply(loaded, E)))
-    elastic = mx.congruence(E, mx.congruence(G, Lambda))
-    inertia = mx.symmetric(s.key.modes, lambda i, j: elastic[i, j] + (m_eta[i] if i == j else 0.0))
-    h_phi = s.name("h_phi", s.kept("h_eta") + s.read("f_eta", s.key.modes) + mx.chain(E.T, G.T, p))
+def _tip_shapes(s: Scope) -> Array:
+    """``[J_l Psi_c; Phi_c]``: how every mode turns and moves the tip section."""
+    return s.name("Theta", np.vstack([mx.multiply(s.kept("J_l"), s.kept("Psi_c")), s.kept("Phi_c")]))
+
+
+def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
+    M_V, M_D, h_V, h_eta = own
+    r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta", s.key.modes), _tip_shapes(s)
+    M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
+    h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p))
+    loaded = mx.multiply(Lambda, Theta)
+    C = s.name("C", M_D + _columns(r_T, loaded))
+    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + (m_eta[i] if i == j else 0.0)  # noqa: E731
+    inertia = mx.symmetric(s.key.modes, elastic)
+    h_phi = s.name("h_phi", h_eta + s.read("f_eta", s.key.modes) + mx.multiply(Theta.T, p))
     L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
     s.name("modes_inverse", inverse)
     Z, z = mx.forward(L, C.T), mx.forward(L, h_phi)
@@ -57,12 +71,15 @@ def _columns(r: Array, wrenches: Array) -> Array:
     return out
 
 
-def _compliant(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
+def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     """With ``Y = G E diag(1/m) E^T G^T = U U^T``: ``Lambda -> Lambda - Lambda U (I + U^T Lambda U)^-1 U^T Lambda``."""
-    r_T, G, E, M_D = s.kept("r_T"), s.kept("G"), s.kept("E"), s.kept("M_D")
-    m_eta, h_phi = s.read("m_eta", s.key.modes), s.kept("h_eta") + s.read("f_eta", s.key.modes)
+    M_V, M_D, h_V, h_eta = own
+    r_T, G, E = s.kept("r_T"), _turned(s), _shapes(s)
+    m_eta, h_phi = s.read("m_eta", s.key.modes), h_eta + s.read("f_eta", s.key.modes)
     for m in m_eta:
         s.tracer.guard(m)
+    s.keep("M_D", M_D)
+    s.keep("h_phi", h_phi)
     lightened = mx.divide(E.T, m_eta).T
     U = mx.multiply(G, _root(s, mx.multiply(lightened, E.T)))
     N = mx.chain(G, lightened, M_D.T)
@@ -82,16 +99,26 @@ def _compliant(s: Scope, Lambda: Array, p: Array) -> tuple[Array, Array]:
     s.keep("p_carried", p_carried)
     M = mx.congruence(reach, carried)
     H = mx.divide(M_D.T, m_eta).T
-    rigid = s.kept("M_V")
-    M = mx.symmetric(6, lambda i, j: rigid[i, j] - mx.dot(H[i], M_D[j]) + M[i, j])
-    return M, s.kept("h_V") - mx.multiply(H, h_phi) + mx.multiply(reach.T, p_carried)
+    M = mx.symmetric(6, lambda i, j: M_V[i, j] - mx.dot(H[i], M_D[j]) + M[i, j])
+    return M, h_V - mx.multiply(H, h_phi) + mx.multiply(reach.T, p_carried)
 
 
-def _compliant_accelerations(s: Scope, alpha: Array) -> Array:
-    """``etaddot = -diag(1/m) (h + M_D^T alpha + E^T G^T f)`` with the tip's load ``f``."""
-    load = mx.multiply(s.kept("carried"), mx.multiply(s.kept("reach"), alpha)) + s.kept("p_carried")
-    h_phi = s.kept("h_eta") + s.read("f_eta", s.key.modes)
-    force = h_phi + mx.multiply(s.kept("M_D").T, alpha) + mx.chain(s.kept("E").T, s.kept("G").T, load)
+def _turned(s: Scope) -> Array:
+    """``blkdiag(J_l, I)``: the tip section's turn and displacement from the modes' slopes and displacements."""
+    G = mx.identity(6)
+    G[:3, :3] = s.kept("J_l")
+    return G
+
+
+def _shapes(s: Scope) -> Array:
+    """``[Psi_c; Phi_c]``: slope and displacement of the tip section by each mode."""
+    return np.vstack([s.kept("Psi_c"), s.kept("Phi_c")])
+
+
+def _compliant_accelerations(s: Scope, delta: Array) -> Array:
+    """``etaddot = -diag(1/m) (h + M_D^T delta + E^T G^T f)`` with the tip's load ``f``."""
+    load = mx.multiply(s.kept("carried"), mx.multiply(s.kept("reach"), delta)) + s.kept("p_carried")
+    force = s.kept("h_phi") + mx.multiply(s.kept("M_D").T, delta) + mx.chain(_shapes(s).T, _turned(s).T, load)
     return -mx.divide(force, s.read("m_eta", s.key.modes))
 
 

@@ -1,10 +1,13 @@
 """The phases of the algorithms: what one link does on the way out to the tip or back to the base.
 
-Block elimination of M_sys, tip to base: with the next link's reaction written as ``w = Lambda Vdot_T + p``
-(tip frame), every link folds it in, eliminates its modal accelerations, then its joint coordinates, and
-hands ``Lambda, p`` to its parent.  Base to tip follow the accelerations and the joint wrenches.
+Block elimination of M_sys, tip to base: with the next link's reaction written as ``w = Lambda delta_T + p``,
+every link folds it in, eliminates its modal accelerations, then its joint coordinates, and hands ``Lambda, p``
+to its parent.  Base to tip follow the accelerations and the joint wrenches.
 
-Gravity enters as an acceleration ``-g`` of the base, so that no block carries its weight.
+A point's acceleration is split in two: ``alpha_0``, what it would be if no joint and no mode accelerated (known on
+the way out), and ``delta``, what their accelerations add.  It is that of the material point in the inertial frame,
+so no velocity of a point enters, only the angular velocity.  Gravity enters as an acceleration ``-g`` of the base.
+Nodes are kept in the axes of the parent's F_i, at its tip point: a link turns what it hands up once.
 """
 
 from __future__ import annotations
@@ -16,90 +19,120 @@ from . import matrices as mx
 from .modes import eliminate_modes, modal_accelerations
 from .scope import Scope
 
-STATE = ("omega", "v")
-
 
 def kinematics(s: Scope) -> None:
-    """Base to tip: twists, biases and the deformed link's inertia, from q, qdot, eta, etadot."""
+    """Base to tip: angular velocity, and acceleration at rest of joints and modes, from q, qdot, eta, etadot."""
     q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
-    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
-    R, A, omega, v, beta_omega, beta_v = s.lower(
-        "joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "A", "omega", "v", "beta_omega", "beta_v"
-    )
-    keep_joint(s, R, A, np.concatenate([beta_omega, beta_v]))
-    s.keep("twist", np.concatenate([omega, v]))
-    link_terms(s, omega, v)
+    omega_R = relative_posture(s, q)
+    joint_motion(s, q, qdot, omega_R)
+    tip_motion(s)
 
 
-def keep_joint(s: Scope, R: Array, A: Array, beta: Array) -> None:
-    """Store the joint; a column of A becomes six: the joint point may lie off the origin of F_i."""
-    s.keep("R_rel", R)
+def relative_posture(s: Scope, q: Array) -> Array:
+    """Store how the link stands to its parent; returns the angular velocity of the parent's tip in F_i axes."""
+    (R_rel,) = s.lower("posture", {"q": q}, "R_rel")
+    s.keep("R_rel", R_rel)
+    with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
+        R = s.name("R_P", mx.multiply(s.read("base.R_T", 3, 3), R_rel))
+        s.keep("R_P", R)
+        s.keep("lever", mx.multiply(R_rel.T, mount(s)) - joint_point(s))
+        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega", 3)))
+
+
+def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
+    """Store angular velocity and ``alpha_0``; a column of A becomes six, as the joint point may lie off F_i."""
+    alone = {"q": q, "qdot": qdot, "omega_P": mx.zeros(3), "v_P": mx.zeros(3)}
+    A, omega_J, axis_rate = s.lower("joint", alone, "A", "omega_J", "beta_omega")
     s.keep("A", np.vstack([A, mx.multiply(mx.hat(joint_point(s)), A)]))
-    s.keep("beta", beta)
+    R, moved, r_B = s.kept("R_P"), s.read("base.alpha_0", 6), joint_point(s)
+    with s.step("alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4)"):
+        omega = s.name("omega", omega_R + omega_J)
+        turned = mx.multiply(R.T, moved[:3])
+        alpha = turned + axis_rate + mx.cross(omega_R, omega_J)
+        mounted = mx.multiply(s.kept("R_rel").T, mount(s))
+        a = mx.multiply(R.T, moved[3:]) + swing(turned, omega_R, mounted) - swing(alpha, omega, r_B)
+        s.keep("omega", omega)
+        s.keep("alpha_0", np.concatenate([alpha, a]))
 
 
-def link_terms(s: Scope, omega: Array, v: Array, g: Array | None = None) -> None:
-    """Inertia and bias of the link and of its tip section at the twist ``omega, v``.
+def swing(alpha: Array, omega: Array, r: Array) -> Array:
+    """``alpha x r + omega x (omega x r)``: how the point ``r`` of a body accelerates against its origin."""
+    return mx.cross(alpha, r) + mx.cross(omega, mx.cross(omega, r))
 
-    ``g`` is the free fall in F_i, for blocks that carry their weight.
-    """
-    g = mx.zeros(3) if g is None else g
-    eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
-    state = {"omega": omega, "v": v, "g": g, "eta": eta, "etadot": etadot}
+
+def tip_motion(s: Scope) -> None:
+    """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
+    omega, alpha_0 = s.kept("omega"), s.kept("alpha_0")
+    state = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    state |= {"omega": omega, "v": mx.zeros(3)}
+    r_T, udot, Phi_c = s.lower("tip", state, "r_T", "udot_T", "Phi_c")
+    R_T, J_l, Psi_c = mx.identity(3), mx.identity(3), mx.zeros(3, s.key.modes)
+    omega_s, alpha_s = mx.zeros(3), mx.zeros(3)
+    if s.key.section_rotation:
+        R_T, J_l, Psi_c, omega_s, alpha_s = s.lower("tip", state, "R_T", "J_l", "Psi_c", "omega_s", "alpha_s")
+    s.keep("r_T", r_T)
+    s.keep("R_T", R_T)
+    s.keep("J_l", J_l)
+    s.keep("Psi_c", Psi_c)
+    s.keep("Phi_c", Phi_c)
+    s.write("tip.R_T", R_T)
+    with s.step("tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b)"):
+        alpha, a = alpha_0[:3], alpha_0[3:]
+        s.write("tip.omega", s.name("omega_T", omega + omega_s))
+        alpha_T = alpha + alpha_s + mx.cross(omega, omega_s)
+        a_T = a + mx.cross(alpha, r_T) + mx.cross(omega, mx.cross(omega, r_T) + 2.0 * udot)
+        s.write("tip.alpha_0", s.name("alpha_0_T", np.concatenate([alpha_T, a_T])))
+
+
+def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
+    """``M_V, M_D, h_V, h_eta`` of the link alone, the forces at ``alpha_0``."""
+    alpha_0 = s.kept("alpha_0")
+    state = {"omega": s.kept("omega"), "v": mx.zeros(3), "g": -alpha_0[3:]}
+    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
     I, S, M_D, h_V, h_eta = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta")
     m = s.lower("link", state, "m")[0].item()
-    s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m))
-    s.keep("M_D", M_D)
-    s.keep("h_V", h_V)
-    s.keep("h_eta", h_eta)
-    tip_terms(s, {"omega": omega, "v": v, "eta": eta, "etadot": etadot}, g)
+    M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
+    with s.step("h_0: bias at alpha_0, its angular part included"):
+        h_V = s.name("h_0", h_V + mx.multiply(M_V[:, :3], alpha_0[:3]))
+        h_eta = s.name("h_eta_0", h_eta + mx.multiply(M_D[:3].T, alpha_0[:3]))
+    return M_V, M_D, h_V, h_eta
 
 
-def tip_terms(s: Scope, state: dict, g: Array) -> None:
-    names = ["r_T", "omega_T", "v_T", "b_omega", "b_v", "Phi_c"]
-    turned = ["R_T", "J_l", "Psi_c"] if s.key.section_rotation else []
-    values = dict(zip(names + turned, s.lower("tip", state, *names, *turned), strict=True))
-    s.keep("r_T", values["r_T"])
-    s.keep("R_T", values.get("R_T", mx.identity(3)))
-    G = mx.identity(6)
-    if turned:
-        G[:3, :3] = values["J_l"]
-    s.keep("G", G)
-    s.keep("E", np.vstack([values.get("Psi_c", mx.zeros(3, s.key.modes)), values["Phi_c"]]))
-    s.keep("b_T", np.concatenate([values["b_omega"], values["b_v"]]))
-    s.write("tip.omega", values["omega_T"])
-    s.write("tip.v", values["v_T"])
-    tip_bodies(s, values["omega_T"], values["v_T"], mx.multiply(s.kept("R_T").T, g))
+def tip_bodies(s: Scope) -> tuple[Array, Array, Array]:
+    """Mass, first moment and inertia of the bodies at the tip, F_i axes, about the tip point."""
+    R, rest = s.kept("R_T"), {"omega_T": mx.zeros(3), "v_T": mx.zeros(3), "g_T": mx.zeros(3)}
+    m, S, I = s.lower("tip_body", rest, "m_T", "S_T", "I_T")
+    return m.item(), mx.multiply(R, S), mx.congruence(R.T, I)
 
 
-def tip_bodies(s: Scope, omega: Array, v: Array, g: Array) -> None:
-    state = {"omega_T": omega, "v_T": v, "g_T": g}
-    m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
-    s.keep("M_T", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
-    s.keep("h_T", np.concatenate([tau, F]))
+def tip_load(s: Scope) -> tuple[Array, Array]:
+    """``Lambda, p`` of all that the tip section carries, in F_i axes at the tip point."""
+    with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
+        m, S, I = tip_bodies(s)
+        M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
+        Lambda = s.name("Lambda_T", mx.unpack(s.read("tip.Lambda", 21)) + M_T)
+        outside = mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6))
+        bias = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6), m, S, I)
+        return Lambda, s.name("p_T", s.read("tip.p", 6) + bias - outside)
+
+
+def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
+    """The wrench that rigid bodies need at an angular velocity and an acceleration of their reference point."""
+    turn = mx.cross(S, alpha[3:]) + mx.multiply(I, alpha[:3]) + mx.cross(omega, mx.multiply(I, omega))
+    return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
 
 
 def eliminate(s: Scope) -> None:
     """Tip to base: fold the tip's reaction in, eliminate modes and joint, hand the rest up."""
-    M, h = eliminate_modes(s, *tip_reaction(s))
+    own = rows(s)
+    M, h = eliminate_modes(s, own, *tip_load(s))
     Lambda, p = eliminate_joint(s, M, h)
-    r_B, R = joint_point(s), s.kept("R_rel")
     s.keep("Lambda_i", Lambda)
     s.keep("p_i", p)
     with s.step("handed up: inertia and bias that the joint shows to the parent's tip (49)"):
-        handed = mx.shift(mount(s), mx.rotate(R, mx.shift(-r_B, Lambda)))
-        wrench = mx.shift_wrench(mount(s), mx.rotate_wrench(R, mx.shift_wrench(-r_B, p)))
-        s.write("base.Lambda", mx.pack(handed))
-        s.write("base.p", wrench)
-
-
-def tip_reaction(s: Scope) -> tuple[Array, Array]:
-    """``Lambda, p`` of all that the tip section carries, in F_i axes at the tip point, bias folded in."""
-    with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
-        Lambda = mx.unpack(s.read("tip.Lambda", 21)) + s.kept("M_T")
-        p = s.read("tip.p", 6) + s.kept("h_T") - s.read("w_ext", 6) + mx.multiply(Lambda, s.kept("b_T"))
-        R = s.kept("R_T")
-        return s.name("Lambda_T", mx.rotate(R, Lambda)), s.name("p_T", mx.rotate_wrench(R, p))
+        R, lever = s.kept("R_P"), s.kept("lever")
+        s.write("base.Lambda", mx.pack(mx.rotate(R, mx.shift(lever, Lambda))))
+        s.write("base.p", mx.rotate_wrench(R, mx.shift_wrench(lever, p)))
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
@@ -107,81 +140,75 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         A = s.kept("A")
         U = s.name("U", mx.multiply(M, A))
-        bias = s.name("bias", h + mx.multiply(M, s.kept("beta")))
         inertia = s.name("joint_inertia", mx.multiply(A.T, U) + armature(s))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
-        torque = mx.forward(L, drive(s) - mx.multiply(A.T, bias))
-        w = mx.scale_rows(torque, inverse)
+        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(A.T, h)), inverse)
         s.keep("joint_L", L)
         s.keep("joint_W", W)
         s.keep("joint_w", w)
-        return s.name("Lambda_i", mx.subtract_product(M, Z, W)), s.name("p_i", bias + mx.multiply(Z.T, w))
+        return s.name("Lambda_i", mx.subtract_product(M, Z, W)), s.name("p_i", h + mx.multiply(Z.T, w))
 
 
 def accelerate(s: Scope) -> None:
-    """Base to tip: qddot, etaddot, the joint wrench, and the acceleration of the tip."""
-    r_B, R = joint_point(s), s.kept("R_rel")
-    with s.step("joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48)"):
-        at_joint = mx.shift_twist(mount(s), s.read("base.alpha", 6))
-        carried = s.name("carried", mx.shift_twist(-r_B, mx.rotate_wrench(R.T, at_joint)))
+    """Base to tip: qddot, etaddot, the joint wrench, and what they add to the acceleration of the tip."""
+    R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
+    with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
+        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta", 6))))
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
         s.write("qddot", qddot)
+    with s.step("joint wrench (48)"):
         wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-r_B, wrench))
-    with s.step("link: acceleration of F_i, modal accelerations (83)"):
-        alpha = carried + mx.multiply(s.kept("A"), qddot) + s.kept("beta")
-        s.write("alpha", alpha)
-        etaddot = modal_accelerations(s, alpha)
+    with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
+        delta = s.name("delta", carried + mx.multiply(s.kept("A"), qddot))
+        s.write("alpha", delta + s.kept("alpha_0"))
+        etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
-    with s.step("tip: acceleration of the tip section (accconst1b)"):
-        s.name("alpha_T", tip_acceleration(s, alpha, etaddot))
-        s.write("tip.alpha", tip_acceleration(s, alpha, etaddot))
+    with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
+        s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot)))
 
 
-def tip_acceleration(s: Scope, alpha: Array, etaddot: Array) -> Array:
-    """``J_T nudot + b_T`` in tip-frame components."""
-    elastic = mx.chain(s.kept("G"), s.kept("E"), etaddot)
-    moved = mx.shift_twist(s.kept("r_T"), alpha) + elastic
-    return mx.rotate_wrench(s.kept("R_T").T, moved) + s.kept("b_T")
+def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
+    """``J_T [delta; etaddot]`` in F_i axes."""
+    turn = mx.multiply(s.kept("J_l"), mx.multiply(s.kept("Psi_c"), etaddot))
+    elastic = np.concatenate([turn, mx.multiply(s.kept("Phi_c"), etaddot)])
+    return mx.shift_twist(s.kept("r_T"), delta) + elastic
 
 
 # ---------------------------------------------------------------------------------- inverse dynamics
 
 
 def inverse_outward(s: Scope) -> None:
-    """Base to tip: accelerations that qddot and etaddot prescribe."""
+    """Base to tip: what qddot and etaddot add to the accelerations."""
     qddot, etaddot = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes)
-    at_joint = mx.shift_twist(mount(s), s.read("base.alpha", 6))
-    carried = mx.shift_twist(-joint_point(s), mx.rotate_wrench(s.kept("R_rel").T, at_joint))
-    alpha = carried + mx.multiply(s.kept("A"), qddot) + s.kept("beta")
-    s.keep("alpha", alpha)
-    tip = tip_acceleration(s, alpha, etaddot)
-    s.keep("alpha_T", tip)
-    s.write("tip.alpha", tip)
+    carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta", 6)))
+    delta = carried + mx.multiply(s.kept("A"), qddot)
+    s.keep("delta", delta)
+    s.write("tip.delta", tip_acceleration(s, delta, etaddot))
 
 
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the wrenches that the accelerations need, and the generalised forces."""
-    qddot, etaddot, alpha = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes), s.kept("alpha")
-    at_tip = mx.multiply(s.kept("M_T"), s.kept("alpha_T")) + s.kept("h_T") - s.read("w_ext", 6) + s.read("tip.p", 6)
-    load = mx.rotate_wrench(s.kept("R_T"), at_tip)
-    M_D = s.kept("M_D")
-    needed = mx.multiply(s.kept("M_V"), alpha) + mx.multiply(M_D, etaddot) + s.kept("h_V")
+    qddot, etaddot, delta = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes), s.kept("delta")
+    M_V, M_D, h_V, h_eta = rows(s)
+    m, S, I = tip_bodies(s)
+    bodies = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6) + s.read("tip.delta", 6), m, S, I)
+    load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6)) + s.read("tip.p", 6)
+    needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
-    modal = mx.multiply(M_D.T, alpha) + s.read("m_eta", s.key.modes) * etaddot
-    s.write(
-        "force_eta",
-        modal + s.kept("h_eta") + s.read("f_eta", s.key.modes) + mx.chain(s.kept("E").T, s.kept("G").T, load),
-    )
+    modal = mx.multiply(M_D.T, delta) + s.read("m_eta", s.key.modes) * etaddot
+    turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
+    moved = mx.multiply(s.kept("Phi_c").T, load[3:])
+    s.write("force_eta", modal + h_eta + s.read("f_eta", s.key.modes) + turned + moved)
     s.write(
         "force",
         mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot) + passive(s, s.read("qdot", s.key.joints)),
     )
-    at_joint = mx.rotate_wrench(s.kept("R_rel"), mx.shift_wrench(-joint_point(s), total))
-    s.write("base.p", mx.shift_wrench(mount(s), at_joint))
+    s.write("wrench", mx.shift_wrench(-joint_point(s), total))
+    s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
 
 # -------------------------------------------------------------------------------------- poses, energy
@@ -189,7 +216,7 @@ def inverse_inward(s: Scope) -> None:
 
 def poses(s: Scope) -> None:
     """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
-    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
+    R_rel, R_T, r_T = _relative_pose(s)
     R_P, r_P = s.read("base.R", 3, 3), s.read("base.r", 3)
     with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
         R = mx.multiply(R_P, R_rel)
@@ -197,12 +224,32 @@ def poses(s: Scope) -> None:
         r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)
-    eta = {"eta": s.read("eta", s.key.modes)}
-    r_T = s.lower("tip_pose", eta, "r_T")[0]
-    R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
     with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
         s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T)))
         s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T)))
+
+
+def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
+    """``R_rel, R_T, r_T``: kept by an earlier phase, or computed."""
+    if "R_rel" in s.layouts:
+        return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
+    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
+    eta = {"eta": s.read("eta", s.key.modes)}
+    r_T = s.lower("tip_pose", eta, "r_T")[0]
+    R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
+    return R_rel, R_T, r_T
+
+
+def velocities(s: Scope) -> None:
+    """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
+    q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
+    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "omega", "v")
+    s.keep("twist", np.concatenate([omega, v]))
+    modal = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    omega_T, v_T = s.lower("tip", {"omega": omega, "v": v, **modal}, "omega_T", "v_T")
+    s.write("tip.omega", omega_T)
+    s.write("tip.v", v_T)
 
 
 def energy(s: Scope) -> None:
@@ -212,10 +259,12 @@ def energy(s: Scope) -> None:
     state = {"omega": twist[:3], "v": twist[3:], "g": mx.zeros(3), "eta": eta, "etadot": s.read("etadot", s.key.modes)}
     kinetic, stress, m, S = s.lower("energy", state, "kinetic", "stress", "m", "S")
     V_T = np.concatenate([s.read("tip.omega", 3), s.read("tip.v", 3)])
-    body = mx.dot(V_T, mx.multiply(s.kept("M_T"), V_T))
+    still = {"omega_T": V_T[:3], "v_T": V_T[3:], "g_T": mx.zeros(3)}
+    m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
+    M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
+    body = mx.dot(V_T, mx.multiply(M_T, V_T))
     rotor = mx.dot(qdot, mx.multiply(armature(s), qdot))
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
-    S_T, m_T = s.lower("tip_body", {"omega_T": V_T[:3], "v_T": V_T[3:], "g_T": mx.zeros(3)}, "S_T", "m_T")
     R, r, R_T, r_T = s.read("R", 3, 3), s.read("r", 3), s.read("tip.R", 3, 3), s.read("tip.r", 3)
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
     spring = mx.dot(q * stiffness(s), q)

@@ -78,6 +78,8 @@ class Scope:
     key: LinkClass
     tracer: Tracer
     layouts: dict[str, Layout]
+    way: str = ""
+    """How modal accelerations are eliminated, see :mod:`.modes`."""
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
     fresh: dict[str, Array] = field(default_factory=dict)

@@ -11,8 +11,10 @@ from ..chain import fuse
 from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
 from ..chain.parameters import label
+from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
+from . import c_batch, c_derivatives
 from .c_code import Writer, literal
 from .c_fields import (
     body_count,
@@ -27,8 +29,14 @@ from .reference import cases, rounding_error
 from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
-FUSED_LIMIT = 8
-"""Up to this many links ``auto`` writes the joint form in one piece."""
+FUSED_BEST = 1900
+"""Up to this many operations ``auto`` writes the joint form in one piece: more do not fit a first-level cache of 32 KiB
+(about 14 bytes per operation), while a function per phase and class is used again from link to link."""
+FUSED_MOST = 16_000
+"""The largest function that is written: compilers need more than twice the time for twice the length."""
+
+ASKED = {"wrench": "WRENCHES", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
+"""Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
 
 STATES = 3
 MASK_BITS = 32
@@ -39,12 +47,22 @@ MARGIN = 5.0
 class CProject:
     """The files of a robot's C, as a mapping from name to text."""
 
-    def __init__(self, chain: Chain, version: str, binding="runtime", layout="auto"):
-        self.chain, self.version, self.binding = chain, version, binding
-        self.layout = layout if layout != "auto" else ("fused" if chain.n <= FUSED_LIMIT else "modular")
+    def __init__(self, chain: Chain, version: str, binding="runtime", layout="auto", batch=False, derivatives=False):
+        self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
+        self.with_derivatives = derivatives
         self.name = chain.robot.name
         self.baked = fuse.baked(chain) if binding == "baked" else None
-        self.links = Links(chain, self.name, self.baked, self.layout == "modular")
+        self.links = Links(chain, self.name, self.baked)
+        self.layout = self._layout(layout)
+        self.links.joint_form = self.layout == "modular"
+
+    def _layout(self, asked: str) -> str:
+        """``fused`` or ``modular``; ``auto`` takes what is faster."""
+        size = sum(p.program.operation_count for p in self.links.passages("joint_dynamics"))
+        if asked == "fused" and size > FUSED_MOST:
+            said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
+            raise UsageError(f"{said}, and compilers take long over more than {FUSED_MOST}; choose 'modular' or 'auto'")
+        return asked if asked != "auto" else ("fused" if size <= FUSED_BEST else "modular")
 
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
@@ -66,12 +84,16 @@ class CProject:
             "CMakeLists.txt": "CMakeLists.txt",
             "README.md": "README.md",
         }
+        if self.with_batch:
+            sources |= {f"{n}_{file}": file for file in c_batch.FILES}
+        if self.with_derivatives:
+            sources |= {f"{n}_{file}": file for file in c_derivatives.FILES}
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
-    def shim(self) -> str:
+    def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
         places = [line.partition(" = ")[0] for line in self.defaults]
-        return render("c/shim.c.jinja", **self.context, places=places)
+        return render(f"c/{template}.jinja", **self.context, places=places)
 
     @cached_property
     def context(self) -> dict:
@@ -119,18 +141,18 @@ class CProject:
             "m_column": rows(m_column),
             "m_place": rows(m_place),
             "m_offset": m_offset,
-            **self._base,
+            "falling": any(a["falling"] for a in self._algorithms),
             "cases": self.reference,
+            "batch": self._batch if self.with_batch else None,
+            "derivatives": self.with_derivatives and c_derivatives.content(self.chain, bool(self.baked), fused_place),
         }
 
     # programs ---------------------------------------------------------------------------------
 
     @cached_property
     def _algorithms(self) -> list[dict]:
-        return [
-            {"name": name, "comment": run.comment, "phases": self.links.phases(name)}
-            for name, run in self.links.runs.items()
-        ]
+        """The C functions that run phases over the chain."""
+        return [part for name in self.links.runs for part in self.links.parts(name)]
 
     @property
     def _phases(self) -> list[dict]:
@@ -139,15 +161,6 @@ class CProject:
     @property
     def _programs(self) -> list[Program]:
         return [c.program for phase in self._phases for c in phase["classes"]]
-
-    @property
-    def _base(self) -> dict:
-        """Which fields of the base node there are, by how they start."""
-        fields = {f.name for f in node_fields(self._programs)}
-        return {
-            "base_zero": [f for f in ("omega", "v", "omega_m", "r") if f in fields],
-            "base_rotation": [f for f in ("R", "R_m") if f in fields],
-        }
 
     @cached_property
     def fused(self) -> Program:
@@ -158,11 +171,17 @@ class CProject:
     def fused_lines(self) -> list[str]:
         if self.layout != "fused":
             return []
-        taken = {"c", "state", "input", "work", "output", "bad", "link"}
-        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, apart=True).lines()
+        taken = {"c", "state", "input", "work", "wanted", "output", "bad", "link"}
+        asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
+        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + [f"(void){x};" for x in self._unused(lines)] + lines
+
+    @property
+    def _batch(self) -> dict:
+        constants = sum(f.reals for f in self.constants)
+        return c_batch.content(self.chain, self.name, self.baked is not None, constants, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
         """Failures are gathered and looked at once: an early return would cost more than its comparison."""

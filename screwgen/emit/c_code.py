@@ -7,10 +7,10 @@ what it computes.  The grouping of the program is kept, so C and the judge round
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from ..lower.program import Node, Program
+from ..lower.program import Node, Program, live
 from ..lower.replay import BINARY
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -37,7 +37,8 @@ class Writer:
 
     ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
     for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart`` says that no output
-    shares memory with an input: then outputs are written as soon as they are known.
+    shares memory with an input: then outputs are written as soon as they are known.  ``optional`` names, by output,
+    the C condition on which it is wanted: what only such outputs need is computed where the condition holds.
     """
 
     program: Program
@@ -46,6 +47,7 @@ class Writer:
     fail: Callable[[str, int], str]
     taken: set[str] = field(default_factory=set)
     apart: bool = False
+    optional: Mapping[str, str] = field(default_factory=dict)
 
     def lines(self) -> list[str]:
         """The body of a function: sections of assignments, then the outputs."""
@@ -54,15 +56,37 @@ class Writer:
         self._pending: dict[int, tuple[str, int]] = {}
         self._written: set[tuple[str, int]] = set()
         self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
+        always, groups = self._groups()
+        out = self._part(always, "")
+        for condition, nodes in groups.items():
+            block = self._part(nodes, condition)
+            inside = [f"    {line}" if line else "" for line in block[not block[0] :]]
+            out += ["", f"if ({condition}) {{", *inside, "}"]
+        return out
+
+    def _part(self, nodes: Iterable[Node], condition: str) -> list[str]:
+        """Assignments by sections and the outputs that hang on one condition."""
+        self._condition = condition
         out: list[str] = []
         section = None
-        for node in self.program.nodes:
+        for node in nodes:
             statements = self._statements(node)
             if statements and node.section != section:
                 section = node.section
                 out += self._heading(section)
             out += statements
         return [*out, *self._outputs()]
+
+    def _groups(self) -> tuple[list[Node], dict[str, list[Node]]]:
+        """The nodes that are always needed, and for every condition those that are needed with it alone."""
+        p, conditions = self.program, dict.fromkeys(c for n, c in self.optional.items() if n in self.program.outputs)
+        values = lambda c: [v for n, e in p.outputs.items() if self.optional.get(n, "") == c for v in e]  # noqa: E731
+        common = {n.id for n in live([*values(""), *p.guards])}
+        needs = {c: {n.id for n in live(values(c))} for c in conditions}
+        times = Counter(i for ids in needs.values() for i in ids)
+        common |= {i for i, count in times.items() if count > 1}
+        groups = {c: [n for n in p.nodes if n.id in needs[c] - common] for c in conditions}
+        return [n for n in p.nodes if n.id in common], groups
 
     def _count_uses(self) -> None:
         self._uses: Counter[int] = Counter()
@@ -106,6 +130,8 @@ class Writer:
             return []
         lines = []
         for output, values in self.program.outputs.items():
+            if self.optional.get(output, "") != self._condition:
+                continue
             for k, v in enumerate(values):
                 negative = isinstance(v, Node) and v.op == "neg" and v.args[0] is node
                 if (v is node or negative) and self.place(output, k) is not None:
@@ -164,6 +190,8 @@ class Writer:
     def _outputs(self) -> list[str]:
         out: list[str] = []
         for name, values in self.program.outputs.items():
+            if self.optional.get(name, "") != self._condition:
+                continue
             left = ((k, v) for k, v in enumerate(values) if (name, k) not in self._written)
             placed = ((self.place(name, k), v) for k, v in left)
             out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ..chain import algorithms as alg
-from ..chain.chain import OUTWARD, Algorithm, Chain, trace
+from ..chain.chain import OUTWARD, Algorithm, Chain
 from ..chain.dae_functions import block_places
-from ..derive.link_class import LinkClass
+from ..chain.structure import Passage, passages
 from ..lower.program import Program
-from ..lower.replay import specialise
 from .c_code import Writer
 
-JOINT = {"q", "qdot", "tau", "qddot", "new_q"}
-MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot"}
+JOINT = {"q", "qdot", "tau", "qddot", "new_q", "force"}
+MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
 STRIDE = {
     "w_ext": 6,
     "wrench": 6,
@@ -27,7 +26,9 @@ STRIDE = {
     "new_position": 3,
 }
 WRITTEN = {"qdot": "new_qdot"}
-READ = {"alpha": "given_alpha"}
+READ = {"alpha": "given_alpha", "qddot": "given_qddot", "etaddot": "given_etaddot"}
+OPTIONAL = {"wrench": "wrench"}
+"""Signals that a caller may leave out by a null pointer, with the test for it."""
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
@@ -39,16 +40,18 @@ class Run:
     algorithm: Algorithm
     comment: str
     results: frozenset[str]
+    apart: bool
+    """Whether no result shares memory with an input."""
+    skipped: Mapping[str, str] = field(default_factory=dict)
+    """Phases that run only where a condition on the call holds."""
+    zero: frozenset[str] = frozenset()
+    """Signals that are zero in this run."""
+    parts: tuple[tuple[str, int], ...] = ()
+    """The C functions that the phases are shared out to, and how many each takes; none: one of the run's name."""
 
-    def wants(self, name: str, key: LinkClass) -> bool:
-        """Whether a signal is a result or read by a phase; base and tip are two names of one node."""
-        reads = {n for program in trace(key, self.algorithm) for n in program.inputs}
-        short = name.partition(".")[2]
-        return name in self.results or name in reads or f"base.{short}" in reads or f"tip.{short}" in reads
 
-
-def _run(algorithm: Algorithm, comment: str, results: str) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()))
+def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None) -> Run:
+    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {})
 
 
 RUNS: dict[str, Run] = {
@@ -56,11 +59,14 @@ RUNS: dict[str, Run] = {
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
         "qddot etaddot wrench tip.R tip.r",
+        apart=True,
+        skipped={"poses": "call->tip_pose"},
     ),
     "dae_dynamics": _run(
         alg.DAE_FORWARD,
         "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
         "qdot qddot etaddot wrench Vdot",
+        apart=True,
     ),
     "projection": _run(
         alg.PROJECTION,
@@ -72,18 +78,19 @@ RUNS: dict[str, Run] = {
         "Poses and twists of the DAE form from coordinates and rates.",
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
+    "inverse": _run(
+        alg.INVERSE, "Joint form: the forces and joint wrenches that accelerations need.", "force force_eta wrench"
+    ),
+    "inertia": Run(
+        alg.INVERSE,
+        "Joint form at rest, without weight and springs: the posture, and the forces that accelerations need.",
+        frozenset({"force", "force_eta"}),
+        False,
+        zero=frozenset("qdot etadot w_ext f_eta gravity".split()) | {f"c.joint_stiffness_{k}" for k in (1, 2, 3)},
+        parts=(("inertia_posture", 1), ("inertia_column", 2)),
+    ),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
 }
-
-
-@dataclass(frozen=True)
-class Variant:
-    """A class of links as the code distinguishes it: baked numbers and the last link's missing child count."""
-
-    key: LinkClass
-    name: str
-    numbers: tuple[tuple[str, float], ...] = ()
-    last: bool = False
 
 
 @dataclass
@@ -105,79 +112,70 @@ class Links:
     chain: Chain
     prefix: str
     baked: Sequence[dict] | None
-    joint_form: bool
+    joint_form: bool = True
     functions: dict[tuple, Function] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
+    _passages: dict[str, list[Passage]] = field(default_factory=dict)
+    _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
     def runs(self) -> dict[str, Run]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
-    def variant(self, i: int, last_matters: bool) -> Variant:
-        key = self.chain.keys[i]
-        numbers = ()
-        if self.baked is not None:
-            numbers = tuple(sorted((n, v[0]) for n, v in self.baked[i].items() if n.startswith("c.")))
-        last = last_matters and i == self.chain.n - 1
-        return Variant(key, self._first_name(key, numbers), numbers, last)
-
-    def _first_name(self, key: LinkClass, numbers: tuple) -> str:
-        """A class is called after its first link."""
-        for i, other in enumerate(self.chain.keys):
-            same = self.baked is None or numbers == tuple(
-                sorted((n, v[0]) for n, v in self.baked[i].items() if n.startswith("c."))
-            )
-            if other == key and same:
-                return self.chain.robot.links[i].name
-        raise KeyError(key)
-
-    def program(self, variant: Variant, run: str, number: int) -> Program:
-        """The program of a phase: specialised to the variant, without outputs that nobody asks for."""
-        program = trace(variant.key, self.runs[run].algorithm)[number]
-        known = {n: [v] for n, v in variant.numbers if n in program.inputs}
-        if variant.last and "tip.X" in program.inputs:
-            known |= {"tip.X": [0.0] * 36, "tip.PX": [0.0] * 36}
-        if known:
-            program = specialise(program, known)
-        wanted = {
-            n: v
-            for n, v in program.outputs.items()
-            if self.runs[run].wants(n, variant.key) and not (variant.last and "next" in n)
-        }
-        used = Program(program.name, program.inputs, wanted, program.guards, program.sections, program.origins)
-        read = {n.args[0] for n in used.nodes if n.op == "input"}
-        used.inputs = {n: size for n, size in program.inputs.items() if n in read}
-        return used
+    def passages(self, run: str) -> list[Passage]:
+        """The phases of a run, link by link, specialised to their places."""
+        if run not in self._passages:
+            r = RUNS[run]
+            self._passages[run] = passages(self.chain, r.algorithm, self.baked, r.results, r.zero)
+        return self._passages[run]
 
     def phases(self, run: str) -> list[dict]:
-        """The phases of a run, each with its classes and the class of every link."""
+        """The phases of a run, each with its functions and which of them every link calls."""
         out = []
-        for number, phase in enumerate(self.runs[run].algorithm):
-            variants = [self.variant(i, run == "assembly") for i in range(self.chain.n)]
-            distinct = list(dict.fromkeys(variants))
-            classes = [self.function(v, run, number, phase.name) for v in distinct]
+        for number, phase in enumerate(RUNS[run].algorithm):
+            way = sorted((p for p in self.passages(run) if p.phase == number), key=lambda p: p.link)
+            functions = [self.function(p, run, phase.name) for p in way]
+            distinct = list({f.name: f for f in functions}.values())
             out.append(
                 {
                     "name": f"{run}_{phase.name}",
                     "outward": phase.direction == OUTWARD,
-                    "classes": classes,
-                    "of_link": [distinct.index(v) for v in variants],
+                    "condition": RUNS[run].skipped.get(phase.name),
+                    "classes": distinct,
+                    "of_link": [distinct.index(f) for f in functions],
                 }
             )
         return out
 
-    def function(self, variant: Variant, run: str, number: int, phase: str) -> Function:
-        """The C function of a phase; equal texts are one function."""
-        program = self.program(variant, run, number)
-        places = Places(self, variant, run, program)
+    def parts(self, run: str) -> list[dict]:
+        """The C functions of a run: name, comment, phases, and whether they start from a base that falls."""
+        phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
+        out = []
+        for name, count in RUNS[run].parts or ((run, len(phases)),):
+            own, phases = phases[:count], phases[count:]
+            falling = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "falling": falling})
+        return out
+
+    def function(self, passage: Passage, run: str, phase: str) -> Function:
+        """The C function of a phase at one link; equal texts are one function, called after their first link."""
+        entries = tuple(matrix_entries(self, passage.link)) if run == "assembly" else ()
+        known = (run, id(passage.program), passage.wanted, entries)
+        if known not in self._written:
+            self._written[known] = self._function(passage, run, phase, entries)
+        return self._written[known]
+
+    def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
+        program, places = passage.program, Places(self, passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
-        lines = Writer(program, self.prefix, places.place, fail, places.names()).lines()
+        lines = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL).lines()
         arguments, values = places.arguments()
         signature = _wrapped(arguments)
         key = (phase, signature, tuple(lines))
         if key not in self.functions:
-            name = self._unique(f"{phase}_{variant.name}{'_last' if variant.last else ''}")
-            title = f"{phase.replace('_', ' ')}, links like {variant.name}: {program.operation_count} operations"
+            link = self.chain.robot.links[passage.link].name
+            name = self._unique(f"{phase}_{link}")
+            title = f"{phase.replace('_', ' ')}, links like {link}: {program.operation_count} operations"
             self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)
         return self.functions[key]
 
@@ -206,17 +204,22 @@ class Places:
     """How a phase's function addresses its signals, and the arguments that this needs."""
 
     links: Links
-    variant: Variant
+    passage: Passage
     run: str
-    program: Program
+    entries: tuple[tuple[str, int], ...] = ()
     matrix: dict[tuple[str, int], int] = field(init=False)
 
     def __post_init__(self):
-        entries = matrix_entries(self.links, self.variant) if self.run == "assembly" else []
-        self.matrix = {place: k for k, place in enumerate(entries)}
+        self.matrix = {place: k for k, place in enumerate(self.entries)}
+
+    @property
+    def program(self) -> Program:
+        return self.passage.program
 
     def place(self, name: str, k: int) -> str | None:
         """The C expression of entry k of a signal; None for what is not kept."""
+        if name in self.program.outputs and (name, k) not in self.passage.wanted:
+            return None
         where, _, what = name.partition(".")
         if where == "c" and what:
             return f"c->{what}"
@@ -231,6 +234,11 @@ class Places:
             return f"{name}[{k}]"
         return f"{name}[{k}]"
 
+    @property
+    def _alone(self) -> str:
+        """What tells the compiler that nothing else reaches the memory of a parameter."""
+        return "restrict " if RUNS[self.run].apart else ""
+
     def names(self) -> set[str]:
         """The names that the function's parameters and file take."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
@@ -238,26 +246,29 @@ class Places:
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and what a call passes for them."""
-        real, out = f"{self.links.prefix}_real", []
+        real, out, alone = f"{self.links.prefix}_real", [], self._alone
         reads = [n for n, size in self.program.inputs.items() if size]
         writes = [n for n, v in self.program.outputs.items() if v]
         out += self._structs(reads, writes)
         for name in reads:
             if "." not in name:
                 out.append(
-                    (f"const {real} {name}[{self.program.inputs[name]}]", self._address(READ.get(name, name), name))
+                    (
+                        f"const {real} {name}[{alone}{self.program.inputs[name]}]",
+                        self._address(READ.get(name, name), name),
+                    )
                 )
         for name in writes:
             if "." not in name and name not in MATRIX and name not in ROWS:
                 size = len(self.program.outputs[name])
-                out.append((f"{real} {name}[{size}]", self._address(WRITTEN.get(name, name), name)))
+                out.append((f"{real} {name}[{alone}{size}]", self._address(WRITTEN.get(name, name), name)))
         out += self._assembly(writes, real)
         return [a for a, _ in out], [b for _, b in out]
 
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
         prefix, out = self.links.prefix, []
         if any(n.startswith("c.") for n in reads):
-            out.append((f"const {prefix}_link_constants *c", "&c->links[i]"))
+            out.append((f"const {prefix}_link_constants *{self._alone}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", "&chain->nodes[i]"),
@@ -265,7 +276,7 @@ class Places:
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
-                out.append((f"{const}{prefix}_{type_} *{'link' if where == 'w' else where}", value))
+                out.append((f"{const}{prefix}_{type_} *{self._alone}{'link' if where == 'w' else where}", value))
         return out
 
     def _address(self, member: str, name: str) -> str:
@@ -275,7 +286,8 @@ class Places:
             return f"call->{member} + e"
         if name in ("eta_H", "eta_W"):
             return f"call->{name[-1]} + {12 * self.links.chain.n} + e"
-        return f"call->{member} + {STRIDE[name]} * i" if name in STRIDE else f"call->{member}"
+        place = f"call->{member} + {STRIDE[name]} * i" if name in STRIDE else f"call->{member}"
+        return f"call->{member} ? {place} : 0" if name in OPTIONAL else place
 
     def _assembly(self, writes: list[str], real: str) -> list[tuple[str, str]]:
         out = []
@@ -286,14 +298,17 @@ class Places:
         return out
 
 
-def matrix_entries(links: Links, variant: Variant) -> list[tuple[str, int]]:
-    """The structural nonzeros of M_sys that a link contributes, in the order of its programs."""
-    entries = []
-    for number in range(len(alg.ASSEMBLY)):
-        for name, values in links.program(variant, "assembly", number).outputs.items():
-            if name in MATRIX:
-                entries += [(name, k) for k, v in enumerate(values) if not (isinstance(v, float) and v == 0.0)]
-    return entries
+def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
+    """The structural nonzeros of M_sys that link i contributes, in the order of its programs."""
+    own = sorted((p for p in links.passages("assembly") if p.link == i), key=lambda p: p.phase)
+    return [
+        (name, k)
+        for passage in own
+        for name, values in passage.program.outputs.items()
+        if name in MATRIX
+        for k, v in enumerate(values)
+        if not (isinstance(v, float) and v == 0.0)
+    ]
 
 
 def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
@@ -303,7 +318,7 @@ def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
     for i in range(links.chain.n):
         offsets.append(len(entries))
         blocks = block_places(links.chain, i)
-        for name, k in matrix_entries(links, links.variant(i, True)):
+        for name, k in matrix_entries(links, i):
             row, col, _, cols = blocks[name]
             entries.append((col + k % cols, row + k // cols))
     order = sorted(entries)

@@ -11,6 +11,7 @@ from ..chain import fuse
 from ..chain.algorithms import Functions
 from ..chain.chain import Chain
 from ..chain.dae_functions import DaeFunctions, unknown_size
+from ..chain.linearise import slopes
 from ..errors import SingularError
 from ..lower.program import Program
 from ..spec.parameters import parameters
@@ -75,6 +76,15 @@ class Numeric:
         offset = still.bias(q, *rest)
         columns = [still.inverse_dynamics(q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]
         return np.array(columns).reshape(nq, nq).T
+
+    def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m); see :mod:`screwgen.chain.linearise`."""
+        vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
+        found = slopes(self.functions, _flat(q), _flat(v), list(vdot), _flat(w_ext))
+        M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
+        M = np.tril(M) + np.tril(M, -1).T
+        given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
+        return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def energy(self, q, v) -> tuple[float, float]:
         """Kinetic and potential energy, J."""

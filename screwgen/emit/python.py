@@ -28,6 +28,16 @@ def c5(x: float) -> float:
     return (math.sin(s) - s + s * x / 6.0) / (x * x * s)
 
 
+def c6(x: float) -> float:
+    """``c_6``, from c_4 where that has no cancellation."""
+    return series(6, x) if x < LIMIT else (1.0 / 24.0 - c4(x)) / x
+
+
+def c7(x: float) -> float:
+    """``c_7`` likewise from c_5."""
+    return series(7, x) if x < LIMIT else (1.0 / 120.0 - c5(x)) / x
+
+
 def series(order: int, x: float) -> float:
     """The Stumpff series of an order by Horner's rule."""
     total = 1.0
@@ -36,7 +46,7 @@ def series(order: int, x: float) -> float:
     return total / math.factorial(order)
 
 
-NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5}
+NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5, "c6": c6, "c7": c7}
 
 
 def compiled(program: Program) -> Callable[[Mapping[str, list]], tuple[dict[str, list], list[float]]]:

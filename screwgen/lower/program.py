@@ -19,8 +19,8 @@ import numpy as np
 Array = np.ndarray
 
 COMMUTATIVE = frozenset({"add", "mul"})
-FUNCTIONS = frozenset({"sqrt", "sin", "cos", "c4", "c5"})
-"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow."""
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "c4", "c5", "c6", "c7"})
+"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7: slopes)."""
 
 
 class Node:

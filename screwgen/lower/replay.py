@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from .program import Node, Program, Tracer, Value, give_label
 
@@ -70,8 +70,16 @@ def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
 
 def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
     """The program with some inputs bound to numbers: partial evaluation."""
+    return bind(program, known)
+
+
+def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Program:
+    """The program with some entries of its inputs bound to numbers; None leaves an entry as it is."""
     tracer = Tracer()
-    given = {n: known[n] if n in known else tracer.input(n, size) for n, size in program.inputs.items()}
+    given = {}
+    for name, size in program.inputs.items():
+        free = tracer.input(name, size)
+        given[name] = [x if v is None else v for x, v in zip(free, known.get(name, [None] * size), strict=True)]
     outputs = inline(program, given, tracer, lambda text: text)
-    left = {n: size for n, size in program.inputs.items() if n not in known}
+    left = {n: size for n, size in program.inputs.items() if n not in known or None in known[n]}
     return Program(program.name, left, outputs, list(tracer.guards), tracer.sections, list(tracer.origins))

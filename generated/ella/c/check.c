@@ -8,7 +8,7 @@
 #include "ella_reference.h"
 
 /* Five times the rounding error that the reference states have in this precision, at least 1e-10 and 1e-4. */
-static const ella_real TOLERANCE = sizeof(ella_real) == sizeof(float) ? REAL(1e-04) : REAL(1e-10);
+static const ella_real TOLERANCE = sizeof(ella_real) == sizeof(float) ? REAL(2e-04) : REAL(1e-10);
 
 static ella_parameters parameters;
 static ella_constants constants;
@@ -190,7 +190,7 @@ static void check_refusals(int number, step method)
     ella_input input = r->input;
     verdict("refusal of a null pointer", number, method(&constants, 0, &input, REAL(1e-3), &work) == ELLA_BAD_ARGUMENT);
     verdict("refusal of a zero step", number, method(&constants, &state, &input, 0, &work) == ELLA_BAD_ARGUMENT);
-    input.w_ext[ELLA_NLINKS - 1][5] = ella_sqrt(REAL(-1.0));
+    input.w_ext[ELLA_NLINKS - 1][5] = (ella_real)NAN;
     verdict("refusal of NaN", number, method(&constants, &state, &input, REAL(1e-3), &work) == ELLA_NONFINITE);
     verdict("state left as it was", number, memcmp(&state, &r->state, sizeof state) == 0);
     verdict("step", number, method(&constants, &state, &r->input, REAL(1e-4), &work) == ELLA_OK);
@@ -204,7 +204,7 @@ static void check_dae_refusals(int number, dae_step method)
     ella_dae_from_state(&constants, &r->state, &dae_work, &state);
     before = state;
     verdict("DAE refusal of a zero step", number, method(&constants, &state, &input, 0, &dae_work) == ELLA_BAD_ARGUMENT);
-    input.w_ext[0][0] = ella_sqrt(REAL(-1.0));
+    input.w_ext[0][0] = (ella_real)NAN;
     verdict("DAE refusal of NaN", number, method(&constants, &state, &input, REAL(1e-3), &dae_work) == ELLA_NONFINITE);
     verdict("DAE state left as it was", number, memcmp(&state, &before, sizeof state) == 0);
     verdict("DAE step", number, method(&constants, &state, &r->input, REAL(1e-4), &dae_work) == ELLA_OK);
@@ -214,16 +214,15 @@ int main(void)
 {
     static const step steps[] = { ella_step_euler, ella_step_semi_implicit, ella_step_modal_implicit, ella_step_modal_midpoint, ella_step_rk4 };
     static const dae_step dae_steps[] = { ella_dae_step_euler, ella_dae_step_semi_implicit, ella_dae_step_modal_implicit, ella_dae_step_modal_midpoint, ella_dae_step_rk4 };
-    ella_real worst = 0, e;
+    ella_real worst = 0;
     int i;
     ella_parameters_default(&parameters);
     verdict("prepare", 0, ella_prepare(&parameters, &constants) == ELLA_OK);
     for (i = 0; i < ELLA_CASES; ++i) {
-        e = run_case(i);
-        worst = larger(e, worst);
+        worst = larger(run_case(i), worst);
     }
     for (i = 0; i < 5; ++i) {
-        if (sizeof(ella_real) == sizeof(double)) {
+        if (ELLA_REAL_EPSILON < SHORT) {
             check_speed(i, steps[i]);
             check_dae_speed(i, dae_steps[i], steps[i]);
         }

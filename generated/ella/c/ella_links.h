@@ -7,14 +7,21 @@
 /* Where the phases find the inputs and outputs of a call: every array starts at the first link. */
 typedef struct {
     const ella_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
-    const ella_real *quaternion, *twist, *given_alpha;
+    const ella_real *quaternion, *twist, *given_alpha, *given_qddot, *given_etaddot;
     ella_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
-    ella_real *M, *H, *W;
+    ella_real *force, *force_eta, *M, *H, *W;
+    int tip_pose; /* whether the tip's pose is wanted; the wrenches are where there is a place for them */
 } ella_call;
 
-/* Joint form in one piece: vdot, wrenches (n x 6) and tip pose; fault is set with ELLA_SINGULAR. */
+/* What a caller wants of the forward dynamics besides vdot. */
+enum { ELLA_WRENCHES = 1, ELLA_TIP_POSE = 2 };
+
+/* Joint form: vdot and what is wanted; the rest of output is left alone. fault is set with ELLA_SINGULAR. */
 ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
-    ella_work *work, ella_output *output);
+    ella_work *work, int wanted, ella_output *output);
+
+/* Joint form: accelerations, wrenches and poses by block elimination. */
+ella_status ella_joint_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
 ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
@@ -24,6 +31,15 @@ ella_status ella_projection(const ella_constants *c, const ella_call *call, ella
 
 /* Poses and twists of the DAE form from coordinates and rates. */
 ella_status ella_placement(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* Joint form: the forces and joint wrenches that accelerations need. */
+ella_status ella_inverse(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
+ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
+ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 
 /* M_sys, H_sys and W_sys. */
 ella_status ella_assembly(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);

@@ -22,18 +22,18 @@ static int sound(const ella_state *s, const ella_input *u, const ella_work *work
         && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(work->m_eta, ELLA_NMODES);
 }
 
-/* Forward dynamics at s with the modal force that it leads to dt after the state from (0: the force there). */
+/* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
 static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_state *from,
-    const ella_input *u, ella_real dt, ella_work *work, ella_output *y)
+    const ella_input *u, ella_real dt, ella_work *work, int wanted, ella_output *y)
 {
     ella_status status;
     modal_terms(c, from, dt, work);
-    status = ella_dynamics(c, s, u, work, y);
+    status = ella_dynamics(c, s, u, work, wanted, y);
     if (status != ELLA_OK) {
         return sound(s, u, work) ? status : ELLA_NONFINITE;
     }
-    if (!ella_finite(y->vdot, ELLA_NV) || !ella_finite(&y->wrench[0][0], 6 * ELLA_NLINKS)
-        || !ella_finite(&y->tip_rotation[0][0], 9) || !ella_finite(y->tip_position, 3)) {
+    /* a force that no acceleration feels would show in the joint wrenches alone */
+    if (!ella_finite(y->vdot, ELLA_NV) || !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS)) {
         return ELLA_NONFINITE;
     }
     return ELLA_OK;
@@ -42,10 +42,25 @@ static ella_status accelerate(const ella_constants *c, const ella_state *s, cons
 ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, ella_output *output)
 {
+    ella_status status;
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    return accelerate(c, state, state, input, 0, work, output);
+    status = accelerate(c, state, state, input, 0, work, ELLA_WRENCHES | ELLA_TIP_POSE, output);
+    if (status == ELLA_OK && (!ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
+        || !ella_finite(&output->tip_rotation[0][0], 9) || !ella_finite(output->tip_position, 3))) {
+        return ELLA_NONFINITE;
+    }
+    return status;
+}
+
+ella_status ella_accelerations(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, ella_output *output)
+{
+    if (!c || !state || !input || !work || !output) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    return accelerate(c, state, state, input, 0, work, 0, output);
 }
 
 static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt, const ella_work *work)
@@ -80,7 +95,7 @@ ella_status ella_step_euler(const ella_constants *c, ella_state *state, const el
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, &work->output);
+    status = accelerate(c, state, state, input, 0, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -96,7 +111,7 @@ static ella_status symplectic(const ella_constants *c, ella_state *state, const 
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, modal_dt, work, &work->output);
+    status = accelerate(c, state, state, input, modal_dt, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -124,13 +139,13 @@ ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state,
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, dt / 2, work, &work->output);
+    status = accelerate(c, state, state, input, dt / 2, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
     advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
     advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, state, input, dt / 2, work, &work->output);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -153,7 +168,7 @@ ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella
     work->stage = *state;
     work->next = *state;
     for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, &work->stage, input, 0, work, &work->output);
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work, 0, &work->output);
         if (status != ELLA_OK) {
             return status;
         }

@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "ella.h"
 
@@ -18,10 +17,18 @@ static int failure(long step, ella_status status, int fault)
     return 1;
 }
 
+/* The seconds that a text states, 0 if it states none. */
+static ella_real seconds(const char *text)
+{
+    char *end;
+    const double value = strtod(text, &end);
+    return *end == 0 ? (ella_real)value : 0;
+}
+
 int main(int argc, char **argv)
 {
-    const ella_real duration = (ella_real)(argc > 1 ? atof(argv[1]) : 1.0);
-    const ella_real dt = (ella_real)(argc > 2 ? atof(argv[2]) : 1e-3);
+    const ella_real duration = argc > 1 ? seconds(argv[1]) : 1;
+    const ella_real dt = argc > 2 ? seconds(argv[2]) : (ella_real)1e-3;
     static ella_parameters parameters;
     static ella_constants constants;
     static ella_state state;

@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "six_link.h"
 
@@ -18,10 +17,18 @@ static int failure(long step, six_link_status status, int fault)
     return 1;
 }
 
+/* The seconds that a text states, 0 if it states none. */
+static six_link_real seconds(const char *text)
+{
+    char *end;
+    const double value = strtod(text, &end);
+    return *end == 0 ? (six_link_real)value : 0;
+}
+
 int main(int argc, char **argv)
 {
-    const six_link_real duration = (six_link_real)(argc > 1 ? atof(argv[1]) : 1.0);
-    const six_link_real dt = (six_link_real)(argc > 2 ? atof(argv[2]) : 1e-3);
+    const six_link_real duration = argc > 1 ? seconds(argv[1]) : 1;
+    const six_link_real dt = argc > 2 ? seconds(argv[2]) : (six_link_real)1e-3;
     static six_link_parameters parameters;
     static six_link_constants constants;
     static six_link_state state;

@@ -10,171 +10,757 @@ static const int ETA_OFFSET[SIX_LINK_NLINKS] = { 0, 0, 3, 5, 5, 5 };
 
 /* Where the entries of M_sys that a link computes stand among the structural nonzeros. */
 static const int M_PLACE[SIX_LINK_NNZ] = {
-    2, 7, 19, 31, 43, 53, 63, 13, 25, 37, 47, 57, 67, 14, 26, 38, 48, 58, 68, 15,
-    27, 39, 49, 59, 69, 16, 28, 40, 50, 60, 70, 17, 29, 41, 51, 61, 71, 18, 30, 42,
-    52, 62, 72, 0, 1, 3, 4, 5, 6, 8, 20, 32, 54, 64, 9, 21, 33, 44, 65, 10,
-    22, 34, 45, 55, 23, 35, 46, 11, 36, 56, 12, 24, 66, 73, 80, 88, 95, 102, 109, 74,
-    81, 89, 96, 103, 110, 75, 82, 90, 97, 104, 111, 76, 83, 91, 98, 105, 112, 77, 84, 92,
-    99, 106, 113, 78, 85, 93, 100, 107, 114, 86, 116, 132, 148, 164, 180, 196, 123, 139, 155, 171,
-    187, 203, 124, 140, 156, 172, 188, 204, 125, 141, 157, 173, 189, 205, 126, 142, 158, 174, 190, 206,
-    127, 143, 159, 175, 191, 207, 128, 144, 160, 176, 192, 208, 626, 641, 656, 627, 642, 657, 628, 643,
-    658, 629, 644, 659, 630, 645, 660, 631, 646, 661, 79, 87, 94, 101, 108, 115, 117, 133, 149, 165,
-    181, 197, 118, 134, 150, 166, 182, 198, 119, 135, 151, 167, 183, 199, 120, 136, 152, 168, 184, 200,
-    121, 137, 153, 169, 185, 201, 122, 138, 154, 170, 186, 202, 620, 635, 650, 621, 636, 651, 622, 637,
-    652, 623, 638, 653, 624, 639, 654, 625, 640, 655, 212, 222, 233, 243, 253, 263, 213, 223, 234, 244,
-    254, 264, 214, 224, 235, 245, 255, 265, 215, 225, 236, 246, 256, 266, 216, 226, 237, 247, 257, 267,
-    217, 227, 238, 248, 258, 268, 129, 145, 161, 177, 193, 209, 130, 146, 162, 178, 194, 210, 131, 147,
-    163, 179, 195, 211, 632, 647, 662, 633, 648, 663, 634, 649, 664, 219, 230, 240, 250, 260, 270, 220,
-    231, 241, 251, 261, 271, 221, 232, 242, 252, 262, 272, 228, 273, 287, 300, 313, 323, 334, 279, 293,
-    306, 317, 327, 338, 280, 294, 307, 318, 328, 339, 281, 295, 308, 319, 329, 340, 282, 296, 309, 320,
-    330, 341, 283, 297, 310, 321, 331, 342, 284, 298, 311, 322, 332, 343, 668, 678, 669, 679, 670, 680,
-    671, 681, 672, 682, 673, 683, 218, 229, 239, 249, 259, 269, 274, 288, 301, 324, 335, 275, 289, 302,
-    314, 336, 276, 290, 303, 315, 325, 291, 304, 316, 277, 305, 326, 278, 292, 337, 665, 675, 676, 666,
-    667, 677, 345, 355, 364, 373, 382, 391, 346, 356, 365, 374, 383, 392, 347, 357, 366, 375, 384, 393,
-    348, 358, 367, 376, 385, 394, 349, 359, 368, 377, 386, 395, 350, 360, 369, 378, 387, 396, 285, 312,
-    333, 286, 299, 344, 674, 684, 353, 362, 371, 380, 389, 398, 354, 363, 372, 381, 390, 399, 351, 400,
-    408, 417, 426, 434, 443, 402, 411, 420, 428, 437, 446, 403, 412, 421, 429, 438, 447, 404, 413, 422,
-    430, 439, 448, 405, 414, 423, 431, 440, 449, 406, 415, 424, 432, 441, 450, 407, 416, 425, 433, 442,
-    451, 352, 361, 370, 379, 388, 397, 401, 409, 444, 418, 435, 427, 419, 436, 410, 445, 452, 459, 467,
-    474, 481, 488, 453, 460, 468, 475, 482, 489, 454, 461, 469, 476, 483, 490, 455, 462, 470, 477, 484,
-    491, 456, 463, 471, 478, 485, 492, 457, 464, 472, 479, 486, 493, 465, 495, 503, 512, 521, 529, 538,
-    497, 506, 515, 523, 532, 541, 498, 507, 516, 524, 533, 542, 499, 508, 517, 525, 534, 543, 500, 509,
-    518, 526, 535, 544, 501, 510, 519, 527, 536, 545, 502, 511, 520, 528, 537, 546, 458, 466, 473, 480,
-    487, 494, 496, 504, 539, 513, 530, 522, 514, 531, 505, 540, 547, 555, 562, 569, 576, 583, 548, 556,
-    563, 570, 577, 584, 549, 557, 564, 571, 578, 585, 550, 558, 565, 572, 579, 586, 551, 559, 566, 573,
-    580, 587, 552, 560, 567, 574, 581, 588, 553, 590, 596, 602, 608, 612, 616, 554, 561, 568, 575, 582,
-    589, 591, 597, 603, 613, 617, 592, 598, 604, 609, 618, 593, 599, 605, 610, 614, 600, 606, 611, 594,
-    607, 615, 595, 601, 619,
+    2, 7, 18, 27, 38, 44, 49, 13, 33, 24, 14, 34, 15, 25, 35, 42, 53, 16, 36, 48,
+    17, 26, 37, 43, 54, 0, 1, 3, 4, 5, 6, 8, 19, 28, 45, 50, 9, 20, 29, 39,
+    51, 10, 21, 30, 40, 46, 22, 31, 41, 11, 32, 47, 12, 23, 52, 55, 61, 64, 70, 74,
+    58, 65, 75, 56, 62, 66, 71, 76, 67, 77, 72, 68, 78, 59, 80, 96, 112, 128, 141, 154,
+    87, 103, 119, 88, 104, 120, 89, 105, 121, 90, 106, 122, 135, 148, 161, 91, 107, 123, 136, 149,
+    162, 92, 108, 124, 137, 150, 163, 464, 479, 494, 465, 480, 495, 466, 481, 496, 467, 482, 497, 468,
+    483, 498, 469, 484, 499, 57, 60, 63, 69, 73, 79, 81, 97, 113, 129, 142, 155, 82, 98, 114,
+    130, 143, 156, 83, 99, 115, 131, 144, 157, 84, 100, 116, 132, 145, 158, 85, 101, 117, 133, 146,
+    159, 86, 102, 118, 134, 147, 160, 458, 473, 488, 459, 474, 489, 460, 475, 490, 461, 476, 491, 462,
+    477, 492, 463, 478, 493, 167, 174, 182, 189, 199, 209, 168, 175, 183, 190, 200, 210, 169, 176, 184,
+    191, 201, 211, 192, 202, 212, 193, 203, 213, 194, 204, 214, 93, 109, 125, 138, 151, 164, 94, 110,
+    126, 139, 152, 165, 95, 111, 127, 140, 153, 166, 470, 485, 500, 471, 486, 501, 472, 487, 502, 171,
+    179, 186, 196, 206, 216, 172, 180, 187, 197, 207, 217, 173, 181, 188, 198, 208, 218, 177, 219, 233,
+    246, 259, 266, 274, 225, 239, 252, 226, 240, 253, 227, 241, 254, 228, 242, 255, 263, 270, 278, 229,
+    243, 256, 264, 271, 279, 230, 244, 257, 265, 272, 280, 506, 516, 507, 517, 508, 518, 509, 519, 510,
+    520, 511, 521, 170, 178, 185, 195, 205, 215, 220, 234, 247, 267, 275, 221, 235, 248, 260, 276, 222,
+    236, 249, 261, 268, 237, 250, 262, 223, 251, 269, 224, 238, 277, 503, 513, 514, 504, 505, 515, 282,
+    289, 295, 301, 310, 319, 283, 290, 296, 302, 311, 320, 284, 291, 297, 303, 312, 321, 304, 313, 322,
+    305, 314, 323, 306, 315, 324, 231, 258, 273, 232, 245, 281, 512, 522, 287, 293, 299, 308, 317, 326,
+    288, 294, 300, 309, 318, 327, 285, 328, 332, 338, 344, 348, 352, 330, 341, 335, 331, 342, 336, 346,
+    355, 343, 351, 337, 347, 356, 286, 292, 298, 307, 316, 325, 329, 333, 353, 339, 349, 345, 340, 350,
+    334, 354, 357, 363, 360, 366, 373, 358, 364, 370, 367, 374, 371, 368, 375, 361, 377, 380, 387, 394,
+    397, 402, 379, 383, 390, 384, 391, 396, 385, 392, 400, 405, 386, 393, 401, 406, 359, 362, 365, 369,
+    372, 376, 378, 381, 403, 388, 398, 395, 389, 399, 382, 404, 407, 410, 413, 418, 423, 411, 414, 419,
+    424, 416, 420, 425, 421, 426, 408, 428, 434, 440, 446, 450, 454, 409, 412, 415, 417, 422, 427, 429,
+    435, 441, 451, 455, 430, 436, 442, 447, 456, 431, 437, 443, 448, 452, 438, 444, 449, 432, 445, 453,
+    433, 439, 457,
 };
-static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 109, 311, 458, 553, 648 };
+static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 257, 386, 435, 486 };
 
-/* dae kinematics, links like shoulder: 132 operations */
-static six_link_status dae_kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], six_link_real qdot[1])
+/* kinematics, links like shoulder: 11 operations */
+static six_link_status kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx = six_link_cos(q[0]);
+    link->R_rel[0] = R_rel_xx;
     const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    link->R_rel[1] = minus_R_rel_xy;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const six_link_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
-    const six_link_real qdot_1 = twist[2] - base->omega[2];
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
+    link->alpha_0[4] = alpha_0_5;
+    tip->alpha_0[4] = alpha_0_5;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t1 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t2 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_x = R_rel_xx * t1 + minus_R_rel_xy * t2;
-    const six_link_real v_R_y = R_rel_xx * t2 - minus_R_rel_xy * t1;
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_x = omega_R_y * qdot_1;
-    const six_link_real minus_beta_omega_y = omega_R_x * qdot_1;
-
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_x = qdot_1 * v_R_y;
-    const six_link_real minus_beta_v_y = qdot_1 * v_R_x;
-
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real t3 = twist[2] * twist[3];
-    const six_link_real a_0_y = t3 - twist[0] * twist[5];
-    const six_link_real t4 = twist[1] * twist[3];
-    const six_link_real a_0_z = twist[0] * twist[4] - t4;
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t5 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t5 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t5 * twist[1];
-    const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = twist[4] + c->length * twist[2];
-    const six_link_real v_T_z = twist[5] - c->length * twist[1];
-
-    /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = twist[1] * v_T_z - twist[2] * v_T_y;
-    const six_link_real a_T_y = t3 - twist[0] * v_T_z;
-    const six_link_real a_T_z = twist[0] * v_T_y - t4;
-
-    /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t6 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
-    const six_link_real t7 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t6 - c->S_T_z * a_T_y - twist[2] * t7;
-    const six_link_real t8 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t8 - c->S_T_x * a_T_z - twist[0] * t6;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t7 - c->S_T_y * a_T_x - twist[1] * t8;
-
-    /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t9 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
-    const six_link_real t10 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t9 - twist[2] * t10;
-    const six_link_real t11 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t11 - twist[0] * t9;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t10 - twist[1] * t11;
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real alpha_0_T_4 = alpha_0_4 - qdot[0] * (qdot[0] * c->length);
+    tip->alpha_0[3] = alpha_0_T_4;
 
     /* outputs */
-    qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_xx;
-    link->R_rel[1] = minus_R_rel_xy;
-    link->beta[0] = beta_omega_x;
-    link->beta[1] = minus_beta_omega_y;
-    link->beta[2] = beta_v_x;
-    link->beta[3] = minus_beta_v_y;
-    link->h_V[0] = H_star_2;
-    link->h_V[1] = H_star_3;
-    link->h_V[2] = H_star_4;
-    link->h_V[3] = H_star_5;
-    link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    link->h_T[0] = h_T_tau_x;
-    link->h_T[1] = h_T_tau_y;
-    link->h_T[2] = h_T_tau_z;
-    link->h_T[3] = h_T_F_x;
-    link->h_T[4] = h_T_F_y;
-    link->h_T[5] = h_T_F_z;
+    link->omega[2] = qdot[0];
+    link->alpha_0[5] = base->alpha_0[5];
+    tip->omega[2] = qdot[0];
+    tip->alpha_0[5] = base->alpha_0[5];
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like upper_arm: 502 operations */
-static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], const six_link_real eta[3],
-    const six_link_real etadot[3], six_link_real qdot[1])
+/* kinematics, links like upper_arm: 216 operations */
+static six_link_status kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1], const six_link_real eta[restrict 3],
+    const six_link_real etadot[restrict 3])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx = six_link_cos(q[0]);
+    link->R_rel[0] = R_rel_xx;
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
     const six_link_real R_rel_xz = six_link_sin(q[0]);
+    link->R_rel[1] = R_rel_xz;
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = -R_rel_xz;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    const six_link_real qdot_1 = twist[1] - base->omega[1];
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    link->R_P[6] = t1;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    link->lever[0] = lever_1;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+    link->lever[1] = lever_3;
+    const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
+    link->omega[0] = -minus_omega_R_1;
+    const six_link_real t2 = -minus_omega_R_1;
+    link->omega[0] = t2;
+    const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
+    link->omega[2] = omega_R_3;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t1 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t2 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx * t1 - R_rel_xz * t2;
-    const six_link_real v_R_z = R_rel_xz * t1 + R_rel_xx * t2;
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real minus_alpha_0_1 = omega_R_3 * qdot[0];
+    link->alpha_0[0] = -minus_alpha_0_1;
+    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * qdot[0];
+    link->alpha_0[2] = -minus_alpha_0_3;
+    const six_link_real t3 = -minus_alpha_0_3;
+    link->alpha_0[2] = t3;
+    const six_link_real t4 = -minus_alpha_0_1;
+    link->alpha_0[0] = t4;
+    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = base->alpha_0[4]
+        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
+        - minus_omega_R_1 * t5;
+    link->alpha_0[5] = alpha_0_6;
 
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * 2;
+    link->r_T[0] = r_T_y;
+    const six_link_real r_T_z = eta[1] * 2;
+    link->r_T[1] = r_T_z;
 
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t6 = theta_x * theta_x;
+    const six_link_real t7 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t6 + t7;
+    const six_link_real t8 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t8;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real t9 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real t10 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t10;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t7 + t8;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t6 + t8;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    link->J_l[0] = J_l_xx;
+    const six_link_real t11 = c3 * theta_hat2_12;
+    const six_link_real t12 = c2 * theta_z;
+    const six_link_real J_l_xy = t11 - t12;
+    link->J_l[1] = J_l_xy;
+    const six_link_real t13 = c2 * theta_y;
+    const six_link_real t14 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t13 + t14;
+    link->J_l[2] = J_l_xz;
+    const six_link_real J_l_yx = t12 + t11;
+    link->J_l[3] = J_l_yx;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    link->J_l[4] = J_l_yy;
+    const six_link_real t15 = c3 * theta_hat2_23;
+    const six_link_real t16 = c2 * theta_x;
+    const six_link_real J_l_yz = t15 - t16;
+    link->J_l[5] = J_l_yz;
+    const six_link_real J_l_zx = t14 - t13;
+    link->J_l[6] = J_l_zx;
+    const six_link_real J_l_zy = t16 + t15;
+    link->J_l[7] = J_l_zy;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+    link->J_l[8] = J_l_zz;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    link->R_T[0] = R_T_xx;
+    tip->R_T[0] = R_T_xx;
+    const six_link_real t17 = c2 * theta_hat2_12;
+    const six_link_real t18 = c1 * theta_z;
+    const six_link_real R_T_xy = t17 - t18;
+    link->R_T[1] = R_T_xy;
+    tip->R_T[1] = R_T_xy;
+    const six_link_real t19 = c1 * theta_y;
+    const six_link_real t20 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t19 + t20;
+    link->R_T[2] = R_T_xz;
+    tip->R_T[2] = R_T_xz;
+    const six_link_real R_T_yx = t18 + t17;
+    link->R_T[3] = R_T_yx;
+    tip->R_T[3] = R_T_yx;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    link->R_T[4] = R_T_yy;
+    tip->R_T[4] = R_T_yy;
+    const six_link_real t21 = c2 * theta_hat2_23;
+    const six_link_real t22 = c1 * theta_x;
+    const six_link_real R_T_yz = t21 - t22;
+    link->R_T[5] = R_T_yz;
+    tip->R_T[5] = R_T_yz;
+    const six_link_real R_T_zx = t20 - t19;
+    link->R_T[6] = R_T_zx;
+    tip->R_T[6] = R_T_zx;
+    const six_link_real R_T_zy = t22 + t21;
+    link->R_T[7] = R_T_zy;
+    tip->R_T[7] = R_T_zy;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+    link->R_T[8] = R_T_zz;
+    tip->R_T[8] = R_T_zz;
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
+    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t26 = theta_y * t24 - theta_z * t25;
+    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
+    const six_link_real t27 = theta_z * t23 - theta_x * t24;
+    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
+    const six_link_real t28 = theta_x * t25 - theta_y * t23;
+    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
+    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
+    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
+    tip->omega[0] = omega_T_1;
+    const six_link_real omega_T_2 = qdot[0] + omega_s_y;
+    tip->omega[1] = omega_T_2;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    tip->omega[2] = omega_T_3;
+    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1 + (qdot[0] * omega_s_z - omega_R_3 * omega_s_y);
+    tip->alpha_0[0] = alpha_0_T_1;
+    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
+    tip->alpha_0[1] = alpha_0_T_2;
+    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
+        - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
+    tip->alpha_0[2] = alpha_0_T_3;
+    const six_link_real t29 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
+    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t31 - omega_R_3 * t30);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
+        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
+        - (minus_omega_R_1 * t30 + qdot[0] * t29);
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    link->omega[1] = qdot[0];
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like forearm: 287 operations */
+static six_link_status kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1], const six_link_real eta[restrict 2],
+    const six_link_real etadot[restrict 2])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real t1 = six_link_cos(q[0]);
+    const six_link_real t2 = six_link_sin(q[0]);
+    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
+    link->R_rel[0] = R_rel_xx;
+    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
+    link->R_rel[1] = R_rel_xz;
+    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
+    link->R_rel[2] = R_rel_yx;
+    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
+    link->R_rel[3] = R_rel_yz;
+    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
+    link->R_rel[4] = R_rel_zx;
+    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    link->R_rel[5] = R_rel_zz;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
+    link->R_P[0] = R_P_11;
+    const six_link_real R_P_12 = base->R_T[0] * c->R_m_xy + base->R_T[1] * c->R_m_yy + base->R_T[2] * c->R_m_zy;
+    link->R_P[1] = R_P_12;
+    const six_link_real R_P_13 = base->R_T[0] * R_rel_xz + base->R_T[1] * R_rel_yz + base->R_T[2] * R_rel_zz;
+    link->R_P[2] = R_P_13;
+    const six_link_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx + base->R_T[5] * R_rel_zx;
+    link->R_P[3] = R_P_21;
+    const six_link_real R_P_22 = base->R_T[3] * c->R_m_xy + base->R_T[4] * c->R_m_yy + base->R_T[5] * c->R_m_zy;
+    link->R_P[4] = R_P_22;
+    const six_link_real R_P_23 = base->R_T[3] * R_rel_xz + base->R_T[4] * R_rel_yz + base->R_T[5] * R_rel_zz;
+    link->R_P[5] = R_P_23;
+    const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
+    link->R_P[6] = R_P_31;
+    const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
+    link->R_P[7] = R_P_32;
+    const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
+    link->R_P[8] = R_P_33;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
+        + R_rel_zx * c->mount_xyz_z;
+    link->lever[0] = lever_1;
+    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    link->lever[1] = lever_2;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
+        + R_rel_zz * c->mount_xyz_z;
+    link->lever[2] = lever_3;
+    const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
+    link->omega[0] = omega_R_1;
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+    link->omega[2] = omega_R_3;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_y = omega_R_2 + qdot[0];
+    link->omega[1] = omega_y;
+    const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2];
+    link->alpha_0[1] = alpha_0_2;
+    const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
+    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot[0];
+    link->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot[0];
+    link->alpha_0[2] = alpha_0_3;
+    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
+    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
+    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
+    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
+        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
+    link->alpha_0[5] = alpha_0_6;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
+    link->r_T[0] = r_T_y;
+    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    link->r_T[1] = r_T_z;
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real t8 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real t9 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t9;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real minus_J_l_xy = c2 * theta_z;
+    link->J_l[1] = minus_J_l_xy;
+    const six_link_real J_l_xz = c2 * theta_y;
+    link->J_l[2] = J_l_xz;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    link->J_l[3] = J_l_yy;
+    const six_link_real J_l_yz = c3 * theta_hat2_23;
+    link->J_l[4] = J_l_yz;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+    link->J_l[5] = J_l_zz;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * x;
+    link->R_T[0] = R_T_xx;
+    tip->R_T[0] = R_T_xx;
+    const six_link_real minus_R_T_xy = c1 * theta_z;
+    link->R_T[1] = minus_R_T_xy;
+    tip->R_T[1] = -minus_R_T_xy;
+    tip->R_T[3] = minus_R_T_xy;
+    const six_link_real t10 = -minus_R_T_xy;
+    tip->R_T[1] = t10;
+    const six_link_real R_T_xz = c1 * theta_y;
+    link->R_T[2] = R_T_xz;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[6] = -R_T_xz;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    link->R_T[3] = R_T_yy;
+    tip->R_T[4] = R_T_yy;
+    const six_link_real R_T_yz = c2 * theta_hat2_23;
+    link->R_T[4] = R_T_yz;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[7] = R_T_yz;
+    const six_link_real t11 = -R_T_xz;
+    tip->R_T[6] = t11;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+    link->R_T[5] = R_T_zz;
+    tip->R_T[8] = R_T_zz;
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t12;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t12;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
+    tip->omega[0] = omega_T_1;
+    const six_link_real omega_T_2 = omega_y + omega_s_y;
+    tip->omega[1] = omega_T_2;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    tip->omega[2] = omega_T_3;
+    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (omega_y * omega_s_z - omega_R_3 * omega_s_y);
+    tip->alpha_0[0] = alpha_0_T_1;
+    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
+    tip->alpha_0[1] = alpha_0_T_2;
+    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
+    tip->alpha_0[2] = alpha_0_T_3;
+    const six_link_real t13 = omega_y * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
+    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
+        + (omega_y * t15 - omega_R_3 * t14);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
+        + (omega_R_3 * t13 - omega_R_1 * t15);
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
+        + (omega_R_1 * t14 - omega_y * t13);
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_roll: 84 operations */
+static six_link_status kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    link->R_rel[0] = R_rel_yy;
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    link->R_rel[1] = minus_R_rel_yz;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
+    link->R_P[1] = R_P_12;
+    const six_link_real R_P_13 = base->R_T[2] * R_rel_yy - base->R_T[1] * minus_R_rel_yz;
+    link->R_P[2] = R_P_13;
+    const six_link_real R_P_22 = base->R_T[4] * R_rel_yy + base->R_T[5] * minus_R_rel_yz;
+    link->R_P[4] = R_P_22;
+    const six_link_real R_P_23 = base->R_T[5] * R_rel_yy - base->R_T[4] * minus_R_rel_yz;
+    link->R_P[5] = R_P_23;
+    const six_link_real R_P_32 = base->R_T[7] * R_rel_yy + base->R_T[8] * minus_R_rel_yz;
+    link->R_P[7] = R_P_32;
+    const six_link_real R_P_33 = base->R_T[8] * R_rel_yy - base->R_T[7] * minus_R_rel_yz;
+    link->R_P[8] = R_P_33;
+    const six_link_real omega_R_1 = base->R_T[0] * base->omega[0] + base->R_T[3] * base->omega[1]
+        + base->R_T[6] * base->omega[2];
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    link->omega[1] = omega_R_2;
+    tip->omega[1] = omega_R_2;
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_x = omega_R_1 + qdot[0];
+    link->omega[0] = omega_x;
+    tip->omega[0] = omega_x;
+    const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
+        + base->R_T[6] * base->alpha_0[2];
+    link->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot[0];
+    link->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[1] = alpha_0_2;
+    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
+        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot[0];
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
+        + base->R_T[6] * base->alpha_0[5];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5];
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5];
+    link->alpha_0[5] = alpha_0_6;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    link->R_P[0] = base->R_T[0];
+    link->R_P[3] = base->R_T[3];
+    link->R_P[6] = base->R_T[6];
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_pitch: 40 operations */
+static six_link_status kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    link->R_rel[0] = R_rel_xx;
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    link->R_rel[1] = R_rel_xz;
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = -R_rel_xz;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    link->R_P[6] = t1;
+    const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
+    link->omega[0] = omega_R_1;
+    tip->omega[0] = omega_R_1;
+    const six_link_real omega_R_3 = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_y = base->omega[1] + qdot[0];
+    link->omega[1] = omega_y;
+    tip->omega[1] = omega_y;
+    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
+        - omega_R_3 * qdot[0];
+    link->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
+        + omega_R_1 * qdot[0];
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
+    link->alpha_0[5] = alpha_0_6;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = omega_y * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t3 + omega_R_3 * t2);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    link->alpha_0[1] = base->alpha_0[1];
+    link->alpha_0[4] = base->alpha_0[4];
+    tip->alpha_0[1] = base->alpha_0[1];
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like flange: 40 operations */
+static six_link_status kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    link->R_rel[0] = R_rel_yy;
+    link->R_P[4] = R_rel_yy;
+    link->R_P[8] = R_rel_yy;
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    link->R_rel[1] = minus_R_rel_yz;
+    link->R_P[5] = -minus_R_rel_yz;
+    link->R_P[7] = minus_R_rel_yz;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -minus_R_rel_yz;
+    link->R_P[5] = t1;
+    const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
+    link->omega[1] = omega_R_2;
+    tip->omega[1] = omega_R_2;
+    const six_link_real omega_R_3 = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_x = base->omega[0] + qdot[0];
+    link->omega[0] = omega_x;
+    tip->omega[0] = omega_x;
+    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
+        + omega_R_3 * qdot[0];
+    link->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[1] = alpha_0_2;
+    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
+        - omega_R_2 * qdot[0];
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
+    link->alpha_0[5] = alpha_0_6;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t3;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t2;
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    link->alpha_0[0] = base->alpha_0[0];
+    link->alpha_0[3] = base->alpha_0[3];
+    tip->alpha_0[0] = base->alpha_0[0];
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like shoulder: 113 operations */
+static six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real minus_H_star_2 = c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = link->alpha_0[5] * c->mu;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real Lambda_T_11 = tip->Lambda[0] + c->I_T_xx;
+    const six_link_real Lambda_T_13 = tip->Lambda[2] - c->J_T_xz;
+    const six_link_real Lambda_T_15 = tip->Lambda[4] - c->S_T_z;
+    const six_link_real Lambda_T_22 = tip->Lambda[6] + c->I_T_yy;
+    const six_link_real Lambda_T_23 = tip->Lambda[7] - c->J_T_yz;
+    const six_link_real Lambda_T_26 = tip->Lambda[10] - c->S_T_x;
+    const six_link_real Lambda_T_33 = tip->Lambda[11] + c->I_T_zz;
+    const six_link_real Lambda_T_34 = tip->Lambda[12] - c->S_T_y;
+    const six_link_real Lambda_T_35 = tip->Lambda[13] + c->S_T_x;
+    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
+    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
+    const six_link_real t1 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
+        + tip->omega[2] * (c->J_T_yz * tip->omega[2]);
+    const six_link_real t2 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
+        - tip->omega[2] * (c->J_T_xz * tip->omega[2]);
+    const six_link_real p_T_1 = tip->p[0] + t1 - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] + t2 - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] + (c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]) - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3]
+        + (c->body0_mass * tip->alpha_0[3] - tip->omega[2] * (tip->omega[2] * c->S_T_x)) - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4]
+        + (c->body0_mass * tip->alpha_0[4] - tip->omega[2] * (tip->omega[2] * c->S_T_y)) - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real M_loaded_34 = Lambda_T_34 + c->length * tip->Lambda[16];
+    const six_link_real t3 = Lambda_T_35 + c->length * Lambda_T_55;
+    const six_link_real M_loaded_36 = tip->Lambda[14] + c->length * tip->Lambda[19];
+    const six_link_real M_loaded_13 = Lambda_T_13 + Lambda_T_15 * c->length;
+    const six_link_real M_loaded_23 = Lambda_T_23 + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + Lambda_T_11;
+    const six_link_real M_loaded_22 = c->J_0_xx
+        + (Lambda_T_22 - Lambda_T_26 * c->length - c->length * (Lambda_T_26 - c->length * Lambda_T_66));
+    const six_link_real M_loaded_33 = c->J_0_xx + (Lambda_T_33 + Lambda_T_35 * c->length + c->length * t3);
+    const six_link_real M_loaded_35 = c->S_0_x + t3;
+    const six_link_real h_loaded_2 = p_T_2 - c->length * p_T_6 - minus_H_star_2;
+    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
+    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_33 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_3) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real p_i_1 = p_T_1 + M_loaded_13 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_23 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_33 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + M_loaded_34 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + M_loaded_35 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + M_loaded_36 * joint_w_1;
+    link->p_i[5] = p_i_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like upper_arm: 1245 operations */
+static six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 3],
+    const six_link_real etadot[restrict 3], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 3], const six_link_real f_eta[restrict 3],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
 
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1;
@@ -206,21 +792,16 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *c
     const six_link_real I_yy = c->J_0_xx + J_zz;
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - twist[1] * twist[3];
-
     /* Omega: centripetal operator */
-    const six_link_real t3 = twist[1] * twist[1];
-    const six_link_real t4 = twist[2] * twist[2];
-    const six_link_real minus_Omega_xx = t3 + t4;
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-    const six_link_real t5 = twist[0] * twist[0];
-    const six_link_real minus_Omega_yy = t5 + t4;
-    const six_link_real Omega_yz = twist[1] * twist[2];
-    const six_link_real minus_Omega_zz = t5 + t3;
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real t3 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t3 + t2;
+    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
+    const six_link_real minus_Omega_zz = t3 + t1;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
@@ -231,34 +812,36 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *c
     const six_link_real B_zz = L_z2 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
-    const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
-    const six_link_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const six_link_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
-    const six_link_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const six_link_real minus_h_c_5 = Sdot_z * twist[0];
-    const six_link_real h_c_6 = Sdot_y * twist[0];
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_2 = h_c_2 + etadot[2] * twist[2] * c->sigma_t_3;
-    const six_link_real h_MD_3 = h_c_3 - etadot[2] * twist[1] * c->sigma_t_3;
+    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
+    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t6 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * a_0_z;
-    const six_link_real H_star_1 = t6 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * a_0_x;
-    const six_link_real t8 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t7 + t8 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
-    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * a_0_y;
-    const six_link_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t8 * twist[1];
+    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * link->alpha_0[5];
+    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
+    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t6 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t6 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->mu;
+        + link->alpha_0[3] * c->mu;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + a_0_y * c->mu;
+        + link->alpha_0[4] * c->mu;
     const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->mu;
+        + link->alpha_0[5] * c->mu;
 
     /* h_V: bias of the twist rows */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
@@ -270,269 +853,446 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *c
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_z2 + Ldot_y2 * 2 * twist[0];
+        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
 
-    /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xz * link->alpha_0[2]);
+    const six_link_real h_0_2 = h_V_2 - (J_xy * link->alpha_0[0] + J_yz * link->alpha_0[2]);
+    const six_link_real h_0_3 = h_V_3 + (I_zz * link->alpha_0[2] - J_xz * link->alpha_0[0]);
+    const six_link_real h_0_4 = h_V_4 - S_y * link->alpha_0[2];
+    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
+    const six_link_real h_0_6 = h_V_6 + S_y * link->alpha_0[0];
+    const six_link_real h_eta_0_3 = c->sigma_t_3 * link->alpha_0[0];
+    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
+    const six_link_real h_eta_0_2 = h_eta_2 + L_y2 * link->alpha_0[0];
 
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real t8 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
+    const six_link_real t9 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
+    const six_link_real t10 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
+    const six_link_real t11 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
+    const six_link_real t12 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
+    const six_link_real t13 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
+    const six_link_real t14 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
+    const six_link_real t15 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
+    const six_link_real t16 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
+    const six_link_real t17 = link->R_T[0]
+        * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
+        + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
+    const six_link_real t18 = link->R_T[2]
+        * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
+    const six_link_real t19 = t17 + t18;
+    const six_link_real t20 = link->R_T[0] * t11 + link->R_T[1] * t13 + link->R_T[2] * t15;
+    const six_link_real t21 = link->R_T[0] * t12 + link->R_T[1] * t14 + link->R_T[2] * t16;
+    const six_link_real t22 = link->R_T[3] * t11 + link->R_T[4] * t13 + link->R_T[5] * t15;
+    const six_link_real t23 = link->R_T[3] * t12 + link->R_T[4] * t14 + link->R_T[5] * t16;
+    const six_link_real t24 = link->R_T[6] * t12 + link->R_T[7] * t14 + link->R_T[8] * t16;
+    const six_link_real Lambda_T_11 = tip->Lambda[0] + t19;
+    const six_link_real Lambda_T_12 = tip->Lambda[1] + t20;
+    const six_link_real Lambda_T_13 = tip->Lambda[2] + t21;
+    const six_link_real Lambda_T_15 = tip->Lambda[4] - t10;
+    const six_link_real Lambda_T_16 = tip->Lambda[5] + t9;
+    const six_link_real Lambda_T_22 = tip->Lambda[6] + t22;
+    const six_link_real Lambda_T_23 = tip->Lambda[7] + t23;
+    const six_link_real Lambda_T_24 = tip->Lambda[8] + t10;
+    const six_link_real Lambda_T_26 = tip->Lambda[10] - t8;
+    const six_link_real Lambda_T_33 = tip->Lambda[11] + t24;
+    const six_link_real Lambda_T_34 = tip->Lambda[12] - t9;
+    const six_link_real Lambda_T_35 = tip->Lambda[13] + t8;
+    const six_link_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
+    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
+    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
+    const six_link_real t25 = t9 * tip->alpha_0[5] - t10 * tip->alpha_0[4]
+        + (t19 * tip->alpha_0[0] + t20 * tip->alpha_0[1] + t21 * tip->alpha_0[2]);
+    const six_link_real t26 = t10 * tip->alpha_0[3] - t8 * tip->alpha_0[5]
+        + (t20 * tip->alpha_0[0] + t22 * tip->alpha_0[1] + t23 * tip->alpha_0[2]);
+    const six_link_real t27 = t8 * tip->alpha_0[4] - t9 * tip->alpha_0[3]
+        + (t21 * tip->alpha_0[0] + t23 * tip->alpha_0[1] + t24 * tip->alpha_0[2]);
+    const six_link_real t28 = t19 * tip->omega[0] + t20 * tip->omega[1] + t21 * tip->omega[2];
+    const six_link_real t29 = t20 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
+    const six_link_real t30 = t21 * tip->omega[0] + t23 * tip->omega[1] + t24 * tip->omega[2];
+    const six_link_real t31 = tip->omega[1] * t10 - tip->omega[2] * t9;
+    const six_link_real t32 = tip->omega[2] * t8 - tip->omega[0] * t10;
+    const six_link_real t33 = tip->omega[0] * t9 - tip->omega[1] * t8;
+    const six_link_real t34 = c->body0_mass * tip->alpha_0[3]
+        + (tip->alpha_0[1] * t10 - tip->alpha_0[2] * t9 + (tip->omega[1] * t33 - tip->omega[2] * t32));
+    const six_link_real t35 = c->body0_mass * tip->alpha_0[4]
+        + (tip->alpha_0[2] * t8 - tip->alpha_0[0] * t10 + (tip->omega[2] * t31 - tip->omega[0] * t33));
+    const six_link_real t36 = c->body0_mass * tip->alpha_0[5]
+        + (tip->alpha_0[0] * t9 - tip->alpha_0[1] * t8 + (tip->omega[0] * t32 - tip->omega[1] * t31));
+    const six_link_real p_T_1 = tip->p[0] + (t25 + (tip->omega[1] * t30 - tip->omega[2] * t29))
+        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real p_T_2 = tip->p[1] + (t26 + (tip->omega[2] * t28 - tip->omega[0] * t30))
+        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const six_link_real p_T_3 = tip->p[2] + (t27 + (tip->omega[0] * t29 - tip->omega[1] * t28))
+        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const six_link_real p_T_4 = tip->p[3] + t34
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real p_T_5 = tip->p[4] + t35
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const six_link_real p_T_6 = tip->p[5] + t36
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
 
-    /* x: squared angle of the tip section */
-    const six_link_real t10 = theta_x * theta_x;
-    const six_link_real t11 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t10 + t11;
-    const six_link_real t12 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t12;
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real Theta_12 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real Theta_13 = link->J_l[0] * REAL(1.4142135623730951);
+    const six_link_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real Theta_22 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real Theta_23 = link->J_l[3] * REAL(1.4142135623730951);
+    const six_link_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
+    const six_link_real Theta_32 = link->J_l[7] * c->Psi_c_y2;
+    const six_link_real Theta_33 = link->J_l[6] * REAL(1.4142135623730951);
+    const six_link_real t37 = link->r_T[1] * tip->Lambda[16];
+    const six_link_real t38 = link->r_T[0] * tip->Lambda[17];
+    const six_link_real t39 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_14 = tip->Lambda[3] + (t38 - t37);
+    const six_link_real t40 = Lambda_T_15 + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * Lambda_T_55);
+    const six_link_real t41 = Lambda_T_16 + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * tip->Lambda[19]);
+    const six_link_real t42 = Lambda_T_24 + (link->r_T[1] * Lambda_T_44 - c->length * tip->Lambda[17]);
+    const six_link_real M_loaded_25 = tip->Lambda[9] + (t37 - t39);
+    const six_link_real t43 = Lambda_T_26 + (link->r_T[1] * tip->Lambda[17] - c->length * Lambda_T_66);
+    const six_link_real t44 = Lambda_T_34 + (c->length * tip->Lambda[16] - link->r_T[0] * Lambda_T_44);
+    const six_link_real t45 = Lambda_T_35 + (c->length * Lambda_T_55 - link->r_T[0] * tip->Lambda[16]);
+    const six_link_real M_loaded_36 = tip->Lambda[14] + (t39 - t38);
+    const six_link_real t46 = Lambda_T_11 - (Lambda_T_15 * link->r_T[1] - Lambda_T_16 * link->r_T[0])
+        + (link->r_T[0] * t41 - link->r_T[1] * t40);
+    const six_link_real t47 = Lambda_T_12 - (Lambda_T_16 * c->length - tip->Lambda[3] * link->r_T[1])
+        + (link->r_T[0] * t43 - link->r_T[1] * M_loaded_25);
+    const six_link_real t48 = Lambda_T_13 - (tip->Lambda[3] * link->r_T[0] - Lambda_T_15 * c->length)
+        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t45);
+    const six_link_real t49 = Lambda_T_22 - (Lambda_T_26 * c->length - Lambda_T_24 * link->r_T[1])
+        + (link->r_T[1] * t42 - c->length * t43);
+    const six_link_real t50 = Lambda_T_23 - (Lambda_T_24 * link->r_T[0] - tip->Lambda[9] * c->length)
+        + (link->r_T[1] * t44 - c->length * M_loaded_36);
+    const six_link_real t51 = Lambda_T_33 - (Lambda_T_34 * link->r_T[0] - Lambda_T_35 * c->length)
+        + (c->length * t45 - link->r_T[0] * t44);
+    const six_link_real M_loaded_11 = I_xx + t46;
+    const six_link_real M_loaded_12 = t47 - J_xy;
+    const six_link_real M_loaded_13 = t48 - J_xz;
+    const six_link_real M_loaded_15 = t40 - S_z;
+    const six_link_real M_loaded_16 = S_y + t41;
+    const six_link_real M_loaded_22 = I_yy + t49;
+    const six_link_real M_loaded_23 = t50 - J_yz;
+    const six_link_real M_loaded_24 = S_z + t42;
+    const six_link_real M_loaded_26 = t43 - c->S_0_x;
+    const six_link_real M_loaded_33 = I_zz + t51;
+    const six_link_real M_loaded_34 = t44 - S_y;
+    const six_link_real M_loaded_35 = c->S_0_x + t45;
+    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
+    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
+    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
+    const six_link_real h_loaded_1 = h_0_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
+    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
+    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
+    const six_link_real h_loaded_4 = h_0_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
+    const six_link_real t52 = Lambda_T_11 * Theta_11 + Lambda_T_12 * Theta_21 + Lambda_T_13 * Theta_31
+        + Lambda_T_15 * 2;
+    const six_link_real t53 = Lambda_T_11 * Theta_12 + Lambda_T_12 * Theta_22 + Lambda_T_13 * Theta_32
+        + Lambda_T_16 * 2;
+    const six_link_real t54 = Lambda_T_11 * Theta_13 + Lambda_T_12 * Theta_23 + Lambda_T_13 * Theta_33;
+    const six_link_real t55 = Lambda_T_12 * Theta_11 + Lambda_T_22 * Theta_21 + Lambda_T_23 * Theta_31
+        + tip->Lambda[9] * 2;
+    const six_link_real t56 = Lambda_T_12 * Theta_12 + Lambda_T_22 * Theta_22 + Lambda_T_23 * Theta_32
+        + Lambda_T_26 * 2;
+    const six_link_real t57 = Lambda_T_12 * Theta_13 + Lambda_T_22 * Theta_23 + Lambda_T_23 * Theta_33;
+    const six_link_real t58 = Lambda_T_13 * Theta_11 + Lambda_T_23 * Theta_21 + Lambda_T_33 * Theta_31
+        + Lambda_T_35 * 2;
+    const six_link_real t59 = Lambda_T_13 * Theta_12 + Lambda_T_23 * Theta_22 + Lambda_T_33 * Theta_32
+        + tip->Lambda[14] * 2;
+    const six_link_real t60 = Lambda_T_13 * Theta_13 + Lambda_T_23 * Theta_23 + Lambda_T_33 * Theta_33;
+    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + Lambda_T_24 * Theta_21 + Lambda_T_34 * Theta_31
+        + tip->Lambda[16] * 2;
+    const six_link_real C_42 = tip->Lambda[3] * Theta_12 + Lambda_T_24 * Theta_22 + Lambda_T_34 * Theta_32
+        + tip->Lambda[17] * 2;
+    const six_link_real C_43 = tip->Lambda[3] * Theta_13 + Lambda_T_24 * Theta_23 + Lambda_T_34 * Theta_33;
+    const six_link_real t61 = Lambda_T_15 * Theta_11 + tip->Lambda[9] * Theta_21 + Lambda_T_35 * Theta_31
+        + Lambda_T_55 * 2;
+    const six_link_real t62 = tip->Lambda[19] * 2;
+    const six_link_real C_52 = Lambda_T_15 * Theta_12 + tip->Lambda[9] * Theta_22 + Lambda_T_35 * Theta_32 + t62;
+    const six_link_real C_53 = Lambda_T_15 * Theta_13 + tip->Lambda[9] * Theta_23 + Lambda_T_35 * Theta_33;
+    const six_link_real C_61 = Lambda_T_16 * Theta_11 + Lambda_T_26 * Theta_21 + tip->Lambda[14] * Theta_31 + t62;
+    const six_link_real t63 = Lambda_T_16 * Theta_12 + Lambda_T_26 * Theta_22 + tip->Lambda[14] * Theta_32
+        + Lambda_T_66 * 2;
+    const six_link_real C_63 = Lambda_T_16 * Theta_13 + Lambda_T_26 * Theta_23 + tip->Lambda[14] * Theta_33;
+    const six_link_real C_21 = t55 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_32 = t59 + (c->length * C_52 - link->r_T[0] * C_42);
+    const six_link_real C_23 = t57 + (link->r_T[1] * C_43 - c->length * C_63);
+    const six_link_real C_33 = t60 + (c->length * C_53 - link->r_T[0] * C_43);
+    const six_link_real C_11 = t52 + (link->r_T[0] * C_61 - link->r_T[1] * t61) - L_z1;
+    const six_link_real C_12 = L_y2 + (t53 + (link->r_T[0] * t63 - link->r_T[1] * C_52));
+    const six_link_real C_13 = c->sigma_t_3 + (t54 + (link->r_T[0] * C_63 - link->r_T[1] * C_53));
+    const six_link_real C_22 = t56 + (link->r_T[1] * C_42 - c->length * t63) - c->chi_2;
+    const six_link_real C_31 = c->chi_1 + (t58 + (c->length * t61 - link->r_T[0] * C_41));
+    const six_link_real C_51 = c->sigma_y1 + t61;
+    const six_link_real C_62 = c->sigma_z2 + t63;
+    const six_link_real modal_inertia_11 = Theta_11 * t52 + Theta_21 * t55 + Theta_31 * t58 + t61 * 2 + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modal_inertia_12 = Theta_11 * t53 + Theta_21 * t56 + Theta_31 * t59 + C_52 * 2;
+    const six_link_real modal_inertia_13 = Theta_11 * t54 + Theta_21 * t57 + Theta_31 * t60 + C_53 * 2;
+    const six_link_real modal_inertia_22 = Theta_12 * t53 + Theta_22 * t56 + Theta_32 * t59 + t63 * 2 + m_eta[1];
+    const six_link_real modal_inertia_23 = Theta_12 * t54 + Theta_22 * t57 + Theta_32 * t60 + C_63 * 2;
+    const six_link_real modal_inertia_33 = Theta_13 * t54 + Theta_23 * t57 + Theta_33 * t60 + m_eta[2];
+    const six_link_real h_phi_1 = h_eta_0_1 + f_eta[0]
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * 2);
+    const six_link_real h_phi_2 = h_eta_0_2 + f_eta[1]
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_6 * 2);
+    const six_link_real h_phi_3 = h_eta_0_3 + f_eta[2] + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3);
+    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
+    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
+    link->modes_L[1] = modes_L_31;
+    const six_link_real t64 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t64 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t64;
+    const six_link_real t65 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const six_link_real modes_L_32 = t65 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const six_link_real t66 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t65 * modes_L_32);
+    if (!(t66 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_3 = 1 / t66;
+    const six_link_real t67 = C_12 - modes_L_21 * C_11;
+    const six_link_real t68 = C_22 - modes_L_21 * C_21;
+    const six_link_real t69 = C_32 - modes_L_21 * C_31;
+    const six_link_real t70 = C_42 - modes_L_21 * C_41;
+    const six_link_real t71 = C_52 - modes_L_21 * C_51;
+    const six_link_real t72 = C_62 - modes_L_21 * C_61;
+    const six_link_real t73 = C_13 - modes_L_31 * C_11 - modes_L_32 * t67;
+    const six_link_real t74 = C_23 - modes_L_31 * C_21 - modes_L_32 * t68;
+    const six_link_real t75 = C_33 - modes_L_31 * C_31 - modes_L_32 * t69;
+    const six_link_real t76 = C_43 - modes_L_31 * C_41 - modes_L_32 * t70;
+    const six_link_real t77 = C_53 - modes_L_31 * C_51 - modes_L_32 * t71;
+    const six_link_real t78 = C_63 - modes_L_31 * C_61 - modes_L_32 * t72;
+    const six_link_real t79 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real t80 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t79;
+    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
+    link->modes_W[0] = modes_W_11;
+    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
+    link->modes_W[3] = modes_W_14;
+    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
+    link->modes_W[4] = modes_W_15;
+    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
+    link->modes_W[5] = modes_W_16;
+    const six_link_real modes_W_21 = t67 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const six_link_real modes_W_22 = t68 * modes_inverse_2;
+    link->modes_W[7] = modes_W_22;
+    const six_link_real modes_W_23 = t69 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const six_link_real modes_W_24 = t70 * modes_inverse_2;
+    link->modes_W[9] = modes_W_24;
+    const six_link_real modes_W_25 = t71 * modes_inverse_2;
+    link->modes_W[10] = modes_W_25;
+    const six_link_real modes_W_26 = t72 * modes_inverse_2;
+    link->modes_W[11] = modes_W_26;
+    const six_link_real modes_W_31 = t73 * modes_inverse_3;
+    link->modes_W[12] = modes_W_31;
+    const six_link_real modes_W_32 = t74 * modes_inverse_3;
+    link->modes_W[13] = modes_W_32;
+    const six_link_real modes_W_33 = t75 * modes_inverse_3;
+    link->modes_W[14] = modes_W_33;
+    const six_link_real modes_W_34 = t76 * modes_inverse_3;
+    link->modes_W[15] = modes_W_34;
+    const six_link_real modes_W_35 = t77 * modes_inverse_3;
+    link->modes_W[16] = modes_W_35;
+    const six_link_real modes_W_36 = t78 * modes_inverse_3;
+    link->modes_W[17] = modes_W_36;
+    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const six_link_real modes_w_2 = t79 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const six_link_real modes_w_3 = t80 * modes_inverse_3;
+    link->modes_w[2] = modes_w_3;
+    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t67 * modes_W_21 + t73 * modes_W_31);
+    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t67 * modes_W_22 + t73 * modes_W_32);
+    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t67 * modes_W_23 + t73 * modes_W_33);
+    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t67 * modes_W_24 + t73 * modes_W_34);
+    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t67 * modes_W_25 + t73 * modes_W_35);
+    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t67 * modes_W_26 + t73 * modes_W_36);
+    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t68 * modes_W_22 + t74 * modes_W_32);
+    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t68 * modes_W_23 + t74 * modes_W_33);
+    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t68 * modes_W_24 + t74 * modes_W_34);
+    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t68 * modes_W_25 + t74 * modes_W_35);
+    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t68 * modes_W_26 + t74 * modes_W_36);
+    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t69 * modes_W_23 + t75 * modes_W_33);
+    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t69 * modes_W_24 + t75 * modes_W_34);
+    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t69 * modes_W_25 + t75 * modes_W_35);
+    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t69 * modes_W_26 + t75 * modes_W_36);
+    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t70 * modes_W_24 + t76 * modes_W_34);
+    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t70 * modes_W_25 + t76 * modes_W_35);
+    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t70 * modes_W_26 + t76 * modes_W_36);
+    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t71 * modes_W_25 + t77 * modes_W_35);
+    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t71 * modes_W_26 + t77 * modes_W_36);
+    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t72 * modes_W_26 + t78 * modes_W_36);
+    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t79 + modes_W_31 * t80);
+    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t79 + modes_W_32 * t80);
+    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t79 + modes_W_33 * t80);
+    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t79 + modes_W_34 * t80);
+    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t79 + modes_W_35 * t80);
+    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t79 + modes_W_36 * t80);
 
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t13 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t13;
-    const six_link_real c1 = 1 - x * c3;
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
+    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
+    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    base->Lambda[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    base->p[4] = p_i_5;
+    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
 
-    /* c2: Stumpff function of order 2 */
-    const six_link_real t14 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t14;
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t11 + t12;
-    const six_link_real theta_hat2_12 = theta_x * theta_y;
-    const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t10 + t12;
-    const six_link_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    const six_link_real t15 = c3 * theta_hat2_12;
-    const six_link_real t16 = c2 * theta_z;
-    const six_link_real J_l_xy = t15 - t16;
-    const six_link_real t17 = c2 * theta_y;
-    const six_link_real t18 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t17 + t18;
-    const six_link_real J_l_yx = t16 + t15;
-    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const six_link_real t19 = c3 * theta_hat2_23;
-    const six_link_real t20 = c2 * theta_x;
-    const six_link_real J_l_yz = t19 - t20;
-    const six_link_real J_l_zx = t18 - t17;
-    const six_link_real J_l_zy = t20 + t19;
-    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const six_link_real t21 = c2 * theta_hat2_12;
-    const six_link_real t22 = c1 * theta_z;
-    const six_link_real R_T_xy = t21 - t22;
-    const six_link_real t23 = c1 * theta_y;
-    const six_link_real t24 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t23 + t24;
-    const six_link_real R_T_yx = t22 + t21;
-    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const six_link_real t25 = c2 * theta_hat2_23;
-    const six_link_real t26 = c1 * theta_x;
-    const six_link_real R_T_yz = t25 - t26;
-    const six_link_real R_T_zx = t24 - t23;
-    const six_link_real R_T_zy = t26 + t25;
-    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * 2;
-    const six_link_real udot_T_z = etadot[1] * 2;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t27 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t28 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t29 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t30 = theta_y * t28 - theta_z * t29;
-    const six_link_real omega_s_x = thetadot_x + c2 * t27 + c3 * t30;
-    const six_link_real t31 = theta_z * t27 - theta_x * t28;
-    const six_link_real omega_s_y = thetadot_y + c2 * t29 + c3 * t31;
-    const six_link_real t32 = theta_x * t29 - theta_y * t27;
-    const six_link_real omega_s_z = thetadot_z + c2 * t28 + c3 * t32;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
-        + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t14 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t13 * REAL(1.5) - t14 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t27 + c3 * (thetadot_y * t28 - thetadot_z * t29) + c3dot * t30;
-    const six_link_real alpha_s_y = c2dot * t29 + c3 * (thetadot_z * t27 - thetadot_x * t28) + c3dot * t31;
-    const six_link_real alpha_s_z = c2dot * t28 + c3 * (thetadot_x * t29 - thetadot_y * t27) + c3dot * t32;
-
-    /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t33 = omega_s_x + twist[0];
-    const six_link_real t34 = omega_s_y + twist[1];
-    const six_link_real t35 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t33 + R_T_yx * t34 + R_T_zx * t35;
-    const six_link_real omega_T_y = R_T_xy * t33 + R_T_yy * t34 + R_T_zy * t35;
-    const six_link_real omega_T_z = R_T_xz * t33 + R_T_yz * t34 + R_T_zz * t35;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real t36 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const six_link_real t37 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
-    const six_link_real t38 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
-    const six_link_real v_T_x = R_T_xx * t36 + R_T_yx * t37 + R_T_zx * t38;
-    const six_link_real v_T_y = R_T_xy * t36 + R_T_yy * t37 + R_T_zy * t38;
-    const six_link_real v_T_z = R_T_xz * t36 + R_T_yz * t37 + R_T_zz * t38;
-
-    /* b_omega: angular acceleration of the tip section that the velocities cause (accconst1b) */
-    const six_link_real t39 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
-    const six_link_real t40 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
-    const six_link_real t41 = alpha_s_z + omega_s_y * twist[0] - omega_s_x * twist[1];
-    const six_link_real b_omega_x = R_T_xx * t39 + R_T_yx * t40 + R_T_zx * t41;
-    const six_link_real b_omega_y = R_T_xy * t39 + R_T_yy * t40 + R_T_zy * t41;
-    const six_link_real b_omega_z = R_T_xz * t39 + R_T_yz * t40 + R_T_zz * t41;
-
-    /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const six_link_real t42 = omega_s_z * t37 + twist[1] * udot_T_z - omega_s_y * t38 - twist[2] * udot_T_y;
-    const six_link_real t43 = omega_s_x * t38 - omega_s_z * t36 - twist[0] * udot_T_z;
-    const six_link_real t44 = omega_s_y * t36 + twist[0] * udot_T_y - omega_s_x * t37;
-    const six_link_real b_v_x = R_T_xx * t42 + R_T_yx * t43 + R_T_zx * t44;
-    const six_link_real b_v_y = R_T_xy * t42 + R_T_yy * t43 + R_T_zy * t44;
-    const six_link_real b_v_z = R_T_xz * t42 + R_T_yz * t43 + R_T_zz * t44;
-
-    /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = omega_T_y * v_T_z - omega_T_z * v_T_y;
-    const six_link_real a_T_y = omega_T_z * v_T_x - omega_T_x * v_T_z;
-    const six_link_real a_T_z = omega_T_x * v_T_y - omega_T_y * v_T_x;
-
-    /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t45 = c->I_T_zz * omega_T_z - c->J_T_xz * omega_T_x - c->J_T_yz * omega_T_y;
-    const six_link_real t46 = c->I_T_yy * omega_T_y - c->J_T_xy * omega_T_x - c->J_T_yz * omega_T_z;
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + omega_T_y * t45 - c->S_T_z * a_T_y - omega_T_z * t46;
-    const six_link_real t47 = c->I_T_xx * omega_T_x - c->J_T_xy * omega_T_y - c->J_T_xz * omega_T_z;
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + omega_T_z * t47 - c->S_T_x * a_T_z - omega_T_x * t45;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + omega_T_x * t46 - c->S_T_y * a_T_x - omega_T_y * t47;
-
-    /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t48 = c->S_T_y * omega_T_x - c->S_T_x * omega_T_y;
-    const six_link_real t49 = c->S_T_x * omega_T_z - c->S_T_z * omega_T_x;
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + omega_T_y * t48 - omega_T_z * t49;
-    const six_link_real t50 = c->S_T_z * omega_T_y - c->S_T_y * omega_T_z;
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + omega_T_z * t50 - omega_T_x * t48;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + omega_T_x * t49 - omega_T_y * t50;
-
-    /* outputs */
-    qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_xx;
-    link->R_rel[1] = R_rel_xz;
-    link->beta[0] = minus_beta_omega_x;
-    link->beta[1] = beta_omega_z;
-    link->beta[2] = minus_beta_v_x;
-    link->beta[3] = beta_v_z;
-    link->M_V[0] = I_xx;
-    link->M_V[1] = J_xy;
-    link->M_V[2] = J_xz;
-    link->M_V[3] = S_z;
-    link->M_V[4] = S_y;
-    link->M_V[5] = I_yy;
-    link->M_V[6] = J_yz;
-    link->M_V[7] = I_zz;
-    link->M_D[0] = L_z1;
-    link->M_D[1] = L_y2;
-    link->h_V[0] = h_V_1;
-    link->h_V[1] = h_V_2;
-    link->h_V[2] = h_V_3;
-    link->h_V[3] = h_V_4;
-    link->h_V[4] = h_V_5;
-    link->h_V[5] = h_V_6;
-    link->h_eta[0] = h_eta_1;
-    link->h_eta[1] = h_eta_2;
-    link->r_T[0] = r_T_y;
-    link->r_T[1] = r_T_z;
-    link->R_T[0] = R_T_xx;
-    link->R_T[1] = R_T_xy;
-    link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yx;
-    link->R_T[4] = R_T_yy;
-    link->R_T[5] = R_T_yz;
-    link->R_T[6] = R_T_zx;
-    link->R_T[7] = R_T_zy;
-    link->R_T[8] = R_T_zz;
-    link->G[0] = J_l_xx;
-    link->G[1] = J_l_xy;
-    link->G[2] = J_l_xz;
-    link->G[3] = J_l_yx;
-    link->G[4] = J_l_yy;
-    link->G[5] = J_l_yz;
-    link->G[6] = J_l_zx;
-    link->G[7] = J_l_zy;
-    link->G[8] = J_l_zz;
-    link->b_T[0] = b_omega_x;
-    link->b_T[1] = b_omega_y;
-    link->b_T[2] = b_omega_z;
-    link->b_T[3] = b_v_x;
-    link->b_T[4] = b_v_y;
-    link->b_T[5] = b_v_z;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    link->h_T[0] = h_T_tau_x;
-    link->h_T[1] = h_T_tau_y;
-    link->h_T[2] = h_T_tau_z;
-    link->h_T[3] = h_T_F_x;
-    link->h_T[4] = h_T_F_y;
-    link->h_T[5] = h_T_F_z;
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t81 = link->lever[1] * Lambda_i_45;
+    const six_link_real t82 = c->mount_xyz_y * Lambda_i_46;
+    const six_link_real t83 = link->lever[0] * Lambda_i_56;
+    const six_link_real t84 = Lambda_i_14 + (t82 - t81);
+    const six_link_real t85 = Lambda_i_15 + (c->mount_xyz_y * Lambda_i_56 - link->lever[1] * Lambda_i_55);
+    const six_link_real t86 = Lambda_i_16 + (c->mount_xyz_y * Lambda_i_66 - link->lever[1] * Lambda_i_56);
+    const six_link_real t87 = Lambda_i_24 + (link->lever[1] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real Lambda_10 = Lambda_i_25 + (t81 - t83);
+    base->Lambda[9] = Lambda_10;
+    const six_link_real t88 = Lambda_i_26 + (link->lever[1] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t89 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - c->mount_xyz_y * Lambda_i_44);
+    const six_link_real t90 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - c->mount_xyz_y * Lambda_i_45);
+    const six_link_real t91 = Lambda_i_36 + (t83 - t82);
+    const six_link_real t92 = Lambda_i_11 - (Lambda_i_15 * link->lever[1] - Lambda_i_16 * c->mount_xyz_y)
+        + (c->mount_xyz_y * t86 - link->lever[1] * t85);
+    const six_link_real t93 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[1])
+        + (c->mount_xyz_y * t88 - link->lever[1] * Lambda_10);
+    const six_link_real t94 = Lambda_i_13 - (Lambda_i_14 * c->mount_xyz_y - Lambda_i_15 * link->lever[0])
+        + (c->mount_xyz_y * t91 - link->lever[1] * t90);
+    const six_link_real Lambda_7 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[1])
+        + (link->lever[1] * t87 - link->lever[0] * t88);
+    base->Lambda[6] = Lambda_7;
+    const six_link_real t95 = Lambda_i_23 - (Lambda_i_24 * c->mount_xyz_y - Lambda_i_25 * link->lever[0])
+        + (link->lever[1] * t89 - link->lever[0] * t91);
+    const six_link_real t96 = Lambda_i_33 - (Lambda_i_34 * c->mount_xyz_y - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t90 - c->mount_xyz_y * t89);
+    const six_link_real t97 = (t92 - t96) * REAL(0.5);
+    const six_link_real t98 = t97 * link->R_P[0] + t94 * link->R_P[2];
+    const six_link_real t99 = t97 * link->R_P[6] + t94 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t98 * 2 + t96;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_3 = link->R_P[0] * t99 + link->R_P[6] * t98;
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_8 = t95 * link->R_P[8] + link->R_P[6] * t93;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[6] * t99 * 2 + t96;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real Lambda_11 = t87 * link->R_P[6] + t88 * link->R_P[8];
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_5 = link->R_P[0] * t85 + link->R_P[2] * t90;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_13 = link->R_P[6] * (t84 * link->R_P[0] + t86 * link->R_P[2])
+        + link->R_P[8] * (t89 * link->R_P[0] + t91 * link->R_P[2]);
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t85 + link->R_P[8] * t90;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * (t84 * link->R_P[6] + t86 * link->R_P[8])
+        + link->R_P[8] * (t89 * link->R_P[6] + t91 * link->R_P[8]);
+    base->Lambda[14] = Lambda_15;
+    const six_link_real Lambda_17 = link->R_P[0] * Lambda_i_45 + Lambda_i_56 * link->R_P[2];
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] + link->R_P[6] * Lambda_i_45;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real t100 = link->R_P[6]
+        * ((Lambda_i_44 - Lambda_i_66) * REAL(0.5) * link->R_P[6] + Lambda_i_46 * link->R_P[8]);
+    const six_link_real Lambda_21 = t100 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real t101 = p_i_1 + (c->mount_xyz_y * p_i_6 - link->lever[1] * p_i_5);
+    const six_link_real p_2 = p_i_2 + (link->lever[1] * p_i_4 - link->lever[0] * p_i_6);
+    base->p[1] = p_2;
+    const six_link_real t102 = p_i_3 + (link->lever[0] * p_i_5 - c->mount_xyz_y * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t101 + link->R_P[2] * t102;
+    base->p[0] = p_1;
+    const six_link_real p_3 = link->R_P[6] * t101 + link->R_P[8] * t102;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like forearm: 405 operations */
-static six_link_status dae_kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], const six_link_real eta[2],
-    const six_link_real etadot[2], six_link_real qdot[1])
+/* eliminate, links like forearm: 1060 operations */
+static six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 2],
+    const six_link_real etadot[restrict 2], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 2], const six_link_real f_eta[restrict 2],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
 {
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
-
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
-        + R_rel_zx * base->omega[2];
-    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
-        + c->R_m_zy * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
-        + R_rel_zz * base->omega[2];
-    const six_link_real qdot_1 = twist[1] - omega_R_y;
-
-    /* v_R: velocity of the joint point */
-    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t4 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t5 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx * t3 + R_rel_yx * t4 + R_rel_zx * t5;
-    const six_link_real v_R_z = R_rel_xz * t3 + R_rel_yz * t4 + R_rel_zz * t5;
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
-
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
 
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
@@ -564,21 +1324,16 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *c, 
     const six_link_real I_yy = c->J_0_xx + J_zz;
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - twist[1] * twist[3];
-
     /* Omega: centripetal operator */
-    const six_link_real t6 = twist[1] * twist[1];
-    const six_link_real t7 = twist[2] * twist[2];
-    const six_link_real minus_Omega_xx = t6 + t7;
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-    const six_link_real t8 = twist[0] * twist[0];
-    const six_link_real minus_Omega_yy = t8 + t7;
-    const six_link_real Omega_yz = twist[1] * twist[2];
-    const six_link_real minus_Omega_zz = t8 + t6;
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real t3 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t3 + t2;
+    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
+    const six_link_real minus_Omega_zz = t3 + t1;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
@@ -589,31 +1344,32 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *c, 
     const six_link_real B_zz = L_z2 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
-    const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
-    const six_link_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const six_link_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
-    const six_link_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const six_link_real minus_h_c_5 = Sdot_z * twist[0];
-    const six_link_real h_c_6 = Sdot_y * twist[0];
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t9 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * a_0_z;
-    const six_link_real H_star_1 = t9 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t10 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
-        + J_zz * Omega_xz + S_z * a_0_x;
-    const six_link_real t11 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t10 + t11 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
-        - c->S_0_x * a_0_z;
-    const six_link_real t12 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * a_0_y;
-    const six_link_real H_star_3 = t12 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t11 * twist[1];
+    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * link->alpha_0[5];
+    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
+    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t6 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t6 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->m;
+        + link->alpha_0[3] * c->m;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + a_0_y * c->m;
+        + link->alpha_0[4] * c->m;
     const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->m;
+        + link->alpha_0[5] * c->m;
 
     /* h_V: bias of the twist rows */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
@@ -625,13 +1381,1950 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *c, 
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_z2 + Ldot_y2 * 2 * twist[0];
+        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = h_V_1
+        + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
+    const six_link_real h_0_2 = h_V_2
+        + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
+    const six_link_real h_0_3 = h_V_3
+        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
+    const six_link_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
+    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
+    const six_link_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - c->S_0_x * link->alpha_0[1]);
+    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
+    const six_link_real h_eta_0_2 = h_eta_2 + (L_y2 * link->alpha_0[0] - c->chi_2 * link->alpha_0[1]);
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0]
+        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real p_T_2 = tip->p[1]
+        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+    const six_link_real p_T_3 = tip->p[2]
+        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+    const six_link_real p_T_4 = tip->p[3]
+        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real p_T_5 = tip->p[4]
+        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const six_link_real p_T_6 = tip->p[5]
+        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real minus_Theta_12 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real Theta_21 = link->J_l[4] * c->Psi_c_z1;
+    const six_link_real Theta_22 = link->J_l[3] * c->Psi_c_y2;
+    const six_link_real Theta_31 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real Theta_32 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real t8 = link->r_T[1] * tip->Lambda[16];
+    const six_link_real t9 = link->r_T[0] * tip->Lambda[17];
+    const six_link_real t10 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_14 = tip->Lambda[3] + (t9 - t8);
+    const six_link_real t11 = tip->Lambda[4] + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * tip->Lambda[18]);
+    const six_link_real t12 = tip->Lambda[5] + (link->r_T[0] * tip->Lambda[20] - link->r_T[1] * tip->Lambda[19]);
+    const six_link_real t13 = tip->Lambda[8] + (link->r_T[1] * tip->Lambda[15] - c->length * tip->Lambda[17]);
+    const six_link_real M_loaded_25 = tip->Lambda[9] + (t8 - t10);
+    const six_link_real t14 = tip->Lambda[10] + (link->r_T[1] * tip->Lambda[17] - c->length * tip->Lambda[20]);
+    const six_link_real t15 = tip->Lambda[12] + (c->length * tip->Lambda[16] - link->r_T[0] * tip->Lambda[15]);
+    const six_link_real t16 = tip->Lambda[13] + (c->length * tip->Lambda[18] - link->r_T[0] * tip->Lambda[16]);
+    const six_link_real M_loaded_36 = tip->Lambda[14] + (t10 - t9);
+    const six_link_real t17 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[1] - tip->Lambda[5] * link->r_T[0])
+        + (link->r_T[0] * t12 - link->r_T[1] * t11);
+    const six_link_real t18 = tip->Lambda[1] - (tip->Lambda[5] * c->length - tip->Lambda[3] * link->r_T[1])
+        + (link->r_T[0] * t14 - link->r_T[1] * M_loaded_25);
+    const six_link_real t19 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[0] - tip->Lambda[4] * c->length)
+        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t16);
+    const six_link_real t20 = tip->Lambda[6] - (tip->Lambda[10] * c->length - tip->Lambda[8] * link->r_T[1])
+        + (link->r_T[1] * t13 - c->length * t14);
+    const six_link_real t21 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[0] - tip->Lambda[9] * c->length)
+        + (link->r_T[1] * t15 - c->length * M_loaded_36);
+    const six_link_real t22 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[0] - tip->Lambda[13] * c->length)
+        + (c->length * t16 - link->r_T[0] * t15);
+    const six_link_real M_loaded_11 = I_xx + t17;
+    const six_link_real M_loaded_12 = t18 - J_xy;
+    const six_link_real M_loaded_13 = t19 - J_xz;
+    const six_link_real M_loaded_15 = t11 - S_z;
+    const six_link_real M_loaded_16 = S_y + t12;
+    const six_link_real M_loaded_22 = I_yy + t20;
+    const six_link_real M_loaded_23 = t21 - J_yz;
+    const six_link_real M_loaded_24 = S_z + t13;
+    const six_link_real M_loaded_26 = t14 - c->S_0_x;
+    const six_link_real M_loaded_33 = I_zz + t22;
+    const six_link_real M_loaded_34 = t15 - S_y;
+    const six_link_real M_loaded_35 = c->S_0_x + t16;
+    const six_link_real M_loaded_44 = c->m + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->m + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->m + tip->Lambda[20];
+    const six_link_real h_loaded_1 = h_0_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
+    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
+    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
+    const six_link_real h_loaded_4 = h_0_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
+    const six_link_real t23 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
+        + tip->Lambda[4] * REAL(2.23606797749979);
+    const six_link_real t24 = tip->Lambda[1] * Theta_22 - tip->Lambda[0] * minus_Theta_12
+        + tip->Lambda[2] * Theta_32 + tip->Lambda[5] * REAL(2.23606797749979);
+    const six_link_real t25 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
+        + tip->Lambda[9] * REAL(2.23606797749979);
+    const six_link_real t26 = tip->Lambda[6] * Theta_22 - tip->Lambda[1] * minus_Theta_12
+        + tip->Lambda[7] * Theta_32 + tip->Lambda[10] * REAL(2.23606797749979);
+    const six_link_real t27 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
+        + tip->Lambda[13] * REAL(2.23606797749979);
+    const six_link_real t28 = tip->Lambda[7] * Theta_22 - tip->Lambda[2] * minus_Theta_12
+        + tip->Lambda[11] * Theta_32 + tip->Lambda[14] * REAL(2.23606797749979);
+    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
+        + tip->Lambda[16] * REAL(2.23606797749979);
+    const six_link_real C_42 = tip->Lambda[8] * Theta_22 - tip->Lambda[3] * minus_Theta_12
+        + tip->Lambda[12] * Theta_32 + tip->Lambda[17] * REAL(2.23606797749979);
+    const six_link_real t29 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
+        + tip->Lambda[18] * REAL(2.23606797749979);
+    const six_link_real t30 = tip->Lambda[19] * REAL(2.23606797749979);
+    const six_link_real C_52 = tip->Lambda[9] * Theta_22 - tip->Lambda[4] * minus_Theta_12
+        + tip->Lambda[13] * Theta_32 + t30;
+    const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21
+        + tip->Lambda[14] * Theta_31 + t30;
+    const six_link_real t31 = tip->Lambda[10] * Theta_22 - tip->Lambda[5] * minus_Theta_12
+        + tip->Lambda[14] * Theta_32 + tip->Lambda[20] * REAL(2.23606797749979);
+    const six_link_real C_21 = t25 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_32 = t28 + (c->length * C_52 - link->r_T[0] * C_42);
+    const six_link_real C_11 = t23 + (link->r_T[0] * C_61 - link->r_T[1] * t29) - L_z1;
+    const six_link_real C_12 = L_y2 + (t24 + (link->r_T[0] * t31 - link->r_T[1] * C_52));
+    const six_link_real C_22 = t26 + (link->r_T[1] * C_42 - c->length * t31) - c->chi_2;
+    const six_link_real C_31 = c->chi_1 + (t27 + (c->length * t29 - link->r_T[0] * C_41));
+    const six_link_real C_51 = c->sigma_y1 + t29;
+    const six_link_real C_62 = c->sigma_z2 + t31;
+    const six_link_real modal_inertia_11 = Theta_11 * t23 + Theta_21 * t25 + Theta_31 * t27
+        + t29 * REAL(2.23606797749979) + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modal_inertia_12 = Theta_11 * t24 + Theta_21 * t26 + Theta_31 * t28
+        + C_52 * REAL(2.23606797749979);
+    const six_link_real modal_inertia_22 = Theta_22 * t26 - minus_Theta_12 * t24 + Theta_32 * t28
+        + t31 * REAL(2.23606797749979) + m_eta[1];
+    const six_link_real h_phi_1 = h_eta_0_1 + f_eta[0]
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.23606797749979));
+    const six_link_real h_phi_2 = h_eta_0_2 + f_eta[1]
+        + (Theta_22 * p_T_2 - minus_Theta_12 * p_T_1 + Theta_32 * p_T_3 + p_T_6 * REAL(2.23606797749979));
+    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
+    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const six_link_real t32 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t32 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t32;
+    const six_link_real t33 = C_12 - modes_L_21 * C_11;
+    const six_link_real t34 = C_22 - modes_L_21 * C_21;
+    const six_link_real t35 = C_32 - modes_L_21 * C_31;
+    const six_link_real t36 = C_42 - modes_L_21 * C_41;
+    const six_link_real t37 = C_52 - modes_L_21 * C_51;
+    const six_link_real t38 = C_62 - modes_L_21 * C_61;
+    const six_link_real t39 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
+    link->modes_W[0] = modes_W_11;
+    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
+    link->modes_W[3] = modes_W_14;
+    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
+    link->modes_W[4] = modes_W_15;
+    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
+    link->modes_W[5] = modes_W_16;
+    const six_link_real modes_W_21 = t33 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const six_link_real modes_W_22 = t34 * modes_inverse_2;
+    link->modes_W[7] = modes_W_22;
+    const six_link_real modes_W_23 = t35 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const six_link_real modes_W_24 = t36 * modes_inverse_2;
+    link->modes_W[9] = modes_W_24;
+    const six_link_real modes_W_25 = t37 * modes_inverse_2;
+    link->modes_W[10] = modes_W_25;
+    const six_link_real modes_W_26 = t38 * modes_inverse_2;
+    link->modes_W[11] = modes_W_26;
+    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const six_link_real modes_w_2 = t39 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t33 * modes_W_21);
+    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t33 * modes_W_22);
+    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t33 * modes_W_23);
+    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t33 * modes_W_24);
+    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t33 * modes_W_25);
+    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t33 * modes_W_26);
+    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t34 * modes_W_22);
+    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t34 * modes_W_23);
+    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t34 * modes_W_24);
+    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t34 * modes_W_25);
+    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t34 * modes_W_26);
+    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t35 * modes_W_23);
+    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t35 * modes_W_24);
+    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t35 * modes_W_25);
+    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t35 * modes_W_26);
+    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t36 * modes_W_24);
+    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t36 * modes_W_25);
+    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t36 * modes_W_26);
+    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t37 * modes_W_25);
+    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t37 * modes_W_26);
+    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t38 * modes_W_26);
+    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t39);
+    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t39);
+    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t39);
+    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t39);
+    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t39);
+    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t39);
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t40 = link->lever[2] * Lambda_i_45;
+    const six_link_real t41 = link->lever[1] * Lambda_i_46;
+    const six_link_real t42 = link->lever[0] * Lambda_i_56;
+    const six_link_real t43 = Lambda_i_14 + (t41 - t40);
+    const six_link_real t44 = Lambda_i_15 + (link->lever[1] * Lambda_i_56 - link->lever[2] * Lambda_i_55);
+    const six_link_real t45 = Lambda_i_16 + (link->lever[1] * Lambda_i_66 - link->lever[2] * Lambda_i_56);
+    const six_link_real t46 = Lambda_i_24 + (link->lever[2] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real t47 = Lambda_i_25 + (t40 - t42);
+    const six_link_real t48 = Lambda_i_26 + (link->lever[2] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t49 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - link->lever[1] * Lambda_i_44);
+    const six_link_real t50 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - link->lever[1] * Lambda_i_45);
+    const six_link_real t51 = Lambda_i_36 + (t42 - t41);
+    const six_link_real t52 = Lambda_i_11 - (Lambda_i_15 * link->lever[2] - Lambda_i_16 * link->lever[1])
+        + (link->lever[1] * t45 - link->lever[2] * t44);
+    const six_link_real t53 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[2])
+        + (link->lever[1] * t48 - link->lever[2] * t47);
+    const six_link_real t54 = Lambda_i_13 - (Lambda_i_14 * link->lever[1] - Lambda_i_15 * link->lever[0])
+        + (link->lever[1] * t51 - link->lever[2] * t50);
+    const six_link_real t55 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[2])
+        + (link->lever[2] * t46 - link->lever[0] * t48);
+    const six_link_real t56 = Lambda_i_23 - (Lambda_i_24 * link->lever[1] - Lambda_i_25 * link->lever[0])
+        + (link->lever[2] * t49 - link->lever[0] * t51);
+    const six_link_real t57 = Lambda_i_33 - (Lambda_i_34 * link->lever[1] - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t50 - link->lever[1] * t49);
+    const six_link_real t58 = (t52 - t57) * REAL(0.5);
+    const six_link_real t59 = t58 * link->R_P[0] + t53 * link->R_P[1] + t54 * link->R_P[2];
+    const six_link_real t60 = t58 * link->R_P[3] + t53 * link->R_P[4] + t54 * link->R_P[5];
+    const six_link_real t61 = t58 * link->R_P[6] + t53 * link->R_P[7] + t54 * link->R_P[8];
+    const six_link_real t62 = (t55 - t57) * REAL(0.5);
+    const six_link_real t63 = t62 * link->R_P[1] + t56 * link->R_P[2];
+    const six_link_real t64 = t62 * link->R_P[4] + t56 * link->R_P[5];
+    const six_link_real t65 = t62 * link->R_P[7] + t56 * link->R_P[8];
+    const six_link_real Lambda_1 = (link->R_P[0] * t59 + link->R_P[1] * t63) * 2 + t57;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * t60 + link->R_P[1] * t64
+        + (link->R_P[3] * t59 + link->R_P[4] * t63);
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t61 + link->R_P[1] * t65
+        + (link->R_P[6] * t59 + link->R_P[7] * t63);
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_7 = (link->R_P[3] * t60 + link->R_P[4] * t64) * 2 + t57;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[3] * t61 + link->R_P[4] * t65
+        + (link->R_P[6] * t60 + link->R_P[7] * t64);
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = (link->R_P[6] * t61 + link->R_P[7] * t65) * 2 + t57;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t66 = t43 * link->R_P[0] + t44 * link->R_P[1] + t45 * link->R_P[2];
+    const six_link_real t67 = t43 * link->R_P[3] + t44 * link->R_P[4] + t45 * link->R_P[5];
+    const six_link_real t68 = t43 * link->R_P[6] + t44 * link->R_P[7] + t45 * link->R_P[8];
+    const six_link_real t69 = t46 * link->R_P[0] + t47 * link->R_P[1] + t48 * link->R_P[2];
+    const six_link_real t70 = t46 * link->R_P[3] + t47 * link->R_P[4] + t48 * link->R_P[5];
+    const six_link_real t71 = t46 * link->R_P[6] + t47 * link->R_P[7] + t48 * link->R_P[8];
+    const six_link_real t72 = t49 * link->R_P[0] + t50 * link->R_P[1] + t51 * link->R_P[2];
+    const six_link_real t73 = t49 * link->R_P[3] + t50 * link->R_P[4] + t51 * link->R_P[5];
+    const six_link_real t74 = t49 * link->R_P[6] + t50 * link->R_P[7] + t51 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t66 + link->R_P[1] * t69 + link->R_P[2] * t72;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * t67 + link->R_P[1] * t70 + link->R_P[2] * t73;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t68 + link->R_P[1] * t71 + link->R_P[2] * t74;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_9 = link->R_P[3] * t66 + link->R_P[4] * t69 + link->R_P[5] * t72;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[3] * t67 + link->R_P[4] * t70 + link->R_P[5] * t73;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[3] * t68 + link->R_P[4] * t71 + link->R_P[5] * t74;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[6] * t66 + link->R_P[7] * t69 + link->R_P[8] * t72;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t67 + link->R_P[7] * t70 + link->R_P[8] * t73;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t68 + link->R_P[7] * t71 + link->R_P[8] * t74;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t75 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t76 = t75 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
+    const six_link_real t77 = t75 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
+    const six_link_real t78 = t75 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
+    const six_link_real t79 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t80 = t79 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
+    const six_link_real t81 = t79 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t82 = t79 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_16 = (link->R_P[0] * t76 + link->R_P[1] * t80) * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = link->R_P[0] * t77 + link->R_P[1] * t81
+        + (link->R_P[3] * t76 + link->R_P[4] * t80);
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t78 + link->R_P[1] * t82
+        + (link->R_P[6] * t76 + link->R_P[7] * t80);
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_19 = (link->R_P[3] * t77 + link->R_P[4] * t81) * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[3] * t78 + link->R_P[4] * t82
+        + (link->R_P[6] * t77 + link->R_P[7] * t81);
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = (link->R_P[6] * t78 + link->R_P[7] * t82) * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real t83 = p_i_1 + (link->lever[1] * p_i_6 - link->lever[2] * p_i_5);
+    const six_link_real t84 = p_i_2 + (link->lever[2] * p_i_4 - link->lever[0] * p_i_6);
+    const six_link_real t85 = p_i_3 + (link->lever[0] * p_i_5 - link->lever[1] * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t83 + link->R_P[1] * t84 + link->R_P[2] * t85;
+    base->p[0] = p_1;
+    const six_link_real p_2 = link->R_P[3] * t83 + link->R_P[4] * t84 + link->R_P[5] * t85;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[6] * t83 + link->R_P[7] * t84 + link->R_P[8] * t85;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like wrist_roll: 404 operations */
+static six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t2 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_24 = tip->Lambda[8] - c->length * tip->Lambda[17];
+    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
+    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
+    const six_link_real M_loaded_34 = tip->Lambda[12] + c->length * tip->Lambda[16];
+    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
+    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
+    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
+    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
+    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
+    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
+    const six_link_real M_loaded_26 = t3 - c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx
+        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_35 = c->S_0_x + t4;
+    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
+    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
+    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_loaded_12 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_loaded_13 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = tip->Lambda[3] * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = tip->Lambda[4] * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = tip->Lambda[5] * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_11 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_11 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_11 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_11 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_11 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_12 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_12 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_12 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_12 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_12 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_13 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_13 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_13 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_13 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[3] * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = tip->Lambda[16] - tip->Lambda[3] * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = tip->Lambda[17] - tip->Lambda[3] * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_loaded_55 - tip->Lambda[4] * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = tip->Lambda[19] - tip->Lambda[4] * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_66 - tip->Lambda[5] * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_12 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_13 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[3] * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + tip->Lambda[4] * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + tip->Lambda[5] * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_12 * link->R_P[1] + Lambda_i_13 * link->R_P[2];
+    const six_link_real t7 = t5 * link->R_P[3] + Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
+    const six_link_real t8 = t5 * link->R_P[6] + Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
+    const six_link_real t9 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t10 = t9 * link->R_P[1] + Lambda_i_23 * link->R_P[2];
+    const six_link_real t11 = t9 * link->R_P[4] + Lambda_i_23 * link->R_P[5];
+    const six_link_real t12 = t9 * link->R_P[7] + Lambda_i_23 * link->R_P[8];
+    const six_link_real Lambda_1 = (link->R_P[0] * t6 + link->R_P[1] * t10) * 2 + Lambda_i_33;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * t7 + link->R_P[1] * t11
+        + (link->R_P[3] * t6 + link->R_P[4] * t10);
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t8 + link->R_P[1] * t12
+        + (link->R_P[6] * t6 + link->R_P[7] * t10);
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_7 = (link->R_P[3] * t7 + link->R_P[4] * t11) * 2 + Lambda_i_33;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[3] * t8 + link->R_P[4] * t12
+        + (link->R_P[6] * t7 + link->R_P[7] * t11);
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = (link->R_P[6] * t8 + link->R_P[7] * t12) * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t13 = Lambda_i_14 * link->R_P[0] + Lambda_i_15 * link->R_P[1]
+        + Lambda_i_16 * link->R_P[2];
+    const six_link_real t14 = Lambda_i_14 * link->R_P[3] + Lambda_i_15 * link->R_P[4]
+        + Lambda_i_16 * link->R_P[5];
+    const six_link_real t15 = Lambda_i_14 * link->R_P[6] + Lambda_i_15 * link->R_P[7]
+        + Lambda_i_16 * link->R_P[8];
+    const six_link_real t16 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1]
+        + Lambda_i_26 * link->R_P[2];
+    const six_link_real t17 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4]
+        + Lambda_i_26 * link->R_P[5];
+    const six_link_real t18 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7]
+        + Lambda_i_26 * link->R_P[8];
+    const six_link_real t19 = Lambda_i_34 * link->R_P[0] + Lambda_i_35 * link->R_P[1]
+        + Lambda_i_36 * link->R_P[2];
+    const six_link_real t20 = Lambda_i_34 * link->R_P[3] + Lambda_i_35 * link->R_P[4]
+        + Lambda_i_36 * link->R_P[5];
+    const six_link_real t21 = Lambda_i_34 * link->R_P[6] + Lambda_i_35 * link->R_P[7]
+        + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t13 + link->R_P[1] * t16 + link->R_P[2] * t19;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * t14 + link->R_P[1] * t17 + link->R_P[2] * t20;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t15 + link->R_P[1] * t18 + link->R_P[2] * t21;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_9 = link->R_P[3] * t13 + link->R_P[4] * t16 + link->R_P[5] * t19;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[3] * t14 + link->R_P[4] * t17 + link->R_P[5] * t20;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[3] * t15 + link->R_P[4] * t18 + link->R_P[5] * t21;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[6] * t13 + link->R_P[7] * t16 + link->R_P[8] * t19;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t14 + link->R_P[7] * t17 + link->R_P[8] * t20;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t15 + link->R_P[7] * t18 + link->R_P[8] * t21;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t22 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t23 = t22 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
+    const six_link_real t24 = t22 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
+    const six_link_real t25 = t22 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
+    const six_link_real t26 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t27 = t26 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
+    const six_link_real t28 = t26 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t29 = t26 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_16 = (link->R_P[0] * t23 + link->R_P[1] * t27) * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = link->R_P[0] * t24 + link->R_P[1] * t28
+        + (link->R_P[3] * t23 + link->R_P[4] * t27);
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t25 + link->R_P[1] * t29
+        + (link->R_P[6] * t23 + link->R_P[7] * t27);
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_19 = (link->R_P[3] * t24 + link->R_P[4] * t28) * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[3] * t25 + link->R_P[4] * t29
+        + (link->R_P[6] * t24 + link->R_P[7] * t28);
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = (link->R_P[6] * t25 + link->R_P[7] * t29) * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * p_i_3;
+    base->p[0] = p_1;
+    const six_link_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like wrist_pitch: 246 operations */
+static six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t2 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
+    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
+    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
+    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
+    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
+    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
+    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
+    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
+    const six_link_real M_loaded_26 = t3 - c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx
+        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_35 = c->S_0_x + t4;
+    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
+    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
+    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_loaded_22 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_loaded_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = tip->Lambda[8] * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_loaded_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_loaded_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real minus_Lambda_i_14 = M_loaded_12 * joint_W_14;
+    link->Lambda_i[3] = -minus_Lambda_i_14;
+    const six_link_real t5 = -minus_Lambda_i_14;
+    link->Lambda_i[3] = t5;
+    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_22 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    base->Lambda[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = tip->Lambda[8] - M_loaded_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    base->Lambda[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = tip->Lambda[12] - M_loaded_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[8] * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real minus_Lambda_i_45 = tip->Lambda[8] * joint_W_15;
+    link->Lambda_i[16] = -minus_Lambda_i_45;
+    const six_link_real t6 = -minus_Lambda_i_45;
+    link->Lambda_i[16] = t6;
+    const six_link_real minus_Lambda_i_46 = tip->Lambda[8] * joint_W_16;
+    link->Lambda_i[17] = -minus_Lambda_i_46;
+    const six_link_real t7 = -minus_Lambda_i_46;
+    link->Lambda_i[17] = t7;
+    const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    base->Lambda[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = tip->Lambda[19] - M_loaded_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_66 - M_loaded_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    base->p[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[8] * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + M_loaded_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    base->p[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + M_loaded_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t8 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t9 = t8 * link->R_P[0] + Lambda_i_13 * link->R_P[2];
+    const six_link_real t10 = t8 * link->R_P[6] + Lambda_i_13 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t9 * 2 + Lambda_i_33;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * Lambda_i_12 + Lambda_i_23 * link->R_P[2];
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t10 + link->R_P[6] * t9;
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_8 = Lambda_i_23 * link->R_P[8] + link->R_P[6] * Lambda_i_12;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[6] * t10 * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t11 = Lambda_i_16 * link->R_P[2] - minus_Lambda_i_14 * link->R_P[0];
+    const six_link_real t12 = Lambda_i_16 * link->R_P[8] - minus_Lambda_i_14 * link->R_P[6];
+    const six_link_real Lambda_9 = Lambda_i_24 * link->R_P[0] + Lambda_i_26 * link->R_P[2];
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_11 = Lambda_i_24 * link->R_P[6] + Lambda_i_26 * link->R_P[8];
+    base->Lambda[10] = Lambda_11;
+    const six_link_real t13 = Lambda_i_34 * link->R_P[0] + Lambda_i_36 * link->R_P[2];
+    const six_link_real t14 = Lambda_i_34 * link->R_P[6] + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t11 + link->R_P[2] * t13;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * Lambda_i_15 + link->R_P[2] * Lambda_i_35;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t12 + link->R_P[2] * t14;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_13 = link->R_P[6] * t11 + link->R_P[8] * t13;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * Lambda_i_15 + link->R_P[8] * Lambda_i_35;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t12 + link->R_P[8] * t14;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t15 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t16 = t15 * link->R_P[0] - minus_Lambda_i_46 * link->R_P[2];
+    const six_link_real t17 = t15 * link->R_P[6] - minus_Lambda_i_46 * link->R_P[8];
+    const six_link_real Lambda_16 = link->R_P[0] * t16 * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = Lambda_i_56 * link->R_P[2] - link->R_P[0] * minus_Lambda_i_45;
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t17 + link->R_P[6] * t16;
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] - link->R_P[6] * minus_Lambda_i_45;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = link->R_P[6] * t17 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[2] * p_i_3;
+    base->p[0] = p_1;
+    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like flange: 304 operations */
+static six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real t2 = -c->S_T_y;
+    link->Lambda_i[12] = t2;
+    const six_link_real t3 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
+        + (c->I_T_xx * tip->alpha_0[0] - c->J_T_xy * tip->alpha_0[1] - c->J_T_xz * tip->alpha_0[2]);
+    const six_link_real t4 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
+        + (c->I_T_yy * tip->alpha_0[1] - c->J_T_xy * tip->alpha_0[0] - c->J_T_yz * tip->alpha_0[2]);
+    const six_link_real t5 = c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]
+        + (c->I_T_zz * tip->alpha_0[2] - (c->J_T_xz * tip->alpha_0[0] + c->J_T_yz * tip->alpha_0[1]));
+    const six_link_real t6 = c->I_T_xx * tip->omega[0] - c->J_T_xy * tip->omega[1] - c->J_T_xz * tip->omega[2];
+    const six_link_real t7 = c->I_T_yy * tip->omega[1] - c->J_T_xy * tip->omega[0] - c->J_T_yz * tip->omega[2];
+    const six_link_real t8 = c->I_T_zz * tip->omega[2] - (c->J_T_xz * tip->omega[0] + c->J_T_yz * tip->omega[1]);
+    const six_link_real t9 = tip->omega[1] * c->S_T_z - tip->omega[2] * c->S_T_y;
+    const six_link_real t10 = tip->omega[2] * c->S_T_x - tip->omega[0] * c->S_T_z;
+    const six_link_real t11 = tip->omega[0] * c->S_T_y - tip->omega[1] * c->S_T_x;
+    const six_link_real t12 = tip->alpha_0[1] * c->S_T_z - tip->alpha_0[2] * c->S_T_y
+        + (tip->omega[1] * t11 - tip->omega[2] * t10);
+    const six_link_real t13 = tip->alpha_0[2] * c->S_T_x - tip->alpha_0[0] * c->S_T_z
+        + (tip->omega[2] * t9 - tip->omega[0] * t11);
+    const six_link_real t14 = tip->alpha_0[0] * c->S_T_y - tip->alpha_0[1] * c->S_T_x
+        + (tip->omega[0] * t10 - tip->omega[1] * t9);
+    const six_link_real p_T_1 = t3 + (tip->omega[1] * t8 - tip->omega[2] * t7) - w_ext[0];
+    const six_link_real p_T_2 = t4 + (tip->omega[2] * t6 - tip->omega[0] * t8) - w_ext[1];
+    const six_link_real p_T_3 = t5 + (tip->omega[0] * t7 - tip->omega[1] * t6) - w_ext[2];
+    const six_link_real p_T_4 = c->body0_mass * tip->alpha_0[3] + t12 - w_ext[3];
+    const six_link_real p_T_5 = c->body0_mass * tip->alpha_0[4] + t13 - w_ext[4];
+    const six_link_real p_T_6 = c->body0_mass * tip->alpha_0[5] + t14 - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t15 = c->S_T_x + c->length * c->body0_mass;
+    const six_link_real t16 = c->S_T_x * c->length;
+    const six_link_real t17 = c->length * t15;
+    const six_link_real minus_M_loaded_12 = c->J_T_xy + c->S_T_y * c->length;
+    const six_link_real minus_M_loaded_13 = c->J_T_xz + c->S_T_z * c->length;
+    const six_link_real M_loaded_11 = c->I_s + c->I_T_xx;
+    const six_link_real M_loaded_22 = c->J_0_xx + (c->I_T_yy + t16 + t17);
+    const six_link_real minus_M_loaded_26 = t15 + c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx + (c->I_T_zz + t16 + t17);
+    const six_link_real M_loaded_44 = c->mu + c->body0_mass;
+    link->Lambda_i[15] = M_loaded_44;
+    base->Lambda[15] = M_loaded_44;
+    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
+    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    link->p_i[3] = h_loaded_4;
+    base->p[3] = h_loaded_4;
+    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real minus_joint_W_12 = minus_M_loaded_12 * joint_inverse_1;
+    link->joint_W[1] = -minus_joint_W_12;
+    const six_link_real t18 = -minus_joint_W_12;
+    link->joint_W[1] = t18;
+    const six_link_real minus_joint_W_13 = minus_M_loaded_13 * joint_inverse_1;
+    link->joint_W[2] = -minus_joint_W_13;
+    const six_link_real t19 = -minus_joint_W_13;
+    link->joint_W[2] = t19;
+    const six_link_real minus_joint_W_15 = c->S_T_z * joint_inverse_1;
+    link->joint_W[4] = -minus_joint_W_15;
+    const six_link_real t20 = -minus_joint_W_15;
+    link->joint_W[4] = t20;
+    const six_link_real joint_W_16 = c->S_T_y * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    base->Lambda[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_11 * minus_joint_W_12 - minus_M_loaded_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_11 * minus_joint_W_13 - minus_M_loaded_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_15 = M_loaded_11 * minus_joint_W_15 - c->S_T_z;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = c->S_T_y - M_loaded_11 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - minus_M_loaded_12 * minus_joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real minus_Lambda_i_23 = c->J_T_yz + minus_M_loaded_12 * minus_joint_W_13;
+    link->Lambda_i[7] = -minus_Lambda_i_23;
+    const six_link_real t21 = -minus_Lambda_i_23;
+    link->Lambda_i[7] = t21;
+    const six_link_real minus_Lambda_i_25 = minus_M_loaded_12 * minus_joint_W_15;
+    link->Lambda_i[9] = -minus_Lambda_i_25;
+    const six_link_real t22 = -minus_Lambda_i_25;
+    link->Lambda_i[9] = t22;
+    const six_link_real Lambda_i_26 = minus_M_loaded_12 * joint_W_16 - minus_M_loaded_26;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - minus_M_loaded_13 * minus_joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_35 = minus_M_loaded_26 - minus_M_loaded_13 * minus_joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = minus_M_loaded_13 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_55 = M_loaded_44 - c->S_T_z * minus_joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = c->S_T_z * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_44 - c->S_T_y * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    base->p[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 - minus_M_loaded_12 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 - minus_M_loaded_13 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_5 = h_loaded_5 - c->S_T_z * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + c->S_T_y * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real Lambda_2 = Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
+    base->Lambda[2] = Lambda_3;
+    const six_link_real t23 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t24 = t23 * link->R_P[4] - minus_Lambda_i_23 * link->R_P[5];
+    const six_link_real t25 = t23 * link->R_P[7] - minus_Lambda_i_23 * link->R_P[8];
+    const six_link_real Lambda_7 = link->R_P[4] * t24 * 2 + Lambda_i_33;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[4] * t25 + link->R_P[7] * t24;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[7] * t25 * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real Lambda_5 = Lambda_i_15 * link->R_P[4] + Lambda_i_16 * link->R_P[5];
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = Lambda_i_15 * link->R_P[7] + Lambda_i_16 * link->R_P[8];
+    base->Lambda[5] = Lambda_6;
+    const six_link_real t26 = Lambda_i_26 * link->R_P[5] - minus_Lambda_i_25 * link->R_P[4];
+    const six_link_real t27 = Lambda_i_26 * link->R_P[8] - minus_Lambda_i_25 * link->R_P[7];
+    const six_link_real t28 = Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
+    const six_link_real t29 = Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_9 = link->R_P[4] * c->S_T_z - link->R_P[5] * c->S_T_y;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[4] * t26 + link->R_P[5] * t28;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[4] * t27 + link->R_P[5] * t29;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[7] * c->S_T_z - link->R_P[8] * c->S_T_y;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[7] * t26 + link->R_P[8] * t28;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[7] * t27 + link->R_P[8] * t29;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t30 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t31 = t30 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t32 = t30 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_19 = link->R_P[4] * t31 * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[4] * t32 + link->R_P[7] * t31;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = link->R_P[7] * t32 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_2 = link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_5 = link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+
+    /* outputs */
+    link->Lambda_i[8] = c->S_T_z;
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like shoulder: 1 operations */
+static six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6])
+{
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = link->joint_w[0] * c->length;
+    tip->delta[4] = delta_T_5;
+
+    /* outputs */
+    qddot[0] = link->joint_w[0];
+    tip->delta[2] = link->joint_w[0];
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = link->p_i[0];
+        wrench[1] = link->p_i[1];
+        wrench[2] = link->p_i[2];
+        wrench[3] = link->p_i[3];
+        wrench[4] = link->p_i[4];
+        wrench[5] = link->p_i[5];
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like upper_arm: 160 operations */
+static six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real etaddot[restrict 3])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[6] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[8] * base->delta[2];
+    const six_link_real minus_carried_4 = carried_3 * c->mount_xyz_y;
+    const six_link_real carried_6 = carried_1 * c->mount_xyz_y;
+    const six_link_real carried_5 = base->delta[4] + (carried_3 * link->lever[0] - carried_1 * link->lever[1]);
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[2] * carried_3
+        - link->joint_W[3] * minus_carried_4 + link->joint_W[4] * carried_5;
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * qddot_1
+        + link->modes_W[2] * carried_3 - link->modes_W[3] * minus_carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * qddot_1
+        + link->modes_W[8] * carried_3 - link->modes_W[9] * minus_carried_4;
+    const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * qddot_1
+        + link->modes_W[14] * carried_3 - link->modes_W[15] * minus_carried_4;
+    const six_link_real minus_etaddot_3 = link->modes_w[2]
+        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6);
+    etaddot[2] = -minus_etaddot_3;
+    const six_link_real minus_etaddot_2 = link->modes_w[1]
+        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
+        - link->modes_L[2] * minus_etaddot_3;
+    etaddot[1] = -minus_etaddot_2;
+    const six_link_real t5 = link->modes_w[0]
+        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
+    etaddot[0] = -minus_etaddot_1;
+    const six_link_real t6 = -minus_etaddot_1;
+    etaddot[0] = t6;
+    const six_link_real t7 = -minus_etaddot_2;
+    etaddot[1] = t7;
+    const six_link_real t8 = -minus_etaddot_3;
+    etaddot[2] = t8;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real t9 = minus_etaddot_3 * REAL(1.4142135623730951);
+    const six_link_real t10 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t11 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
+    tip->delta[3] = delta_T_4;
+    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t9 + link->J_l[1] * t10 + link->J_l[2] * t11);
+    tip->delta[0] = delta_T_1;
+    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t9 + link->J_l[4] * t10 + link->J_l[5] * t11);
+    tip->delta[1] = delta_T_2;
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t9 + link->J_l[7] * t10 + link->J_l[8] * t11);
+    tip->delta[2] = delta_T_3;
+    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
+        - minus_etaddot_1 * 2;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - qddot_1 * c->length)
+        - minus_etaddot_2 * 2;
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t12 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
+            - link->Lambda_i[3] * minus_carried_4;
+        const six_link_real t13 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
+            - link->Lambda_i[8] * minus_carried_4;
+        const six_link_real t14 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
+            - link->Lambda_i[12] * minus_carried_4;
+        const six_link_real t15 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
+            - link->Lambda_i[15] * minus_carried_4;
+        const six_link_real t16 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
+            - link->Lambda_i[16] * minus_carried_4;
+        const six_link_real t17 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
+            - link->Lambda_i[17] * minus_carried_4;
+        const six_link_real wrench_1 = t12 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t13 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t14 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t15 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t16 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t17 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like forearm: 185 operations */
+static six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real etaddot[restrict 2])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2];
+    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5] + (carried_2 * link->lever[2] - carried_3 * link->lever[1]);
+    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5] + (carried_3 * link->lever[0] - carried_1 * link->lever[2]);
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5] + (carried_1 * link->lever[1] - carried_2 * link->lever[0]);
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
+        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
+    const six_link_real qddot_1 = link->joint_w[0]
+        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_2 = carried_2 + qddot_1;
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * delta_2
+        + link->modes_W[2] * carried_3 + link->modes_W[3] * carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2
+        + link->modes_W[8] * carried_3 + link->modes_W[9] * carried_4;
+    const six_link_real minus_etaddot_2 = link->modes_w[1]
+        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6);
+    etaddot[1] = -minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = link->modes_w[0]
+        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
+    etaddot[0] = -minus_etaddot_1;
+    const six_link_real t4 = -minus_etaddot_1;
+    etaddot[0] = t4;
+    const six_link_real t5 = -minus_etaddot_2;
+    etaddot[1] = t5;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real t6 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t7 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
+    tip->delta[3] = delta_T_4;
+    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    tip->delta[0] = delta_T_1;
+    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    tip->delta[1] = delta_T_2;
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    tip->delta[2] = delta_T_3;
+    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
+        - minus_etaddot_1 * REAL(2.23606797749979);
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - delta_2 * c->length)
+        - minus_etaddot_2 * REAL(2.23606797749979);
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t8 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
+        const six_link_real t9 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
+        const six_link_real t10 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
+        const six_link_real t11 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
+        const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
+        const six_link_real t13 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
+        const six_link_real wrench_1 = t8 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t9 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t10 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t11 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t12 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t13 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like wrist_roll: 119 operations */
+static six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2];
+    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    tip->delta[1] = carried_2;
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    tip->delta[2] = carried_3;
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5];
+    tip->delta[3] = carried_4;
+    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5];
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
+        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
+    const six_link_real qddot_1 = link->joint_w[0]
+        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_1 = carried_1 + qddot_1;
+    tip->delta[0] = delta_1;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = carried_5 + carried_3 * c->length;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 - carried_2 * c->length;
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
+        const six_link_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
+        const six_link_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
+        const six_link_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
+        const six_link_real t6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
+        const six_link_real t7 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
+        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t3 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t4 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t5 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t6 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t7 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like wrist_pitch: 101 operations */
+static six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
+    tip->delta[0] = carried_1;
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
+    tip->delta[2] = carried_3;
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[6] * base->delta[5];
+    tip->delta[3] = carried_4;
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * base->delta[1]
+        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
+    const six_link_real qddot_1 = link->joint_w[0]
+        - (t1 + link->joint_W[4] * base->delta[4] + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_2 = base->delta[1] + qddot_1;
+    tip->delta[1] = delta_2;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = base->delta[4] + carried_3 * c->length;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 - delta_2 * c->length;
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * base->delta[1]
+            + link->Lambda_i[2] * carried_3;
+        const six_link_real t3 = t2 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * base->delta[4]
+            + link->Lambda_i[5] * carried_6;
+        const six_link_real t4 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * base->delta[1]
+            + link->Lambda_i[7] * carried_3;
+        const six_link_real t5 = t4 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * base->delta[4]
+            + link->Lambda_i[10] * carried_6;
+        const six_link_real t6 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * base->delta[1]
+            + link->Lambda_i[11] * carried_3;
+        const six_link_real t7 = t6 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * base->delta[4]
+            + link->Lambda_i[14] * carried_6;
+        const six_link_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * base->delta[1]
+            + link->Lambda_i[12] * carried_3;
+        const six_link_real t9 = t8 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * base->delta[4]
+            + link->Lambda_i[17] * carried_6;
+        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * base->delta[1]
+            + link->Lambda_i[13] * carried_3;
+        const six_link_real t11 = t10 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * base->delta[4]
+            + link->Lambda_i[19] * carried_6;
+        const six_link_real t12 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * base->delta[1]
+            + link->Lambda_i[14] * carried_3;
+        const six_link_real t13 = t12 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * base->delta[4]
+            + link->Lambda_i[20] * carried_6;
+        const six_link_real wrench_1 = t3 + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t5 + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t7 + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t9 + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t11 + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t13 + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like flange: 82 operations */
+static six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
+    const six_link_real carried_5 = link->R_P[4] * base->delta[4] + link->R_P[7] * base->delta[5];
+    const six_link_real carried_6 = link->R_P[5] * base->delta[4] + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * base->delta[0] + link->joint_W[1] * carried_2
+        + link->joint_W[2] * carried_3 + link->joint_W[4] * carried_5;
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * base->delta[0] + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3;
+        const six_link_real t3 = link->Lambda_i[1] * base->delta[0] + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3;
+        const six_link_real t4 = t3 + link->Lambda_i[8] * base->delta[3] + link->Lambda_i[9] * carried_5
+            + link->Lambda_i[10] * carried_6;
+        const six_link_real t5 = link->Lambda_i[2] * base->delta[0] + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3;
+        const six_link_real t6 = t5 + link->Lambda_i[12] * base->delta[3] + link->Lambda_i[13] * carried_5
+            + link->Lambda_i[14] * carried_6;
+        const six_link_real t7 = link->Lambda_i[8] * carried_2 + link->Lambda_i[12] * carried_3
+            + link->Lambda_i[15] * base->delta[3];
+        const six_link_real t8 = link->Lambda_i[4] * base->delta[0] + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3;
+        const six_link_real t9 = link->Lambda_i[5] * base->delta[0] + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3;
+        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t4 + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t6 + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t7 + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t8 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t9 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* poses, links like shoulder: 5 operations */
+static six_link_status poses_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    six_link_node *restrict tip)
+{
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real t1 = -link->R_rel[1];
+    tip->R[1] = t1;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = c->mount_xyz_x + link->R_rel[0] * c->length;
+    tip->r[0] = r_tip_x;
+    const six_link_real r_tip_y = c->mount_xyz_y + link->R_rel[1] * c->length;
+    tip->r[1] = r_tip_y;
+
+    /* outputs */
+    tip->R[0] = link->R_rel[0];
+    tip->R[3] = link->R_rel[1];
+    tip->R[4] = link->R_rel[0];
+    tip->r[2] = c->mount_xyz_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like upper_arm: 68 operations */
+static six_link_status poses_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip)
+{
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * link->R_rel[0];
+    const six_link_real R_xz = base->R[0] * link->R_rel[1];
+    const six_link_real R_yx = base->R[3] * link->R_rel[0];
+    const six_link_real R_yz = base->R[3] * link->R_rel[1];
+    const six_link_real r_x = base->r[0] + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y);
+    const six_link_real r_y = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
+    const six_link_real r_z = base->r[2] + c->mount_xyz_z;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real R_tip_xx = R_xx * link->R_T[0] + base->R[1] * link->R_T[3] + R_xz * link->R_T[6];
+    tip->R[0] = R_tip_xx;
+    const six_link_real R_tip_xy = R_xx * link->R_T[1] + base->R[1] * link->R_T[4] + R_xz * link->R_T[7];
+    tip->R[1] = R_tip_xy;
+    const six_link_real R_tip_xz = R_xx * link->R_T[2] + base->R[1] * link->R_T[5] + R_xz * link->R_T[8];
+    tip->R[2] = R_tip_xz;
+    const six_link_real R_tip_yx = R_yx * link->R_T[0] + base->R[4] * link->R_T[3] + R_yz * link->R_T[6];
+    tip->R[3] = R_tip_yx;
+    const six_link_real R_tip_yy = R_yx * link->R_T[1] + base->R[4] * link->R_T[4] + R_yz * link->R_T[7];
+    tip->R[4] = R_tip_yy;
+    const six_link_real R_tip_yz = R_yx * link->R_T[2] + base->R[4] * link->R_T[5] + R_yz * link->R_T[8];
+    tip->R[5] = R_tip_yz;
+    const six_link_real R_tip_zx = link->R_rel[0] * link->R_T[6] - link->R_rel[1] * link->R_T[0];
+    tip->R[6] = R_tip_zx;
+    const six_link_real R_tip_zy = link->R_rel[0] * link->R_T[7] - link->R_rel[1] * link->R_T[1];
+    tip->R[7] = R_tip_zy;
+    const six_link_real R_tip_zz = link->R_rel[0] * link->R_T[8] - link->R_rel[1] * link->R_T[2];
+    tip->R[8] = R_tip_zz;
+    const six_link_real r_tip_x = r_x + (R_xx * c->length + base->R[1] * link->r_T[0] + R_xz * link->r_T[1]);
+    tip->r[0] = r_tip_x;
+    const six_link_real r_tip_y = r_y + (R_yx * c->length + base->R[4] * link->r_T[0] + R_yz * link->r_T[1]);
+    tip->r[1] = r_tip_y;
+    const six_link_real r_tip_z = r_z + (link->R_rel[0] * link->r_T[1] - link->R_rel[1] * c->length);
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like forearm: 126 operations */
+static six_link_status poses_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip)
+{
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * link->R_rel[0] + base->R[1] * link->R_rel[2]
+        + base->R[2] * link->R_rel[4];
+    const six_link_real R_xy = base->R[0] * c->R_m_xy + base->R[1] * c->R_m_yy + base->R[2] * c->R_m_zy;
+    const six_link_real R_xz = base->R[0] * link->R_rel[1] + base->R[1] * link->R_rel[3]
+        + base->R[2] * link->R_rel[5];
+    const six_link_real R_yx = base->R[3] * link->R_rel[0] + base->R[4] * link->R_rel[2]
+        + base->R[5] * link->R_rel[4];
+    const six_link_real R_yy = base->R[3] * c->R_m_xy + base->R[4] * c->R_m_yy + base->R[5] * c->R_m_zy;
+    const six_link_real R_yz = base->R[3] * link->R_rel[1] + base->R[4] * link->R_rel[3]
+        + base->R[5] * link->R_rel[5];
+    const six_link_real R_zx = base->R[6] * link->R_rel[0] + base->R[7] * link->R_rel[2]
+        + base->R[8] * link->R_rel[4];
+    const six_link_real R_zy = base->R[6] * c->R_m_xy + base->R[7] * c->R_m_yy + base->R[8] * c->R_m_zy;
+    const six_link_real R_zz = base->R[6] * link->R_rel[1] + base->R[7] * link->R_rel[3]
+        + base->R[8] * link->R_rel[5];
+    const six_link_real r_x = base->r[0]
+        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
+    const six_link_real r_y = base->r[1]
+        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
+    const six_link_real r_z = base->r[2]
+        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real R_tip_xx = R_xx * link->R_T[0] + R_xy * link->R_T[1] - R_xz * link->R_T[2];
+    tip->R[0] = R_tip_xx;
+    const six_link_real R_tip_xy = R_xy * link->R_T[3] - R_xx * link->R_T[1] + R_xz * link->R_T[4];
+    tip->R[1] = R_tip_xy;
+    const six_link_real R_tip_xz = R_xx * link->R_T[2] + R_xy * link->R_T[4] + R_xz * link->R_T[5];
+    tip->R[2] = R_tip_xz;
+    const six_link_real R_tip_yx = R_yx * link->R_T[0] + R_yy * link->R_T[1] - R_yz * link->R_T[2];
+    tip->R[3] = R_tip_yx;
+    const six_link_real R_tip_yy = R_yy * link->R_T[3] - R_yx * link->R_T[1] + R_yz * link->R_T[4];
+    tip->R[4] = R_tip_yy;
+    const six_link_real R_tip_yz = R_yx * link->R_T[2] + R_yy * link->R_T[4] + R_yz * link->R_T[5];
+    tip->R[5] = R_tip_yz;
+    const six_link_real R_tip_zx = R_zx * link->R_T[0] + R_zy * link->R_T[1] - R_zz * link->R_T[2];
+    tip->R[6] = R_tip_zx;
+    const six_link_real R_tip_zy = R_zy * link->R_T[3] - R_zx * link->R_T[1] + R_zz * link->R_T[4];
+    tip->R[7] = R_tip_zy;
+    const six_link_real R_tip_zz = R_zx * link->R_T[2] + R_zy * link->R_T[4] + R_zz * link->R_T[5];
+    tip->R[8] = R_tip_zz;
+    const six_link_real r_tip_x = r_x + (R_xx * c->length + R_xy * link->r_T[0] + R_xz * link->r_T[1]);
+    tip->r[0] = r_tip_x;
+    const six_link_real r_tip_y = r_y + (R_yx * c->length + R_yy * link->r_T[0] + R_yz * link->r_T[1]);
+    tip->r[1] = r_tip_y;
+    const six_link_real r_tip_z = r_z + (R_zx * c->length + R_zy * link->r_T[0] + R_zz * link->r_T[1]);
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like wrist_roll: 24 operations */
+static six_link_status poses_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip)
+{
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xy = base->R[1] * link->R_rel[0] + base->R[2] * link->R_rel[1];
+    tip->R[1] = R_xy;
+    const six_link_real R_xz = base->R[2] * link->R_rel[0] - base->R[1] * link->R_rel[1];
+    tip->R[2] = R_xz;
+    const six_link_real R_yy = base->R[4] * link->R_rel[0] + base->R[5] * link->R_rel[1];
+    tip->R[4] = R_yy;
+    const six_link_real R_yz = base->R[5] * link->R_rel[0] - base->R[4] * link->R_rel[1];
+    tip->R[5] = R_yz;
+    const six_link_real R_zy = base->R[7] * link->R_rel[0] + base->R[8] * link->R_rel[1];
+    tip->R[7] = R_zy;
+    const six_link_real R_zz = base->R[8] * link->R_rel[0] - base->R[7] * link->R_rel[1];
+    tip->R[8] = R_zz;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = base->r[0] + base->R[0] * c->length;
+    tip->r[0] = r_tip_x;
+    const six_link_real r_tip_y = base->r[1] + base->R[3] * c->length;
+    tip->r[1] = r_tip_y;
+    const six_link_real r_tip_z = base->r[2] + base->R[6] * c->length;
+    tip->r[2] = r_tip_z;
+
+    /* outputs */
+    tip->R[0] = base->R[0];
+    tip->R[3] = base->R[3];
+    tip->R[6] = base->R[6];
+    return SIX_LINK_OK;
+}
+
+/* poses, links like wrist_pitch: 24 operations */
+static six_link_status poses_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip)
+{
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * link->R_rel[0] - base->R[2] * link->R_rel[1];
+    tip->R[0] = R_xx;
+    const six_link_real R_xz = base->R[0] * link->R_rel[1] + base->R[2] * link->R_rel[0];
+    tip->R[2] = R_xz;
+    const six_link_real R_yx = base->R[3] * link->R_rel[0] - base->R[5] * link->R_rel[1];
+    tip->R[3] = R_yx;
+    const six_link_real R_yz = base->R[3] * link->R_rel[1] + base->R[5] * link->R_rel[0];
+    tip->R[5] = R_yz;
+    const six_link_real R_zx = base->R[6] * link->R_rel[0] - base->R[8] * link->R_rel[1];
+    tip->R[6] = R_zx;
+    const six_link_real R_zz = base->R[6] * link->R_rel[1] + base->R[8] * link->R_rel[0];
+    tip->R[8] = R_zz;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = base->r[0] + R_xx * c->length;
+    tip->r[0] = r_tip_x;
+    const six_link_real r_tip_y = base->r[1] + R_yx * c->length;
+    tip->r[1] = r_tip_y;
+    const six_link_real r_tip_z = base->r[2] + R_zx * c->length;
+    tip->r[2] = r_tip_z;
+
+    /* outputs */
+    tip->R[1] = base->R[1];
+    tip->R[4] = base->R[4];
+    tip->R[7] = base->R[7];
+    return SIX_LINK_OK;
+}
+
+/* dae kinematics, links like shoulder: 11 operations */
+static six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
+    link->alpha_0[4] = alpha_0_5;
+    tip->alpha_0[4] = alpha_0_5;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real alpha_0_T_4 = alpha_0_4 - twist[2] * (twist[2] * c->length);
+    tip->alpha_0[3] = alpha_0_T_4;
+
+    /* outputs */
+    qdot[0] = twist[2];
+    link->omega[2] = twist[2];
+    link->alpha_0[5] = base->alpha_0[5];
+    tip->omega[2] = twist[2];
+    tip->alpha_0[5] = base->alpha_0[5];
+    return SIX_LINK_OK;
+}
+
+/* dae kinematics, links like upper_arm: 216 operations */
+static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], const six_link_real eta[restrict 3],
+    const six_link_real etadot[restrict 3], six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = -R_rel_xz;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    link->R_P[6] = t1;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    link->lever[0] = lever_1;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+    link->lever[1] = lever_3;
+    const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
+    link->omega[0] = -minus_omega_R_1;
+    const six_link_real t2 = -minus_omega_R_1;
+    link->omega[0] = t2;
+    const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
+    link->omega[2] = omega_R_3;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real minus_alpha_0_1 = omega_R_3 * twist[1];
+    link->alpha_0[0] = -minus_alpha_0_1;
+    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * twist[1];
+    link->alpha_0[2] = -minus_alpha_0_3;
+    const six_link_real t3 = -minus_alpha_0_3;
+    link->alpha_0[2] = t3;
+    const six_link_real t4 = -minus_alpha_0_1;
+    link->alpha_0[0] = t4;
+    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = base->alpha_0[4]
+        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
+        - minus_omega_R_1 * t5;
+    link->alpha_0[5] = alpha_0_6;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * 2;
+    link->r_T[0] = r_T_y;
+    const six_link_real r_T_z = eta[1] * 2;
+    link->r_T[1] = r_T_z;
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t6 = theta_x * theta_x;
+    const six_link_real t7 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t6 + t7;
+    const six_link_real t8 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t8;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real t9 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real t10 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t10;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t7 + t8;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t6 + t8;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    link->J_l[0] = J_l_xx;
+    const six_link_real t11 = c3 * theta_hat2_12;
+    const six_link_real t12 = c2 * theta_z;
+    const six_link_real J_l_xy = t11 - t12;
+    link->J_l[1] = J_l_xy;
+    const six_link_real t13 = c2 * theta_y;
+    const six_link_real t14 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t13 + t14;
+    link->J_l[2] = J_l_xz;
+    const six_link_real J_l_yx = t12 + t11;
+    link->J_l[3] = J_l_yx;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    link->J_l[4] = J_l_yy;
+    const six_link_real t15 = c3 * theta_hat2_23;
+    const six_link_real t16 = c2 * theta_x;
+    const six_link_real J_l_yz = t15 - t16;
+    link->J_l[5] = J_l_yz;
+    const six_link_real J_l_zx = t14 - t13;
+    link->J_l[6] = J_l_zx;
+    const six_link_real J_l_zy = t16 + t15;
+    link->J_l[7] = J_l_zy;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+    link->J_l[8] = J_l_zz;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    link->R_T[0] = R_T_xx;
+    tip->R_T[0] = R_T_xx;
+    const six_link_real t17 = c2 * theta_hat2_12;
+    const six_link_real t18 = c1 * theta_z;
+    const six_link_real R_T_xy = t17 - t18;
+    link->R_T[1] = R_T_xy;
+    tip->R_T[1] = R_T_xy;
+    const six_link_real t19 = c1 * theta_y;
+    const six_link_real t20 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t19 + t20;
+    link->R_T[2] = R_T_xz;
+    tip->R_T[2] = R_T_xz;
+    const six_link_real R_T_yx = t18 + t17;
+    link->R_T[3] = R_T_yx;
+    tip->R_T[3] = R_T_yx;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    link->R_T[4] = R_T_yy;
+    tip->R_T[4] = R_T_yy;
+    const six_link_real t21 = c2 * theta_hat2_23;
+    const six_link_real t22 = c1 * theta_x;
+    const six_link_real R_T_yz = t21 - t22;
+    link->R_T[5] = R_T_yz;
+    tip->R_T[5] = R_T_yz;
+    const six_link_real R_T_zx = t20 - t19;
+    link->R_T[6] = R_T_zx;
+    tip->R_T[6] = R_T_zx;
+    const six_link_real R_T_zy = t22 + t21;
+    link->R_T[7] = R_T_zy;
+    tip->R_T[7] = R_T_zy;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+    link->R_T[8] = R_T_zz;
+    tip->R_T[8] = R_T_zz;
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
+    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t26 = theta_y * t24 - theta_z * t25;
+    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
+    const six_link_real t27 = theta_z * t23 - theta_x * t24;
+    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
+    const six_link_real t28 = theta_x * t25 - theta_y * t23;
+    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
+    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
+    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
+    tip->omega[0] = omega_T_1;
+    const six_link_real omega_T_2 = twist[1] + omega_s_y;
+    tip->omega[1] = omega_T_2;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    tip->omega[2] = omega_T_3;
+    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1
+        + (twist[1] * omega_s_z - omega_R_3 * omega_s_y);
+    tip->alpha_0[0] = alpha_0_T_1;
+    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
+    tip->alpha_0[1] = alpha_0_T_2;
+    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
+        - (minus_omega_R_1 * omega_s_y + twist[1] * omega_s_x);
+    tip->alpha_0[2] = alpha_0_T_3;
+    const six_link_real t29 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
+    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (twist[1] * t31 - omega_R_3 * t30);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
+        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
+        - (minus_omega_R_1 * t30 + twist[1] * t29);
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    qdot[0] = twist[1];
+    link->omega[1] = twist[1];
+    return SIX_LINK_OK;
+}
+
+/* dae kinematics, links like forearm: 287 operations */
+static six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], const six_link_real eta[restrict 2],
+    const six_link_real etadot[restrict 2], six_link_real qdot[restrict 1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real t1 = six_link_cos(q[0]);
+    const six_link_real t2 = six_link_sin(q[0]);
+    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
+    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
+    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
+    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
+    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
+    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
+    link->R_P[0] = R_P_11;
+    const six_link_real R_P_12 = base->R_T[0] * c->R_m_xy + base->R_T[1] * c->R_m_yy + base->R_T[2] * c->R_m_zy;
+    link->R_P[1] = R_P_12;
+    const six_link_real R_P_13 = base->R_T[0] * R_rel_xz + base->R_T[1] * R_rel_yz + base->R_T[2] * R_rel_zz;
+    link->R_P[2] = R_P_13;
+    const six_link_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx + base->R_T[5] * R_rel_zx;
+    link->R_P[3] = R_P_21;
+    const six_link_real R_P_22 = base->R_T[3] * c->R_m_xy + base->R_T[4] * c->R_m_yy + base->R_T[5] * c->R_m_zy;
+    link->R_P[4] = R_P_22;
+    const six_link_real R_P_23 = base->R_T[3] * R_rel_xz + base->R_T[4] * R_rel_yz + base->R_T[5] * R_rel_zz;
+    link->R_P[5] = R_P_23;
+    const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
+    link->R_P[6] = R_P_31;
+    const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
+    link->R_P[7] = R_P_32;
+    const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
+    link->R_P[8] = R_P_33;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
+        + R_rel_zx * c->mount_xyz_z;
+    link->lever[0] = lever_1;
+    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    link->lever[1] = lever_2;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
+        + R_rel_zz * c->mount_xyz_z;
+    link->lever[2] = lever_3;
+    const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
+    link->omega[0] = omega_R_1;
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+    link->omega[2] = omega_R_3;
+
+    const six_link_real qdot_1 = twist[1] - omega_R_2;
+    qdot[0] = qdot_1;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2];
+    link->alpha_0[1] = alpha_0_2;
+    const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
+    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot_1;
+    link->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot_1;
+    link->alpha_0[2] = alpha_0_3;
+    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
+    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
+    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
+    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
+        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
+    link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
+    link->r_T[0] = r_T_y;
     const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    link->r_T[1] = r_T_z;
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_y = c->Psi_c_y2 * eta[1];
@@ -643,2725 +3336,796 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *c, 
     const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
     /* c1: Stumpff function of order 1 */
-    const six_link_real t13 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t13;
+    const six_link_real t8 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
     const six_link_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t14 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t14;
+    const six_link_real t9 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t9;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const six_link_real minus_J_l_xy = c2 * theta_z;
+    link->J_l[1] = minus_J_l_xy;
     const six_link_real J_l_xz = c2 * theta_y;
+    link->J_l[2] = J_l_xz;
     const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    link->J_l[3] = J_l_yy;
     const six_link_real J_l_yz = c3 * theta_hat2_23;
+    link->J_l[4] = J_l_yz;
     const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+    link->J_l[5] = J_l_zz;
 
     /* R_T: rotation of the tip section, exp of theta */
     const six_link_real R_T_xx = 1 - c2 * x;
+    link->R_T[0] = R_T_xx;
+    tip->R_T[0] = R_T_xx;
     const six_link_real minus_R_T_xy = c1 * theta_z;
+    link->R_T[1] = minus_R_T_xy;
+    tip->R_T[1] = -minus_R_T_xy;
+    tip->R_T[3] = minus_R_T_xy;
+    const six_link_real t10 = -minus_R_T_xy;
+    tip->R_T[1] = t10;
     const six_link_real R_T_xz = c1 * theta_y;
+    link->R_T[2] = R_T_xz;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[6] = -R_T_xz;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    link->R_T[3] = R_T_yy;
+    tip->R_T[4] = R_T_yy;
     const six_link_real R_T_yz = c2 * theta_hat2_23;
+    link->R_T[4] = R_T_yz;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[7] = R_T_yz;
+    const six_link_real t11 = -R_T_xz;
+    tip->R_T[6] = t11;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * REAL(2.23606797749979);
-    const six_link_real udot_T_z = etadot[1] * REAL(2.23606797749979);
+    link->R_T[5] = R_T_zz;
+    tip->R_T[8] = R_T_zz;
 
     /* thetadot: rate of the tip's rotation vector */
     const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t15 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t15;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t15;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t15;
+    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t12;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t14 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t13 * REAL(1.5) - t14 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t15;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t15 + c3dot * theta_z * t15;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t15 + c3dot * theta_y * t15;
+    const six_link_real alpha_s_x = c2dot * t12;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
 
-    /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t16 = omega_s_x + twist[0];
-    const six_link_real t17 = omega_s_y + twist[1];
-    const six_link_real t18 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t16 + minus_R_T_xy * t17 - R_T_xz * t18;
-    const six_link_real omega_T_y = R_T_yy * t17 - minus_R_T_xy * t16 + R_T_yz * t18;
-    const six_link_real omega_T_z = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real t19 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const six_link_real t20 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
-    const six_link_real t21 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
-    const six_link_real v_T_x = R_T_xx * t19 + minus_R_T_xy * t20 - R_T_xz * t21;
-    const six_link_real v_T_y = R_T_yy * t20 - minus_R_T_xy * t19 + R_T_yz * t21;
-    const six_link_real v_T_z = R_T_xz * t19 + R_T_yz * t20 + R_T_zz * t21;
-
-    /* b_omega: angular acceleration of the tip section that the velocities cause (accconst1b) */
-    const six_link_real t22 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
-    const six_link_real t23 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
-    const six_link_real t24 = omega_s_y * twist[0] - minus_alpha_s_z - omega_s_x * twist[1];
-    const six_link_real b_omega_x = R_T_xx * t22 + minus_R_T_xy * t23 - R_T_xz * t24;
-    const six_link_real b_omega_y = R_T_yy * t23 - minus_R_T_xy * t22 + R_T_yz * t24;
-    const six_link_real b_omega_z = R_T_xz * t22 + R_T_yz * t23 + R_T_zz * t24;
-
-    /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const six_link_real t25 = omega_s_z * t20 + twist[1] * udot_T_z - omega_s_y * t21 - twist[2] * udot_T_y;
-    const six_link_real t26 = omega_s_x * t21 - omega_s_z * t19 - twist[0] * udot_T_z;
-    const six_link_real t27 = omega_s_y * t19 + twist[0] * udot_T_y - omega_s_x * t20;
-    const six_link_real b_v_x = R_T_xx * t25 + minus_R_T_xy * t26 - R_T_xz * t27;
-    const six_link_real b_v_y = R_T_yy * t26 - minus_R_T_xy * t25 + R_T_yz * t27;
-    const six_link_real b_v_z = R_T_xz * t25 + R_T_yz * t26 + R_T_zz * t27;
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
+    tip->omega[0] = omega_T_1;
+    const six_link_real omega_T_2 = twist[1] + omega_s_y;
+    tip->omega[1] = omega_T_2;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    tip->omega[2] = omega_T_3;
+    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (twist[1] * omega_s_z - omega_R_3 * omega_s_y);
+    tip->alpha_0[0] = alpha_0_T_1;
+    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
+    tip->alpha_0[1] = alpha_0_T_2;
+    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z
+        + (omega_R_1 * omega_s_y - twist[1] * omega_s_x);
+    tip->alpha_0[2] = alpha_0_T_3;
+    const six_link_real t13 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
+    const six_link_real t15 = omega_R_1 * r_T_y - twist[1] * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
+        + (twist[1] * t15 - omega_R_3 * t14);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
+        + (omega_R_3 * t13 - omega_R_1 * t15);
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
+        + (omega_R_1 * t14 - twist[1] * t13);
+    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
-    qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_xx;
-    link->R_rel[1] = R_rel_xz;
-    link->R_rel[2] = R_rel_yx;
-    link->R_rel[3] = R_rel_yz;
-    link->R_rel[4] = R_rel_zx;
-    link->R_rel[5] = R_rel_zz;
-    link->beta[0] = minus_beta_omega_x;
-    link->beta[1] = beta_omega_z;
-    link->beta[2] = minus_beta_v_x;
-    link->beta[3] = beta_v_z;
-    link->M_V[0] = I_xx;
-    link->M_V[1] = J_xy;
-    link->M_V[2] = J_xz;
-    link->M_V[3] = S_z;
-    link->M_V[4] = S_y;
-    link->M_V[5] = I_yy;
-    link->M_V[6] = J_yz;
-    link->M_V[7] = I_zz;
-    link->M_D[0] = L_z1;
-    link->M_D[1] = L_y2;
-    link->h_V[0] = h_V_1;
-    link->h_V[1] = h_V_2;
-    link->h_V[2] = h_V_3;
-    link->h_V[3] = h_V_4;
-    link->h_V[4] = h_V_5;
-    link->h_V[5] = h_V_6;
-    link->h_eta[0] = h_eta_1;
-    link->h_eta[1] = h_eta_2;
-    link->r_T[0] = r_T_y;
-    link->r_T[1] = r_T_z;
-    link->R_T[0] = R_T_xx;
-    link->R_T[1] = minus_R_T_xy;
-    link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yy;
-    link->R_T[4] = R_T_yz;
-    link->R_T[5] = R_T_zz;
-    link->G[0] = c1;
-    link->G[1] = minus_J_l_xy;
-    link->G[2] = J_l_xz;
-    link->G[3] = J_l_yy;
-    link->G[4] = J_l_yz;
-    link->G[5] = J_l_zz;
-    link->b_T[0] = b_omega_x;
-    link->b_T[1] = b_omega_y;
-    link->b_T[2] = b_omega_z;
-    link->b_T[3] = b_v_x;
-    link->b_T[4] = b_v_y;
-    link->b_T[5] = b_v_z;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    link->omega[1] = twist[1];
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like wrist_roll: 57 operations */
-static six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], six_link_real qdot[1])
+/* dae kinematics, links like wrist_roll: 84 operations */
+static six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_yy = six_link_cos(q[0]);
     const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
 
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    const six_link_real qdot_1 = twist[0] - base->omega[0];
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
+    link->R_P[1] = R_P_12;
+    const six_link_real R_P_13 = base->R_T[2] * R_rel_yy - base->R_T[1] * minus_R_rel_yz;
+    link->R_P[2] = R_P_13;
+    const six_link_real R_P_22 = base->R_T[4] * R_rel_yy + base->R_T[5] * minus_R_rel_yz;
+    link->R_P[4] = R_P_22;
+    const six_link_real R_P_23 = base->R_T[5] * R_rel_yy - base->R_T[4] * minus_R_rel_yz;
+    link->R_P[5] = R_P_23;
+    const six_link_real R_P_32 = base->R_T[7] * R_rel_yy + base->R_T[8] * minus_R_rel_yz;
+    link->R_P[7] = R_P_32;
+    const six_link_real R_P_33 = base->R_T[8] * R_rel_yy - base->R_T[7] * minus_R_rel_yz;
+    link->R_P[8] = R_P_33;
+    const six_link_real omega_R_1 = base->R_T[0] * base->omega[0] + base->R_T[3] * base->omega[1]
+        + base->R_T[6] * base->omega[2];
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    link->omega[1] = omega_R_2;
+    tip->omega[1] = omega_R_2;
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    const six_link_real qdot_1 = twist[0] - omega_R_1;
+    qdot[0] = qdot_1;
 
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_y = omega_R_z * qdot_1;
-    const six_link_real minus_beta_omega_z = omega_R_y * qdot_1;
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
+        + base->R_T[6] * base->alpha_0[2];
+    link->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot_1;
+    link->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[1] = alpha_0_2;
+    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
+        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot_1;
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
+        + base->R_T[6] * base->alpha_0[5];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5];
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5];
+    link->alpha_0[5] = alpha_0_6;
 
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_y = qdot_1 * v_R_z;
-    const six_link_real minus_beta_v_z = qdot_1 * v_R_y;
-
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - twist[1] * twist[3];
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t1 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t1 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t1 * twist[1];
-    const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = twist[4] + c->length * twist[2];
-    const six_link_real v_T_z = twist[5] - c->length * twist[1];
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t2;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t1;
+    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
-    qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_yy;
-    link->R_rel[1] = minus_R_rel_yz;
-    link->beta[0] = beta_omega_y;
-    link->beta[1] = minus_beta_omega_z;
-    link->beta[2] = beta_v_y;
-    link->beta[3] = minus_beta_v_z;
-    link->h_V[0] = H_star_2;
-    link->h_V[1] = H_star_3;
-    link->h_V[2] = H_star_4;
-    link->h_V[3] = H_star_5;
-    link->h_V[4] = H_star_6;
+    link->R_P[0] = base->R_T[0];
+    link->R_P[3] = base->R_T[3];
+    link->R_P[6] = base->R_T[6];
+    link->omega[0] = twist[0];
     tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like wrist_pitch: 57 operations */
-static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], six_link_real qdot[1])
+/* dae kinematics, links like wrist_pitch: 40 operations */
+static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx = six_link_cos(q[0]);
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
     const six_link_real R_rel_xz = six_link_sin(q[0]);
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = -R_rel_xz;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    link->R_P[6] = t1;
+    const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
+    link->omega[0] = omega_R_1;
+    tip->omega[0] = omega_R_1;
+    const six_link_real omega_R_3 = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
+
     const six_link_real qdot_1 = twist[1] - base->omega[1];
+    qdot[0] = qdot_1;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
-    const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
+        - omega_R_3 * qdot_1;
+    link->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[0] = alpha_0_1;
+    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
+        + omega_R_1 * qdot_1;
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
+    link->alpha_0[3] = alpha_0_4;
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
+    link->alpha_0[5] = alpha_0_6;
 
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
-
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
-
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - twist[1] * twist[3];
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t1 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t1 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t1 * twist[1];
-    const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = twist[4] + c->length * twist[2];
-    const six_link_real v_T_z = twist[5] - c->length * twist[1];
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = twist[1] * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (twist[1] * t3 + omega_R_3 * t2);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
-    qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_xx;
-    link->R_rel[1] = R_rel_xz;
-    link->beta[0] = minus_beta_omega_x;
-    link->beta[1] = beta_omega_z;
-    link->beta[2] = minus_beta_v_x;
-    link->beta[3] = beta_v_z;
-    link->h_V[0] = H_star_2;
-    link->h_V[1] = H_star_3;
-    link->h_V[2] = H_star_4;
-    link->h_V[3] = H_star_5;
-    link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
+    link->omega[1] = twist[1];
+    link->alpha_0[1] = base->alpha_0[1];
+    link->alpha_0[4] = base->alpha_0[4];
     tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->alpha_0[1] = base->alpha_0[1];
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like flange: 124 operations */
-static six_link_status dae_kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real twist[6], const six_link_real q[1], six_link_real qdot[1])
+/* dae kinematics, links like flange: 40 operations */
+static six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
+    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_yy = six_link_cos(q[0]);
+    link->R_P[4] = R_rel_yy;
+    link->R_P[8] = R_rel_yy;
     const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    link->R_P[5] = -minus_R_rel_yz;
+    link->R_P[7] = minus_R_rel_yz;
 
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -minus_R_rel_yz;
+    link->R_P[5] = t1;
+    const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
+    link->omega[1] = omega_R_2;
+    tip->omega[1] = omega_R_2;
+    const six_link_real omega_R_3 = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    link->omega[2] = omega_R_3;
+    tip->omega[2] = omega_R_3;
+
     const six_link_real qdot_1 = twist[0] - base->omega[0];
-
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_y = omega_R_z * qdot_1;
-    const six_link_real minus_beta_omega_z = omega_R_y * qdot_1;
-
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_y = qdot_1 * v_R_z;
-    const six_link_real minus_beta_v_z = qdot_1 * v_R_y;
-
-    /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - twist[2] * twist[4];
-    const six_link_real t1 = twist[2] * twist[3];
-    const six_link_real a_0_y = t1 - twist[0] * twist[5];
-    const six_link_real t2 = twist[1] * twist[3];
-    const six_link_real a_0_z = twist[0] * twist[4] - t2;
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
-    const six_link_real Omega_xy = twist[0] * twist[1];
-    const six_link_real Omega_xz = twist[0] * twist[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t3 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t3 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t3 * twist[1];
-    const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = twist[4] + c->length * twist[2];
-    const six_link_real v_T_z = twist[5] - c->length * twist[1];
-
-    /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = twist[1] * v_T_z - twist[2] * v_T_y;
-    const six_link_real a_T_y = t1 - twist[0] * v_T_z;
-    const six_link_real a_T_z = twist[0] * v_T_y - t2;
-
-    /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t4 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
-    const six_link_real t5 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t4 - c->S_T_z * a_T_y - twist[2] * t5;
-    const six_link_real t6 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t6 - c->S_T_x * a_T_z - twist[0] * t4;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t5 - c->S_T_y * a_T_x - twist[1] * t6;
-
-    /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t7 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
-    const six_link_real t8 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t7 - twist[2] * t8;
-    const six_link_real t9 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t9 - twist[0] * t7;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t8 - twist[1] * t9;
-
-    /* outputs */
     qdot[0] = qdot_1;
-    link->R_rel[0] = R_rel_yy;
-    link->R_rel[1] = minus_R_rel_yz;
-    link->beta[0] = beta_omega_y;
-    link->beta[1] = minus_beta_omega_z;
-    link->beta[2] = beta_v_y;
-    link->beta[3] = minus_beta_v_z;
-    link->h_V[0] = H_star_2;
-    link->h_V[1] = H_star_3;
-    link->h_V[2] = H_star_4;
-    link->h_V[3] = H_star_5;
-    link->h_V[4] = H_star_6;
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
+        + omega_R_3 * qdot_1;
+    link->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[1] = alpha_0_2;
+    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
+        - omega_R_2 * qdot_1;
+    link->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
+    link->alpha_0[4] = alpha_0_5;
+    const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
+    link->alpha_0[5] = alpha_0_6;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
+    tip->alpha_0[3] = alpha_0_T_4;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t3;
+    tip->alpha_0[4] = alpha_0_T_5;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t2;
+    tip->alpha_0[5] = alpha_0_T_6;
+
+    /* outputs */
+    link->omega[0] = twist[0];
+    link->alpha_0[0] = base->alpha_0[0];
+    link->alpha_0[3] = base->alpha_0[3];
     tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    link->h_T[0] = h_T_tau_x;
-    link->h_T[1] = h_T_tau_y;
-    link->h_T[2] = h_T_tau_z;
-    link->h_T[3] = h_T_F_x;
-    link->h_T[4] = h_T_F_y;
-    link->h_T[5] = h_T_F_z;
+    tip->alpha_0[0] = base->alpha_0[0];
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like shoulder: 381 operations */
-static six_link_status eliminate_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real tau[1],
-    const six_link_real qdot[1])
+/* accelerate, links like shoulder: 1 operations */
+static six_link_status accelerate_shoulder_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6],
+    six_link_real alpha[restrict 6])
 {
 
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real Lambda_T_11 = tip->Lambda[0] + c->I_T_xx;
-    const six_link_real Lambda_T_12 = tip->Lambda[1] - c->J_T_xy;
-    const six_link_real Lambda_T_13 = tip->Lambda[2] - c->J_T_xz;
-    const six_link_real Lambda_T_15 = tip->Lambda[4] - c->S_T_z;
-    const six_link_real Lambda_T_16 = tip->Lambda[5] + c->S_T_y;
-    const six_link_real Lambda_T_22 = tip->Lambda[6] + c->I_T_yy;
-    const six_link_real Lambda_T_23 = tip->Lambda[7] - c->J_T_yz;
-    const six_link_real Lambda_T_24 = tip->Lambda[8] + c->S_T_z;
-    const six_link_real Lambda_T_26 = tip->Lambda[10] - c->S_T_x;
-    const six_link_real Lambda_T_33 = tip->Lambda[11] + c->I_T_zz;
-    const six_link_real Lambda_T_34 = tip->Lambda[12] - c->S_T_y;
-    const six_link_real Lambda_T_35 = tip->Lambda[13] + c->S_T_x;
-    const six_link_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
-    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
-    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const six_link_real p_T_1 = tip->p[0] + link->h_T[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] + link->h_T[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] + link->h_T[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] + link->h_T[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] + link->h_T[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] + link->h_T[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t1 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_24 = Lambda_T_24 - c->length * tip->Lambda[17];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t1;
-    const six_link_real t2 = Lambda_T_26 - c->length * Lambda_T_66;
-    const six_link_real M_loaded_34 = Lambda_T_34 + c->length * tip->Lambda[16];
-    const six_link_real t3 = Lambda_T_35 + c->length * Lambda_T_55;
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t1;
-    const six_link_real M_loaded_12 = Lambda_T_12 - Lambda_T_16 * c->length;
-    const six_link_real M_loaded_13 = Lambda_T_13 + Lambda_T_15 * c->length;
-    const six_link_real M_loaded_23 = Lambda_T_23 + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + Lambda_T_11;
-    const six_link_real M_loaded_22 = c->J_0_xx + (Lambda_T_22 - Lambda_T_26 * c->length - c->length * t2);
-    const six_link_real M_loaded_26 = t2 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx + (Lambda_T_33 + Lambda_T_35 * c->length + c->length * t3);
-    const six_link_real M_loaded_35 = c->S_0_x + t3;
-    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
-    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
-    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
-    const six_link_real h_loaded_2 = link->h_V[0] + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = link->h_V[1] + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = link->h_V[2] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[3] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[4] + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t4 = M_loaded_11 * link->beta[0] - M_loaded_12 * link->beta[1]
-        + tip->Lambda[3] * link->beta[2] - Lambda_T_15 * link->beta[3];
-    const six_link_real t5 = M_loaded_12 * link->beta[0] - M_loaded_22 * link->beta[1]
-        + M_loaded_24 * link->beta[2] - M_loaded_25 * link->beta[3];
-    const six_link_real t6 = M_loaded_13 * link->beta[0] - M_loaded_23 * link->beta[1]
-        + M_loaded_34 * link->beta[2] - M_loaded_35 * link->beta[3];
-    const six_link_real t7 = tip->Lambda[3] * link->beta[0] - M_loaded_24 * link->beta[1]
-        + M_loaded_44 * link->beta[2] - tip->Lambda[16] * link->beta[3];
-    const six_link_real t8 = Lambda_T_15 * link->beta[0] - M_loaded_25 * link->beta[1]
-        + tip->Lambda[16] * link->beta[2] - M_loaded_55 * link->beta[3];
-    const six_link_real t9 = Lambda_T_16 * link->beta[0] - M_loaded_26 * link->beta[1]
-        + tip->Lambda[17] * link->beta[2] - tip->Lambda[19] * link->beta[3];
-    const six_link_real bias_1 = p_T_1 + t4;
-    const six_link_real bias_2 = h_loaded_2 + t5;
-    const six_link_real bias_3 = h_loaded_3 + t6;
-    const six_link_real bias_4 = h_loaded_4 + t7;
-    const six_link_real bias_5 = h_loaded_5 + t8;
-    const six_link_real bias_6 = h_loaded_6 + t9;
-    const six_link_real joint_inertia_11 = M_loaded_33 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_13 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_loaded_23 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_loaded_33 * joint_inverse_1;
-    const six_link_real joint_W_14 = M_loaded_34 * joint_inverse_1;
-    const six_link_real joint_W_15 = M_loaded_35 * joint_inverse_1;
-    const six_link_real joint_W_16 = M_loaded_36 * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_3) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_13 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_13 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_13 * joint_W_13;
-    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_13 * joint_W_14;
-    const six_link_real Lambda_i_15 = Lambda_T_15 - M_loaded_13 * joint_W_15;
-    const six_link_real Lambda_i_16 = Lambda_T_16 - M_loaded_13 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_23 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_23 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_23 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_23 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_23 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_33 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_33 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_33 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_33 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_loaded_44 - M_loaded_34 * joint_W_14;
-    const six_link_real Lambda_i_45 = tip->Lambda[16] - M_loaded_34 * joint_W_15;
-    const six_link_real Lambda_i_46 = tip->Lambda[17] - M_loaded_34 * joint_W_16;
-    const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_35 * joint_W_15;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - M_loaded_35 * joint_W_16;
-    const six_link_real Lambda_i_66 = M_loaded_66 - M_loaded_36 * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_loaded_13 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_loaded_23 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_loaded_33 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + M_loaded_34 * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + M_loaded_35 * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + M_loaded_36 * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t10 = Lambda_i_12 * link->R_rel[1];
-    const six_link_real t11 = Lambda_i_12 * link->R_rel[0];
-    const six_link_real t12 = Lambda_i_11 * link->R_rel[1] + t11;
-    const six_link_real t13 = t10 + Lambda_i_22 * link->R_rel[0];
-    const six_link_real t14 = link->R_rel[0] * (Lambda_i_11 * link->R_rel[0] - t10)
-        - link->R_rel[1] * (t11 - Lambda_i_22 * link->R_rel[1]);
-    const six_link_real t15 = Lambda_i_14 * link->R_rel[0] - Lambda_i_15 * link->R_rel[1];
-    const six_link_real t16 = Lambda_i_14 * link->R_rel[1] + Lambda_i_15 * link->R_rel[0];
-    const six_link_real t17 = Lambda_i_24 * link->R_rel[0] - Lambda_i_25 * link->R_rel[1];
-    const six_link_real t18 = Lambda_i_24 * link->R_rel[1] + Lambda_i_25 * link->R_rel[0];
-    const six_link_real t19 = Lambda_i_34 * link->R_rel[0] - Lambda_i_35 * link->R_rel[1];
-    const six_link_real t20 = Lambda_i_34 * link->R_rel[1] + Lambda_i_35 * link->R_rel[0];
-    const six_link_real t21 = link->R_rel[0] * t15 - link->R_rel[1] * t17;
-    const six_link_real t22 = link->R_rel[0] * t16 - link->R_rel[1] * t18;
-    const six_link_real t23 = link->R_rel[0] * Lambda_i_16 - link->R_rel[1] * Lambda_i_26;
-    const six_link_real t24 = link->R_rel[1] * t15 + link->R_rel[0] * t17;
-    const six_link_real t25 = link->R_rel[1] * t16 + link->R_rel[0] * t18;
-    const six_link_real t26 = link->R_rel[1] * Lambda_i_16 + link->R_rel[0] * Lambda_i_26;
-    const six_link_real t27 = Lambda_i_45 * link->R_rel[1];
-    const six_link_real t28 = Lambda_i_45 * link->R_rel[0];
-    const six_link_real t29 = Lambda_i_44 * link->R_rel[1] + t28;
-    const six_link_real t30 = t27 + Lambda_i_55 * link->R_rel[0];
-    const six_link_real Lambda_18 = Lambda_i_46 * link->R_rel[0] - Lambda_i_56 * link->R_rel[1];
-    const six_link_real Lambda_20 = Lambda_i_46 * link->R_rel[1] + Lambda_i_56 * link->R_rel[0];
-    const six_link_real Lambda_16 = link->R_rel[0] * (Lambda_i_44 * link->R_rel[0] - t27)
-        - link->R_rel[1] * (t28 - Lambda_i_55 * link->R_rel[1]);
-    const six_link_real Lambda_17 = link->R_rel[0] * t29 - link->R_rel[1] * t30;
-    const six_link_real Lambda_19 = link->R_rel[1] * t29 + link->R_rel[0] * t30;
-    const six_link_real t31 = c->mount_xyz_z * Lambda_17;
-    const six_link_real t32 = c->mount_xyz_y * Lambda_18;
-    const six_link_real t33 = c->mount_xyz_x * Lambda_20;
-    const six_link_real Lambda_4 = t21 + (t32 - t31);
-    const six_link_real Lambda_5 = t22 + (c->mount_xyz_y * Lambda_20 - c->mount_xyz_z * Lambda_19);
-    const six_link_real Lambda_6 = t23 + (c->mount_xyz_y * Lambda_i_66 - c->mount_xyz_z * Lambda_20);
-    const six_link_real Lambda_9 = t24 + (c->mount_xyz_z * Lambda_16 - c->mount_xyz_x * Lambda_18);
-    const six_link_real Lambda_10 = t25 + (t31 - t33);
-    const six_link_real Lambda_11 = t26 + (c->mount_xyz_z * Lambda_18 - c->mount_xyz_x * Lambda_i_66);
-    const six_link_real Lambda_13 = t19 + (c->mount_xyz_x * Lambda_17 - c->mount_xyz_y * Lambda_16);
-    const six_link_real Lambda_14 = t20 + (c->mount_xyz_x * Lambda_19 - c->mount_xyz_y * Lambda_17);
-    const six_link_real Lambda_15 = Lambda_i_36 + (t33 - t32);
-    const six_link_real Lambda_1 = t14 - (t22 * c->mount_xyz_z - t23 * c->mount_xyz_y)
-        + (c->mount_xyz_y * Lambda_6 - c->mount_xyz_z * Lambda_5);
-    const six_link_real Lambda_2 = link->R_rel[0] * t12 - link->R_rel[1] * t13
-        - (t23 * c->mount_xyz_x - t21 * c->mount_xyz_z)
-        + (c->mount_xyz_y * Lambda_11 - c->mount_xyz_z * Lambda_10);
-    const six_link_real t34 = Lambda_i_13 * link->R_rel[0] - Lambda_i_23 * link->R_rel[1]
-        - (t21 * c->mount_xyz_y - t22 * c->mount_xyz_x);
-    const six_link_real Lambda_3 = t34 + (c->mount_xyz_y * Lambda_15 - c->mount_xyz_z * Lambda_14);
-    const six_link_real Lambda_7 = link->R_rel[1] * t12 + link->R_rel[0] * t13
-        - (t26 * c->mount_xyz_x - t24 * c->mount_xyz_z)
-        + (c->mount_xyz_z * Lambda_9 - c->mount_xyz_x * Lambda_11);
-    const six_link_real t35 = Lambda_i_13 * link->R_rel[1] + Lambda_i_23 * link->R_rel[0]
-        - (t24 * c->mount_xyz_y - t25 * c->mount_xyz_x);
-    const six_link_real Lambda_8 = t35 + (c->mount_xyz_z * Lambda_13 - c->mount_xyz_x * Lambda_15);
-    const six_link_real Lambda_12 = Lambda_i_33 - (t19 * c->mount_xyz_y - t20 * c->mount_xyz_x)
-        + (c->mount_xyz_x * Lambda_14 - c->mount_xyz_y * Lambda_13);
-    const six_link_real p_4 = link->R_rel[0] * p_i_4 - link->R_rel[1] * p_i_5;
-    const six_link_real p_5 = link->R_rel[1] * p_i_4 + link->R_rel[0] * p_i_5;
-    const six_link_real p_1 = link->R_rel[0] * p_i_1 - link->R_rel[1] * p_i_2
-        + (c->mount_xyz_y * p_i_6 - c->mount_xyz_z * p_5);
-    const six_link_real p_2 = link->R_rel[1] * p_i_1 + link->R_rel[0] * p_i_2
-        + (c->mount_xyz_z * p_4 - c->mount_xyz_x * p_i_6);
-    const six_link_real p_3 = p_i_3 + (c->mount_xyz_x * p_5 - c->mount_xyz_y * p_4);
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = link->joint_w[0] * c->length;
+    tip->delta[4] = delta_T_5;
 
     /* outputs */
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_1;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_4;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_7;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_10;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_16;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_19;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_i_66;
-    base->p[0] = p_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_5;
-    base->p[5] = p_i_6;
+    qddot[0] = link->joint_w[0];
+    alpha[2] = link->joint_w[0];
+    alpha[3] = link->alpha_0[3];
+    alpha[4] = link->alpha_0[4];
+    alpha[5] = link->alpha_0[5];
+    tip->delta[2] = link->joint_w[0];
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = link->p_i[0];
+        wrench[1] = link->p_i[1];
+        wrench[2] = link->p_i[2];
+        wrench[3] = link->p_i[3];
+        wrench[4] = link->p_i[4];
+        wrench[5] = link->p_i[5];
+    }
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like upper_arm: 1293 operations */
-static six_link_status eliminate_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real m_eta[3],
-    const six_link_real f_eta[3], const six_link_real tau[1], const six_link_real qdot[1])
+/* accelerate, links like upper_arm: 165 operations */
+static six_link_status accelerate_upper_arm_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 3])
 {
 
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t1 = tip->Lambda[0] + c->I_T_xx;
-    const six_link_real t2 = tip->Lambda[1] - c->J_T_xy;
-    const six_link_real t3 = tip->Lambda[2] - c->J_T_xz;
-    const six_link_real t4 = tip->Lambda[4] - c->S_T_z;
-    const six_link_real t5 = tip->Lambda[5] + c->S_T_y;
-    const six_link_real t6 = tip->Lambda[6] + c->I_T_yy;
-    const six_link_real t7 = tip->Lambda[7] - c->J_T_yz;
-    const six_link_real t8 = tip->Lambda[8] + c->S_T_z;
-    const six_link_real t9 = tip->Lambda[10] - c->S_T_x;
-    const six_link_real t10 = tip->Lambda[11] + c->I_T_zz;
-    const six_link_real t11 = tip->Lambda[12] - c->S_T_y;
-    const six_link_real t12 = tip->Lambda[13] + c->S_T_x;
-    const six_link_real t13 = tip->Lambda[15] + c->body0_mass;
-    const six_link_real t14 = tip->Lambda[18] + c->body0_mass;
-    const six_link_real t15 = tip->Lambda[20] + c->body0_mass;
-    const six_link_real t16 = t1 * link->b_T[0] + t2 * link->b_T[1] + t3 * link->b_T[2]
-        + tip->Lambda[3] * link->b_T[3] + t4 * link->b_T[4];
-    const six_link_real t17 = t2 * link->b_T[0] + t6 * link->b_T[1] + t7 * link->b_T[2] + t8 * link->b_T[3]
-        + tip->Lambda[9] * link->b_T[4];
-    const six_link_real t18 = t3 * link->b_T[0] + t7 * link->b_T[1] + t10 * link->b_T[2] + t11 * link->b_T[3]
-        + t12 * link->b_T[4];
-    const six_link_real t19 = tip->Lambda[3] * link->b_T[0] + t8 * link->b_T[1] + t11 * link->b_T[2]
-        + t13 * link->b_T[3] + tip->Lambda[16] * link->b_T[4];
-    const six_link_real t20 = t4 * link->b_T[0] + tip->Lambda[9] * link->b_T[1] + t12 * link->b_T[2]
-        + tip->Lambda[16] * link->b_T[3];
-    const six_link_real t21 = t5 * link->b_T[0] + t9 * link->b_T[1] + tip->Lambda[14] * link->b_T[2]
-        + tip->Lambda[17] * link->b_T[3];
-    const six_link_real t22 = tip->p[0] + link->h_T[0] - w_ext[0] + (t16 + t5 * link->b_T[5]);
-    const six_link_real t23 = tip->p[1] + link->h_T[1] - w_ext[1] + (t17 + t9 * link->b_T[5]);
-    const six_link_real t24 = tip->p[2] + link->h_T[2] - w_ext[2] + (t18 + tip->Lambda[14] * link->b_T[5]);
-    const six_link_real t25 = tip->p[3] + link->h_T[3] - w_ext[3] + (t19 + tip->Lambda[17] * link->b_T[5]);
-    const six_link_real t26 = tip->p[4] + link->h_T[4] - w_ext[4]
-        + (t20 + t14 * link->b_T[4] + tip->Lambda[19] * link->b_T[5]);
-    const six_link_real t27 = tip->p[5] + link->h_T[5] - w_ext[5]
-        + (t21 + tip->Lambda[19] * link->b_T[4] + t15 * link->b_T[5]);
-    const six_link_real t28 = t1 * link->R_T[3] + t2 * link->R_T[4] + t3 * link->R_T[5];
-    const six_link_real t29 = t1 * link->R_T[6] + t2 * link->R_T[7] + t3 * link->R_T[8];
-    const six_link_real t30 = t2 * link->R_T[3] + t6 * link->R_T[4] + t7 * link->R_T[5];
-    const six_link_real t31 = t2 * link->R_T[6] + t6 * link->R_T[7] + t7 * link->R_T[8];
-    const six_link_real t32 = t3 * link->R_T[3] + t7 * link->R_T[4] + t10 * link->R_T[5];
-    const six_link_real t33 = t3 * link->R_T[6] + t7 * link->R_T[7] + t10 * link->R_T[8];
-    const six_link_real t34 = link->R_T[0] * (t1 * link->R_T[0] + t2 * link->R_T[1] + t3 * link->R_T[2])
-        + link->R_T[1] * (t2 * link->R_T[0] + t6 * link->R_T[1] + t7 * link->R_T[2]);
-    const six_link_real Lambda_T_11 = t34
-        + link->R_T[2] * (t3 * link->R_T[0] + t7 * link->R_T[1] + t10 * link->R_T[2]);
-    const six_link_real Lambda_T_12 = link->R_T[0] * t28 + link->R_T[1] * t30 + link->R_T[2] * t32;
-    const six_link_real Lambda_T_13 = link->R_T[0] * t29 + link->R_T[1] * t31 + link->R_T[2] * t33;
-    const six_link_real Lambda_T_22 = link->R_T[3] * t28 + link->R_T[4] * t30 + link->R_T[5] * t32;
-    const six_link_real Lambda_T_23 = link->R_T[3] * t29 + link->R_T[4] * t31 + link->R_T[5] * t33;
-    const six_link_real Lambda_T_33 = link->R_T[6] * t29 + link->R_T[7] * t31 + link->R_T[8] * t33;
-    const six_link_real t35 = tip->Lambda[3] * link->R_T[0] + t4 * link->R_T[1] + t5 * link->R_T[2];
-    const six_link_real t36 = tip->Lambda[3] * link->R_T[3] + t4 * link->R_T[4] + t5 * link->R_T[5];
-    const six_link_real t37 = tip->Lambda[3] * link->R_T[6] + t4 * link->R_T[7] + t5 * link->R_T[8];
-    const six_link_real t38 = t8 * link->R_T[0] + tip->Lambda[9] * link->R_T[1] + t9 * link->R_T[2];
-    const six_link_real t39 = t8 * link->R_T[3] + tip->Lambda[9] * link->R_T[4] + t9 * link->R_T[5];
-    const six_link_real t40 = t8 * link->R_T[6] + tip->Lambda[9] * link->R_T[7] + t9 * link->R_T[8];
-    const six_link_real t41 = t11 * link->R_T[0] + t12 * link->R_T[1] + tip->Lambda[14] * link->R_T[2];
-    const six_link_real t42 = t11 * link->R_T[3] + t12 * link->R_T[4] + tip->Lambda[14] * link->R_T[5];
-    const six_link_real t43 = t11 * link->R_T[6] + t12 * link->R_T[7] + tip->Lambda[14] * link->R_T[8];
-    const six_link_real Lambda_T_14 = link->R_T[0] * t35 + link->R_T[1] * t38 + link->R_T[2] * t41;
-    const six_link_real Lambda_T_15 = link->R_T[0] * t36 + link->R_T[1] * t39 + link->R_T[2] * t42;
-    const six_link_real Lambda_T_16 = link->R_T[0] * t37 + link->R_T[1] * t40 + link->R_T[2] * t43;
-    const six_link_real Lambda_T_24 = link->R_T[3] * t35 + link->R_T[4] * t38 + link->R_T[5] * t41;
-    const six_link_real Lambda_T_25 = link->R_T[3] * t36 + link->R_T[4] * t39 + link->R_T[5] * t42;
-    const six_link_real Lambda_T_26 = link->R_T[3] * t37 + link->R_T[4] * t40 + link->R_T[5] * t43;
-    const six_link_real Lambda_T_34 = link->R_T[6] * t35 + link->R_T[7] * t38 + link->R_T[8] * t41;
-    const six_link_real Lambda_T_35 = link->R_T[6] * t36 + link->R_T[7] * t39 + link->R_T[8] * t42;
-    const six_link_real Lambda_T_36 = link->R_T[6] * t37 + link->R_T[7] * t40 + link->R_T[8] * t43;
-    const six_link_real t44 = t13 * link->R_T[3] + tip->Lambda[16] * link->R_T[4]
-        + tip->Lambda[17] * link->R_T[5];
-    const six_link_real t45 = t13 * link->R_T[6] + tip->Lambda[16] * link->R_T[7]
-        + tip->Lambda[17] * link->R_T[8];
-    const six_link_real t46 = tip->Lambda[16] * link->R_T[3] + t14 * link->R_T[4]
-        + tip->Lambda[19] * link->R_T[5];
-    const six_link_real t47 = tip->Lambda[16] * link->R_T[6] + t14 * link->R_T[7]
-        + tip->Lambda[19] * link->R_T[8];
-    const six_link_real t48 = tip->Lambda[17] * link->R_T[3] + tip->Lambda[19] * link->R_T[4]
-        + t15 * link->R_T[5];
-    const six_link_real t49 = tip->Lambda[17] * link->R_T[6] + tip->Lambda[19] * link->R_T[7]
-        + t15 * link->R_T[8];
-    const six_link_real t50 = link->R_T[0]
-        * (t13 * link->R_T[0] + tip->Lambda[16] * link->R_T[1] + tip->Lambda[17] * link->R_T[2]);
-    const six_link_real t51 = link->R_T[1]
-        * (tip->Lambda[16] * link->R_T[0] + t14 * link->R_T[1] + tip->Lambda[19] * link->R_T[2]);
-    const six_link_real t52 = link->R_T[2]
-        * (tip->Lambda[17] * link->R_T[0] + tip->Lambda[19] * link->R_T[1] + t15 * link->R_T[2]);
-    const six_link_real Lambda_T_44 = t50 + t51 + t52;
-    const six_link_real Lambda_T_45 = link->R_T[0] * t44 + link->R_T[1] * t46 + link->R_T[2] * t48;
-    const six_link_real Lambda_T_46 = link->R_T[0] * t45 + link->R_T[1] * t47 + link->R_T[2] * t49;
-    const six_link_real Lambda_T_55 = link->R_T[3] * t44 + link->R_T[4] * t46 + link->R_T[5] * t48;
-    const six_link_real Lambda_T_56 = link->R_T[3] * t45 + link->R_T[4] * t47 + link->R_T[5] * t49;
-    const six_link_real Lambda_T_66 = link->R_T[6] * t45 + link->R_T[7] * t47 + link->R_T[8] * t49;
-    const six_link_real p_T_1 = link->R_T[0] * t22 + link->R_T[1] * t23 + link->R_T[2] * t24;
-    const six_link_real p_T_2 = link->R_T[3] * t22 + link->R_T[4] * t23 + link->R_T[5] * t24;
-    const six_link_real p_T_3 = link->R_T[6] * t22 + link->R_T[7] * t23 + link->R_T[8] * t24;
-    const six_link_real p_T_4 = link->R_T[0] * t25 + link->R_T[1] * t26 + link->R_T[2] * t27;
-    const six_link_real p_T_5 = link->R_T[3] * t25 + link->R_T[4] * t26 + link->R_T[5] * t27;
-    const six_link_real p_T_6 = link->R_T[6] * t25 + link->R_T[7] * t26 + link->R_T[8] * t27;
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t53 = link->r_T[1] * Lambda_T_45;
-    const six_link_real t54 = link->r_T[0] * Lambda_T_46;
-    const six_link_real t55 = c->length * Lambda_T_56;
-    const six_link_real M_loaded_14 = Lambda_T_14 + (t54 - t53);
-    const six_link_real t56 = Lambda_T_15 + (link->r_T[0] * Lambda_T_56 - link->r_T[1] * Lambda_T_55);
-    const six_link_real t57 = Lambda_T_16 + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * Lambda_T_56);
-    const six_link_real t58 = Lambda_T_24 + (link->r_T[1] * Lambda_T_44 - c->length * Lambda_T_46);
-    const six_link_real M_loaded_25 = Lambda_T_25 + (t53 - t55);
-    const six_link_real t59 = Lambda_T_26 + (link->r_T[1] * Lambda_T_46 - c->length * Lambda_T_66);
-    const six_link_real t60 = Lambda_T_34 + (c->length * Lambda_T_45 - link->r_T[0] * Lambda_T_44);
-    const six_link_real t61 = Lambda_T_35 + (c->length * Lambda_T_55 - link->r_T[0] * Lambda_T_45);
-    const six_link_real M_loaded_36 = Lambda_T_36 + (t55 - t54);
-    const six_link_real t62 = Lambda_T_11 - (Lambda_T_15 * link->r_T[1] - Lambda_T_16 * link->r_T[0])
-        + (link->r_T[0] * t57 - link->r_T[1] * t56);
-    const six_link_real t63 = Lambda_T_12 - (Lambda_T_16 * c->length - Lambda_T_14 * link->r_T[1])
-        + (link->r_T[0] * t59 - link->r_T[1] * M_loaded_25);
-    const six_link_real t64 = Lambda_T_13 - (Lambda_T_14 * link->r_T[0] - Lambda_T_15 * c->length)
-        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t61);
-    const six_link_real t65 = Lambda_T_22 - (Lambda_T_26 * c->length - Lambda_T_24 * link->r_T[1])
-        + (link->r_T[1] * t58 - c->length * t59);
-    const six_link_real t66 = Lambda_T_23 - (Lambda_T_24 * link->r_T[0] - Lambda_T_25 * c->length)
-        + (link->r_T[1] * t60 - c->length * M_loaded_36);
-    const six_link_real t67 = Lambda_T_33 - (Lambda_T_34 * link->r_T[0] - Lambda_T_35 * c->length)
-        + (c->length * t61 - link->r_T[0] * t60);
-    const six_link_real M_loaded_11 = link->M_V[0] + t62;
-    const six_link_real M_loaded_12 = t63 - link->M_V[1];
-    const six_link_real M_loaded_13 = t64 - link->M_V[2];
-    const six_link_real M_loaded_15 = t56 - link->M_V[3];
-    const six_link_real M_loaded_16 = link->M_V[4] + t57;
-    const six_link_real M_loaded_22 = link->M_V[5] + t65;
-    const six_link_real M_loaded_23 = t66 - link->M_V[6];
-    const six_link_real M_loaded_24 = link->M_V[3] + t58;
-    const six_link_real M_loaded_26 = t59 - c->S_0_x;
-    const six_link_real M_loaded_33 = link->M_V[7] + t67;
-    const six_link_real M_loaded_34 = t60 - link->M_V[4];
-    const six_link_real M_loaded_35 = c->S_0_x + t61;
-    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
-    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
-    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
-    const six_link_real h_loaded_1 = link->h_V[0] + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
-    const six_link_real h_loaded_2 = link->h_V[1] + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
-    const six_link_real h_loaded_3 = link->h_V[2] + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
-    const six_link_real h_loaded_4 = link->h_V[3] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[4] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[5] + p_T_6;
-    const six_link_real t68 = Lambda_T_11 * link->G[0] + Lambda_T_12 * link->G[3] + Lambda_T_13 * link->G[6];
-    const six_link_real t69 = Lambda_T_11 * link->G[1] + Lambda_T_12 * link->G[4] + Lambda_T_13 * link->G[7];
-    const six_link_real t70 = Lambda_T_11 * link->G[2] + Lambda_T_12 * link->G[5] + Lambda_T_13 * link->G[8];
-    const six_link_real t71 = Lambda_T_12 * link->G[0] + Lambda_T_22 * link->G[3] + Lambda_T_23 * link->G[6];
-    const six_link_real t72 = Lambda_T_12 * link->G[1] + Lambda_T_22 * link->G[4] + Lambda_T_23 * link->G[7];
-    const six_link_real t73 = Lambda_T_12 * link->G[2] + Lambda_T_22 * link->G[5] + Lambda_T_23 * link->G[8];
-    const six_link_real t74 = Lambda_T_13 * link->G[0] + Lambda_T_23 * link->G[3] + Lambda_T_33 * link->G[6];
-    const six_link_real t75 = Lambda_T_13 * link->G[1] + Lambda_T_23 * link->G[4] + Lambda_T_33 * link->G[7];
-    const six_link_real t76 = Lambda_T_13 * link->G[2] + Lambda_T_23 * link->G[5] + Lambda_T_33 * link->G[8];
-    const six_link_real t77 = Lambda_T_15 * link->G[0] + Lambda_T_25 * link->G[3] + Lambda_T_35 * link->G[6];
-    const six_link_real t78 = Lambda_T_15 * link->G[2] + Lambda_T_25 * link->G[5] + Lambda_T_35 * link->G[8];
-    const six_link_real t79 = Lambda_T_16 * link->G[0] + Lambda_T_26 * link->G[3] + Lambda_T_36 * link->G[6];
-    const six_link_real t80 = Lambda_T_16 * link->G[1] + Lambda_T_26 * link->G[4] + Lambda_T_36 * link->G[7];
-    const six_link_real t81 = Lambda_T_16 * link->G[2] + Lambda_T_26 * link->G[5] + Lambda_T_36 * link->G[8];
-    const six_link_real C_41 = (Lambda_T_14 * link->G[2] + Lambda_T_24 * link->G[5] + Lambda_T_34 * link->G[8])
-        * c->Psi_c_z1 + Lambda_T_45 * 2;
-    const six_link_real C_42 = (Lambda_T_14 * link->G[1] + Lambda_T_24 * link->G[4] + Lambda_T_34 * link->G[7])
-        * c->Psi_c_y2 + Lambda_T_46 * 2;
-    const six_link_real C_43 = (Lambda_T_14 * link->G[0] + Lambda_T_24 * link->G[3] + Lambda_T_34 * link->G[6])
-        * REAL(1.4142135623730951);
-    const six_link_real t82 = t78 * c->Psi_c_z1 + Lambda_T_55 * 2;
-    const six_link_real t83 = Lambda_T_56 * 2;
-    const six_link_real C_52 = (Lambda_T_15 * link->G[1] + Lambda_T_25 * link->G[4] + Lambda_T_35 * link->G[7])
-        * c->Psi_c_y2 + t83;
-    const six_link_real C_53 = t77 * REAL(1.4142135623730951);
-    const six_link_real C_61 = t81 * c->Psi_c_z1 + t83;
-    const six_link_real t84 = t80 * c->Psi_c_y2 + Lambda_T_66 * 2;
-    const six_link_real C_63 = t79 * REAL(1.4142135623730951);
-    const six_link_real C_21 = t73 * c->Psi_c_z1 + Lambda_T_25 * 2 + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real C_32 = t75 * c->Psi_c_y2 + Lambda_T_36 * 2 + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_23 = t71 * REAL(1.4142135623730951) + (link->r_T[1] * C_43 - c->length * C_63);
-    const six_link_real C_33 = t74 * REAL(1.4142135623730951) + (c->length * C_53 - link->r_T[0] * C_43);
-    const six_link_real C_11 = t70 * c->Psi_c_z1 + Lambda_T_15 * 2 + (link->r_T[0] * C_61 - link->r_T[1] * t82)
-        - link->M_D[0];
-    const six_link_real C_12 = link->M_D[1]
-        + (t69 * c->Psi_c_y2 + Lambda_T_16 * 2 + (link->r_T[0] * t84 - link->r_T[1] * C_52));
-    const six_link_real C_13 = c->sigma_t_3
-        + (t68 * REAL(1.4142135623730951) + (link->r_T[0] * C_63 - link->r_T[1] * C_53));
-    const six_link_real C_22 = t72 * c->Psi_c_y2 + Lambda_T_26 * 2 + (link->r_T[1] * C_42 - c->length * t84)
-        - c->chi_2;
-    const six_link_real C_31 = c->chi_1
-        + (t76 * c->Psi_c_z1 + Lambda_T_35 * 2 + (c->length * t82 - link->r_T[0] * C_41));
-    const six_link_real C_51 = c->sigma_y1 + t82;
-    const six_link_real C_62 = c->sigma_z2 + t84;
-    const six_link_real t85 = c->Psi_c_z1
-        * ((link->G[2] * t70 + link->G[5] * t73 + link->G[8] * t76) * c->Psi_c_z1 + t78 * 2) + t82 * 2;
-    const six_link_real modal_inertia_12 = c->Psi_c_z1
-        * ((link->G[1] * t70 + link->G[4] * t73 + link->G[7] * t76) * c->Psi_c_y2 + t81 * 2) + C_52 * 2;
-    const six_link_real t86 = c->Psi_c_z1
-        * ((link->G[0] * t70 + link->G[3] * t73 + link->G[6] * t76) * REAL(1.4142135623730951));
-    const six_link_real modal_inertia_13 = t86 + t77 * REAL(2.8284271247461903);
-    const six_link_real t87 = c->Psi_c_y2
-        * ((link->G[1] * t69 + link->G[4] * t72 + link->G[7] * t75) * c->Psi_c_y2 + t80 * 2) + t84 * 2;
-    const six_link_real t88 = c->Psi_c_y2
-        * ((link->G[0] * t69 + link->G[3] * t72 + link->G[6] * t75) * REAL(1.4142135623730951));
-    const six_link_real modal_inertia_23 = t88 + t79 * REAL(2.8284271247461903);
-    const six_link_real modal_inertia_11 = t85 + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_22 = t87 + m_eta[1];
-    const six_link_real modal_inertia_33 = (link->G[0] * t68 + link->G[3] * t71 + link->G[6] * t74)
-        * REAL(2.0000000000000004) + m_eta[2];
-    const six_link_real h_phi_1 = link->h_eta[0] + f_eta[0]
-        + (c->Psi_c_z1 * (link->G[2] * p_T_1 + link->G[5] * p_T_2 + link->G[8] * p_T_3) + p_T_5 * 2);
-    const six_link_real h_phi_2 = link->h_eta[1] + f_eta[1]
-        + (c->Psi_c_y2 * (link->G[1] * p_T_1 + link->G[4] * p_T_2 + link->G[7] * p_T_3) + p_T_6 * 2);
-    const six_link_real h_phi_3 = f_eta[2]
-        + (link->G[0] * p_T_1 + link->G[3] * p_T_2 + link->G[6] * p_T_3) * REAL(1.4142135623730951);
-    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
-    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
-    const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
-    const six_link_real t89 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t89 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t89;
-    const six_link_real t90 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const six_link_real modes_L_32 = t90 * modes_inverse_2;
-    const six_link_real t91 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t90 * modes_L_32);
-    if (!(t91 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_3 = 1 / t91;
-    const six_link_real t92 = C_12 - modes_L_21 * C_11;
-    const six_link_real t93 = C_22 - modes_L_21 * C_21;
-    const six_link_real t94 = C_32 - modes_L_21 * C_31;
-    const six_link_real t95 = C_42 - modes_L_21 * C_41;
-    const six_link_real t96 = C_52 - modes_L_21 * C_51;
-    const six_link_real t97 = C_62 - modes_L_21 * C_61;
-    const six_link_real t98 = C_13 - modes_L_31 * C_11 - modes_L_32 * t92;
-    const six_link_real t99 = C_23 - modes_L_31 * C_21 - modes_L_32 * t93;
-    const six_link_real t100 = C_33 - modes_L_31 * C_31 - modes_L_32 * t94;
-    const six_link_real t101 = C_43 - modes_L_31 * C_41 - modes_L_32 * t95;
-    const six_link_real t102 = C_53 - modes_L_31 * C_51 - modes_L_32 * t96;
-    const six_link_real t103 = C_63 - modes_L_31 * C_61 - modes_L_32 * t97;
-    const six_link_real t104 = h_phi_2 - modes_L_21 * h_phi_1;
-    const six_link_real t105 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t104;
-    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
-    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
-    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
-    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
-    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
-    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
-    const six_link_real modes_W_21 = t92 * modes_inverse_2;
-    const six_link_real modes_W_22 = t93 * modes_inverse_2;
-    const six_link_real modes_W_23 = t94 * modes_inverse_2;
-    const six_link_real modes_W_24 = t95 * modes_inverse_2;
-    const six_link_real modes_W_25 = t96 * modes_inverse_2;
-    const six_link_real modes_W_26 = t97 * modes_inverse_2;
-    const six_link_real modes_W_31 = t98 * modes_inverse_3;
-    const six_link_real modes_W_32 = t99 * modes_inverse_3;
-    const six_link_real modes_W_33 = t100 * modes_inverse_3;
-    const six_link_real modes_W_34 = t101 * modes_inverse_3;
-    const six_link_real modes_W_35 = t102 * modes_inverse_3;
-    const six_link_real modes_W_36 = t103 * modes_inverse_3;
-    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    const six_link_real modes_w_2 = t104 * modes_inverse_2;
-    const six_link_real modes_w_3 = t105 * modes_inverse_3;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t92 * modes_W_21 + t98 * modes_W_31);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t92 * modes_W_22 + t98 * modes_W_32);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t92 * modes_W_23 + t98 * modes_W_33);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t92 * modes_W_24 + t98 * modes_W_34);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t92 * modes_W_25 + t98 * modes_W_35);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t92 * modes_W_26 + t98 * modes_W_36);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t93 * modes_W_22 + t99 * modes_W_32);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t93 * modes_W_23 + t99 * modes_W_33);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t93 * modes_W_24 + t99 * modes_W_34);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t93 * modes_W_25 + t99 * modes_W_35);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t93 * modes_W_26 + t99 * modes_W_36);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t94 * modes_W_23 + t100 * modes_W_33);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t94 * modes_W_24 + t100 * modes_W_34);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t94 * modes_W_25 + t100 * modes_W_35);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t94 * modes_W_26 + t100 * modes_W_36);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t95 * modes_W_24 + t101 * modes_W_34);
-    const six_link_real M_i_45 = Lambda_T_45 - (C_41 * modes_W_15 + t95 * modes_W_25 + t101 * modes_W_35);
-    const six_link_real M_i_46 = Lambda_T_46 - (C_41 * modes_W_16 + t95 * modes_W_26 + t101 * modes_W_36);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t96 * modes_W_25 + t102 * modes_W_35);
-    const six_link_real M_i_56 = Lambda_T_56 - (C_51 * modes_W_16 + t96 * modes_W_26 + t102 * modes_W_36);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t97 * modes_W_26 + t103 * modes_W_36);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t104 + modes_W_31 * t105);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t104 + modes_W_32 * t105);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t104 + modes_W_33 * t105);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t104 + modes_W_34 * t105);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t104 + modes_W_35 * t105);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t104 + modes_W_36 * t105);
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t106 = M_i_13 * link->beta[1] - M_i_11 * link->beta[0] - M_i_14 * link->beta[2]
-        + M_i_16 * link->beta[3];
-    const six_link_real t107 = M_i_23 * link->beta[1] - M_i_12 * link->beta[0] - M_i_24 * link->beta[2]
-        + M_i_26 * link->beta[3];
-    const six_link_real t108 = M_i_33 * link->beta[1] - M_i_13 * link->beta[0] - M_i_34 * link->beta[2]
-        + M_i_36 * link->beta[3];
-    const six_link_real t109 = M_i_34 * link->beta[1] - M_i_14 * link->beta[0] - M_i_44 * link->beta[2]
-        + M_i_46 * link->beta[3];
-    const six_link_real t110 = M_i_35 * link->beta[1] - M_i_15 * link->beta[0] - M_i_45 * link->beta[2]
-        + M_i_56 * link->beta[3];
-    const six_link_real t111 = M_i_36 * link->beta[1] - M_i_16 * link->beta[0] - M_i_46 * link->beta[2]
-        + M_i_66 * link->beta[3];
-    const six_link_real bias_1 = h_i_1 + t106;
-    const six_link_real bias_2 = h_i_2 + t107;
-    const six_link_real bias_3 = h_i_3 + t108;
-    const six_link_real bias_4 = h_i_4 + t109;
-    const six_link_real bias_5 = h_i_5 + t110;
-    const six_link_real bias_6 = h_i_6 + t111;
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
-    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
-    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
-    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_2) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
-    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
-    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
-    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
-    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
-    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
-    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
-    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
-    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_i_12 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_i_22 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_i_23 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + M_i_24 * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + M_i_25 * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + M_i_26 * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t112 = Lambda_i_13 * link->R_rel[1];
-    const six_link_real t113 = Lambda_i_13 * link->R_rel[0];
-    const six_link_real t114 = t113 - Lambda_i_11 * link->R_rel[1];
-    const six_link_real t115 = Lambda_i_33 * link->R_rel[0] - t112;
-    const six_link_real t116 = link->R_rel[0] * (Lambda_i_11 * link->R_rel[0] + t112)
-        + link->R_rel[1] * (t113 + Lambda_i_33 * link->R_rel[1]);
-    const six_link_real t117 = Lambda_i_14 * link->R_rel[0] + Lambda_i_16 * link->R_rel[1];
-    const six_link_real t118 = Lambda_i_16 * link->R_rel[0] - Lambda_i_14 * link->R_rel[1];
-    const six_link_real t119 = Lambda_i_24 * link->R_rel[0] + Lambda_i_26 * link->R_rel[1];
-    const six_link_real t120 = Lambda_i_26 * link->R_rel[0] - Lambda_i_24 * link->R_rel[1];
-    const six_link_real t121 = Lambda_i_34 * link->R_rel[0] + Lambda_i_36 * link->R_rel[1];
-    const six_link_real t122 = Lambda_i_36 * link->R_rel[0] - Lambda_i_34 * link->R_rel[1];
-    const six_link_real t123 = link->R_rel[0] * t117 + link->R_rel[1] * t121;
-    const six_link_real t124 = link->R_rel[0] * Lambda_i_15 + link->R_rel[1] * Lambda_i_35;
-    const six_link_real t125 = link->R_rel[0] * t118 + link->R_rel[1] * t122;
-    const six_link_real t126 = link->R_rel[0] * t121 - link->R_rel[1] * t117;
-    const six_link_real t127 = link->R_rel[0] * Lambda_i_35 - link->R_rel[1] * Lambda_i_15;
-    const six_link_real t128 = Lambda_i_46 * link->R_rel[1];
-    const six_link_real t129 = Lambda_i_46 * link->R_rel[0];
-    const six_link_real t130 = t129 - Lambda_i_44 * link->R_rel[1];
-    const six_link_real Lambda_17 = Lambda_i_45 * link->R_rel[0] + Lambda_i_56 * link->R_rel[1];
-    const six_link_real Lambda_20 = Lambda_i_56 * link->R_rel[0] - Lambda_i_45 * link->R_rel[1];
-    const six_link_real t131 = Lambda_i_66 * link->R_rel[0] - t128;
-    const six_link_real Lambda_16 = link->R_rel[0] * (Lambda_i_44 * link->R_rel[0] + t128)
-        + link->R_rel[1] * (t129 + Lambda_i_66 * link->R_rel[1]);
-    const six_link_real Lambda_18 = link->R_rel[0] * t130 + link->R_rel[1] * t131;
-    const six_link_real Lambda_21 = link->R_rel[0] * t131 - link->R_rel[1] * t130;
-    const six_link_real t132 = c->mount_xyz_z * Lambda_17;
-    const six_link_real t133 = c->mount_xyz_y * Lambda_18;
-    const six_link_real t134 = c->mount_xyz_x * Lambda_20;
-    const six_link_real Lambda_4 = t123 + (t133 - t132);
-    const six_link_real Lambda_5 = t124 + (c->mount_xyz_y * Lambda_20 - c->mount_xyz_z * Lambda_i_55);
-    const six_link_real Lambda_6 = t125 + (c->mount_xyz_y * Lambda_21 - c->mount_xyz_z * Lambda_20);
-    const six_link_real Lambda_9 = t119 + (c->mount_xyz_z * Lambda_16 - c->mount_xyz_x * Lambda_18);
-    const six_link_real Lambda_10 = Lambda_i_25 + (t132 - t134);
-    const six_link_real Lambda_11 = t120 + (c->mount_xyz_z * Lambda_18 - c->mount_xyz_x * Lambda_21);
-    const six_link_real Lambda_13 = t126 + (c->mount_xyz_x * Lambda_17 - c->mount_xyz_y * Lambda_16);
-    const six_link_real Lambda_14 = t127 + (c->mount_xyz_x * Lambda_i_55 - c->mount_xyz_y * Lambda_17);
-    const six_link_real Lambda_15 = link->R_rel[0] * t122 - link->R_rel[1] * t118 + (t134 - t133);
-    const six_link_real Lambda_1 = t116 - (t124 * c->mount_xyz_z - t125 * c->mount_xyz_y)
-        + (c->mount_xyz_y * Lambda_6 - c->mount_xyz_z * Lambda_5);
-    const six_link_real t135 = Lambda_i_12 * link->R_rel[0] + Lambda_i_23 * link->R_rel[1]
-        - (t125 * c->mount_xyz_x - t123 * c->mount_xyz_z);
-    const six_link_real Lambda_2 = t135 + (c->mount_xyz_y * Lambda_11 - c->mount_xyz_z * Lambda_10);
-    const six_link_real Lambda_3 = link->R_rel[0] * t114 + link->R_rel[1] * t115
-        - (t123 * c->mount_xyz_y - t124 * c->mount_xyz_x)
-        + (c->mount_xyz_y * Lambda_15 - c->mount_xyz_z * Lambda_14);
-    const six_link_real Lambda_7 = Lambda_i_22 - (t120 * c->mount_xyz_x - t119 * c->mount_xyz_z)
-        + (c->mount_xyz_z * Lambda_9 - c->mount_xyz_x * Lambda_11);
-    const six_link_real t136 = Lambda_i_23 * link->R_rel[0] - Lambda_i_12 * link->R_rel[1]
-        - (t119 * c->mount_xyz_y - Lambda_i_25 * c->mount_xyz_x);
-    const six_link_real Lambda_8 = t136 + (c->mount_xyz_z * Lambda_13 - c->mount_xyz_x * Lambda_15);
-    const six_link_real Lambda_12 = link->R_rel[0] * t115 - link->R_rel[1] * t114
-        - (t126 * c->mount_xyz_y - t127 * c->mount_xyz_x)
-        + (c->mount_xyz_x * Lambda_14 - c->mount_xyz_y * Lambda_13);
-    const six_link_real p_4 = link->R_rel[0] * p_i_4 + link->R_rel[1] * p_i_6;
-    const six_link_real p_6 = link->R_rel[0] * p_i_6 - link->R_rel[1] * p_i_4;
-    const six_link_real p_1 = link->R_rel[0] * p_i_1 + link->R_rel[1] * p_i_3
-        + (c->mount_xyz_y * p_6 - c->mount_xyz_z * p_i_5);
-    const six_link_real p_2 = p_i_2 + (c->mount_xyz_z * p_4 - c->mount_xyz_x * p_6);
-    const six_link_real p_3 = link->R_rel[0] * p_i_3 - link->R_rel[1] * p_i_1
-        + (c->mount_xyz_x * p_i_5 - c->mount_xyz_y * p_4);
-
-    /* outputs */
-    link->modes_L[0] = modes_L_21;
-    link->modes_L[1] = modes_L_31;
-    link->modes_L[2] = modes_L_32;
-    link->modes_W[0] = modes_W_11;
-    link->modes_W[1] = modes_W_12;
-    link->modes_W[2] = modes_W_13;
-    link->modes_W[3] = modes_W_14;
-    link->modes_W[4] = modes_W_15;
-    link->modes_W[5] = modes_W_16;
-    link->modes_W[6] = modes_W_21;
-    link->modes_W[7] = modes_W_22;
-    link->modes_W[8] = modes_W_23;
-    link->modes_W[9] = modes_W_24;
-    link->modes_W[10] = modes_W_25;
-    link->modes_W[11] = modes_W_26;
-    link->modes_W[12] = modes_W_31;
-    link->modes_W[13] = modes_W_32;
-    link->modes_W[14] = modes_W_33;
-    link->modes_W[15] = modes_W_34;
-    link->modes_W[16] = modes_W_35;
-    link->modes_W[17] = modes_W_36;
-    link->modes_w[0] = modes_w_1;
-    link->modes_w[1] = modes_w_2;
-    link->modes_w[2] = modes_w_3;
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_1;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_4;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_7;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_10;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_16;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_i_55;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_21;
-    base->p[0] = p_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_i_5;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like forearm: 1258 operations */
-static six_link_status eliminate_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real m_eta[2],
-    const six_link_real f_eta[2], const six_link_real tau[1], const six_link_real qdot[1])
-{
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t1 = tip->Lambda[0] * link->b_T[0] + tip->Lambda[1] * link->b_T[1]
-        + tip->Lambda[2] * link->b_T[2] + tip->Lambda[3] * link->b_T[3];
-    const six_link_real t2 = tip->Lambda[1] * link->b_T[0] + tip->Lambda[6] * link->b_T[1]
-        + tip->Lambda[7] * link->b_T[2] + tip->Lambda[8] * link->b_T[3];
-    const six_link_real t3 = tip->Lambda[2] * link->b_T[0] + tip->Lambda[7] * link->b_T[1]
-        + tip->Lambda[11] * link->b_T[2] + tip->Lambda[12] * link->b_T[3];
-    const six_link_real t4 = tip->Lambda[3] * link->b_T[0] + tip->Lambda[8] * link->b_T[1]
-        + tip->Lambda[12] * link->b_T[2] + tip->Lambda[15] * link->b_T[3];
-    const six_link_real t5 = tip->Lambda[4] * link->b_T[0] + tip->Lambda[9] * link->b_T[1]
-        + tip->Lambda[13] * link->b_T[2] + tip->Lambda[16] * link->b_T[3];
-    const six_link_real t6 = tip->Lambda[5] * link->b_T[0] + tip->Lambda[10] * link->b_T[1]
-        + tip->Lambda[14] * link->b_T[2] + tip->Lambda[17] * link->b_T[3];
-    const six_link_real t7 = tip->p[0] - w_ext[0]
-        + (t1 + tip->Lambda[4] * link->b_T[4] + tip->Lambda[5] * link->b_T[5]);
-    const six_link_real t8 = tip->p[1] - w_ext[1]
-        + (t2 + tip->Lambda[9] * link->b_T[4] + tip->Lambda[10] * link->b_T[5]);
-    const six_link_real t9 = tip->p[2] - w_ext[2]
-        + (t3 + tip->Lambda[13] * link->b_T[4] + tip->Lambda[14] * link->b_T[5]);
-    const six_link_real t10 = tip->p[3] - w_ext[3]
-        + (t4 + tip->Lambda[16] * link->b_T[4] + tip->Lambda[17] * link->b_T[5]);
-    const six_link_real t11 = tip->p[4] - w_ext[4]
-        + (t5 + tip->Lambda[18] * link->b_T[4] + tip->Lambda[19] * link->b_T[5]);
-    const six_link_real t12 = tip->p[5] - w_ext[5]
-        + (t6 + tip->Lambda[19] * link->b_T[4] + tip->Lambda[20] * link->b_T[5]);
-    const six_link_real t13 = tip->Lambda[1] * link->R_T[1];
-    const six_link_real t14 = tip->Lambda[2] * link->R_T[2];
-    const six_link_real t15 = tip->Lambda[0] * link->R_T[1] + tip->Lambda[1] * link->R_T[3]
-        + tip->Lambda[2] * link->R_T[4];
-    const six_link_real t16 = tip->Lambda[1] * link->R_T[4] - tip->Lambda[0] * link->R_T[2]
-        + tip->Lambda[2] * link->R_T[5];
-    const six_link_real t17 = tip->Lambda[7] * link->R_T[4];
-    const six_link_real t18 = t13 + tip->Lambda[6] * link->R_T[3] + t17;
-    const six_link_real t19 = tip->Lambda[6] * link->R_T[4] - tip->Lambda[1] * link->R_T[2]
-        + tip->Lambda[7] * link->R_T[5];
-    const six_link_real t20 = tip->Lambda[2] * link->R_T[1] + tip->Lambda[7] * link->R_T[3]
-        + tip->Lambda[11] * link->R_T[4];
-    const six_link_real t21 = t17 - t14 + tip->Lambda[11] * link->R_T[5];
-    const six_link_real t22 = link->R_T[1]
-        * (tip->Lambda[1] * link->R_T[0] - tip->Lambda[6] * link->R_T[1] + tip->Lambda[7] * link->R_T[2]);
-    const six_link_real t23 = link->R_T[2]
-        * (tip->Lambda[2] * link->R_T[0] - tip->Lambda[7] * link->R_T[1] + tip->Lambda[11] * link->R_T[2]);
-    const six_link_real Lambda_T_11 = link->R_T[0] * (tip->Lambda[0] * link->R_T[0] - t13 + t14) - t22 + t23;
-    const six_link_real Lambda_T_12 = link->R_T[0] * t15 - link->R_T[1] * t18 + link->R_T[2] * t20;
-    const six_link_real Lambda_T_13 = link->R_T[0] * t16 - link->R_T[1] * t19 + link->R_T[2] * t21;
-    const six_link_real Lambda_T_22 = link->R_T[1] * t15 + link->R_T[3] * t18 + link->R_T[4] * t20;
-    const six_link_real Lambda_T_23 = link->R_T[1] * t16 + link->R_T[3] * t19 + link->R_T[4] * t21;
-    const six_link_real Lambda_T_33 = link->R_T[4] * t19 - link->R_T[2] * t16 + link->R_T[5] * t21;
-    const six_link_real t24 = tip->Lambda[3] * link->R_T[0] - tip->Lambda[4] * link->R_T[1]
-        + tip->Lambda[5] * link->R_T[2];
-    const six_link_real t25 = tip->Lambda[3] * link->R_T[1] + tip->Lambda[4] * link->R_T[3]
-        + tip->Lambda[5] * link->R_T[4];
-    const six_link_real t26 = tip->Lambda[4] * link->R_T[4] - tip->Lambda[3] * link->R_T[2]
-        + tip->Lambda[5] * link->R_T[5];
-    const six_link_real t27 = tip->Lambda[8] * link->R_T[0] - tip->Lambda[9] * link->R_T[1]
-        + tip->Lambda[10] * link->R_T[2];
-    const six_link_real t28 = tip->Lambda[8] * link->R_T[1] + tip->Lambda[9] * link->R_T[3]
-        + tip->Lambda[10] * link->R_T[4];
-    const six_link_real t29 = tip->Lambda[9] * link->R_T[4] - tip->Lambda[8] * link->R_T[2]
-        + tip->Lambda[10] * link->R_T[5];
-    const six_link_real t30 = tip->Lambda[12] * link->R_T[0] - tip->Lambda[13] * link->R_T[1]
-        + tip->Lambda[14] * link->R_T[2];
-    const six_link_real t31 = tip->Lambda[12] * link->R_T[1] + tip->Lambda[13] * link->R_T[3]
-        + tip->Lambda[14] * link->R_T[4];
-    const six_link_real t32 = tip->Lambda[13] * link->R_T[4] - tip->Lambda[12] * link->R_T[2]
-        + tip->Lambda[14] * link->R_T[5];
-    const six_link_real Lambda_T_14 = link->R_T[0] * t24 - link->R_T[1] * t27 + link->R_T[2] * t30;
-    const six_link_real Lambda_T_15 = link->R_T[0] * t25 - link->R_T[1] * t28 + link->R_T[2] * t31;
-    const six_link_real Lambda_T_16 = link->R_T[0] * t26 - link->R_T[1] * t29 + link->R_T[2] * t32;
-    const six_link_real Lambda_T_24 = link->R_T[1] * t24 + link->R_T[3] * t27 + link->R_T[4] * t30;
-    const six_link_real Lambda_T_25 = link->R_T[1] * t25 + link->R_T[3] * t28 + link->R_T[4] * t31;
-    const six_link_real Lambda_T_26 = link->R_T[1] * t26 + link->R_T[3] * t29 + link->R_T[4] * t32;
-    const six_link_real Lambda_T_34 = link->R_T[4] * t27 - link->R_T[2] * t24 + link->R_T[5] * t30;
-    const six_link_real Lambda_T_35 = link->R_T[4] * t28 - link->R_T[2] * t25 + link->R_T[5] * t31;
-    const six_link_real Lambda_T_36 = link->R_T[4] * t29 - link->R_T[2] * t26 + link->R_T[5] * t32;
-    const six_link_real t33 = tip->Lambda[16] * link->R_T[1];
-    const six_link_real t34 = tip->Lambda[17] * link->R_T[2];
-    const six_link_real t35 = tip->Lambda[15] * link->R_T[1] + tip->Lambda[16] * link->R_T[3]
-        + tip->Lambda[17] * link->R_T[4];
-    const six_link_real t36 = tip->Lambda[16] * link->R_T[4] - tip->Lambda[15] * link->R_T[2]
-        + tip->Lambda[17] * link->R_T[5];
-    const six_link_real t37 = tip->Lambda[19] * link->R_T[4];
-    const six_link_real t38 = t33 + tip->Lambda[18] * link->R_T[3] + t37;
-    const six_link_real t39 = tip->Lambda[18] * link->R_T[4] - tip->Lambda[16] * link->R_T[2]
-        + tip->Lambda[19] * link->R_T[5];
-    const six_link_real t40 = tip->Lambda[17] * link->R_T[1] + tip->Lambda[19] * link->R_T[3]
-        + tip->Lambda[20] * link->R_T[4];
-    const six_link_real t41 = t37 - t34 + tip->Lambda[20] * link->R_T[5];
-    const six_link_real t42 = link->R_T[1]
-        * (tip->Lambda[16] * link->R_T[0] - tip->Lambda[18] * link->R_T[1] + tip->Lambda[19] * link->R_T[2]);
-    const six_link_real t43 = link->R_T[2]
-        * (tip->Lambda[17] * link->R_T[0] - tip->Lambda[19] * link->R_T[1] + tip->Lambda[20] * link->R_T[2]);
-    const six_link_real Lambda_T_44 = link->R_T[0] * (tip->Lambda[15] * link->R_T[0] - t33 + t34) - t42 + t43;
-    const six_link_real Lambda_T_45 = link->R_T[0] * t35 - link->R_T[1] * t38 + link->R_T[2] * t40;
-    const six_link_real Lambda_T_46 = link->R_T[0] * t36 - link->R_T[1] * t39 + link->R_T[2] * t41;
-    const six_link_real Lambda_T_55 = link->R_T[1] * t35 + link->R_T[3] * t38 + link->R_T[4] * t40;
-    const six_link_real Lambda_T_56 = link->R_T[1] * t36 + link->R_T[3] * t39 + link->R_T[4] * t41;
-    const six_link_real Lambda_T_66 = link->R_T[4] * t39 - link->R_T[2] * t36 + link->R_T[5] * t41;
-    const six_link_real p_T_1 = link->R_T[0] * t7 - link->R_T[1] * t8 + link->R_T[2] * t9;
-    const six_link_real p_T_2 = link->R_T[1] * t7 + link->R_T[3] * t8 + link->R_T[4] * t9;
-    const six_link_real p_T_3 = link->R_T[4] * t8 - link->R_T[2] * t7 + link->R_T[5] * t9;
-    const six_link_real p_T_4 = link->R_T[0] * t10 - link->R_T[1] * t11 + link->R_T[2] * t12;
-    const six_link_real p_T_5 = link->R_T[1] * t10 + link->R_T[3] * t11 + link->R_T[4] * t12;
-    const six_link_real p_T_6 = link->R_T[4] * t11 - link->R_T[2] * t10 + link->R_T[5] * t12;
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t44 = link->r_T[1] * Lambda_T_45;
-    const six_link_real t45 = link->r_T[0] * Lambda_T_46;
-    const six_link_real t46 = c->length * Lambda_T_56;
-    const six_link_real M_loaded_14 = Lambda_T_14 + (t45 - t44);
-    const six_link_real t47 = Lambda_T_15 + (link->r_T[0] * Lambda_T_56 - link->r_T[1] * Lambda_T_55);
-    const six_link_real t48 = Lambda_T_16 + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * Lambda_T_56);
-    const six_link_real t49 = Lambda_T_24 + (link->r_T[1] * Lambda_T_44 - c->length * Lambda_T_46);
-    const six_link_real M_loaded_25 = Lambda_T_25 + (t44 - t46);
-    const six_link_real t50 = Lambda_T_26 + (link->r_T[1] * Lambda_T_46 - c->length * Lambda_T_66);
-    const six_link_real t51 = Lambda_T_34 + (c->length * Lambda_T_45 - link->r_T[0] * Lambda_T_44);
-    const six_link_real t52 = Lambda_T_35 + (c->length * Lambda_T_55 - link->r_T[0] * Lambda_T_45);
-    const six_link_real M_loaded_36 = Lambda_T_36 + (t46 - t45);
-    const six_link_real t53 = Lambda_T_11 - (Lambda_T_15 * link->r_T[1] - Lambda_T_16 * link->r_T[0])
-        + (link->r_T[0] * t48 - link->r_T[1] * t47);
-    const six_link_real t54 = Lambda_T_12 - (Lambda_T_16 * c->length - Lambda_T_14 * link->r_T[1])
-        + (link->r_T[0] * t50 - link->r_T[1] * M_loaded_25);
-    const six_link_real t55 = Lambda_T_13 - (Lambda_T_14 * link->r_T[0] - Lambda_T_15 * c->length)
-        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t52);
-    const six_link_real t56 = Lambda_T_22 - (Lambda_T_26 * c->length - Lambda_T_24 * link->r_T[1])
-        + (link->r_T[1] * t49 - c->length * t50);
-    const six_link_real t57 = Lambda_T_23 - (Lambda_T_24 * link->r_T[0] - Lambda_T_25 * c->length)
-        + (link->r_T[1] * t51 - c->length * M_loaded_36);
-    const six_link_real t58 = Lambda_T_33 - (Lambda_T_34 * link->r_T[0] - Lambda_T_35 * c->length)
-        + (c->length * t52 - link->r_T[0] * t51);
-    const six_link_real M_loaded_11 = link->M_V[0] + t53;
-    const six_link_real M_loaded_12 = t54 - link->M_V[1];
-    const six_link_real M_loaded_13 = t55 - link->M_V[2];
-    const six_link_real M_loaded_15 = t47 - link->M_V[3];
-    const six_link_real M_loaded_16 = link->M_V[4] + t48;
-    const six_link_real M_loaded_22 = link->M_V[5] + t56;
-    const six_link_real M_loaded_23 = t57 - link->M_V[6];
-    const six_link_real M_loaded_24 = link->M_V[3] + t49;
-    const six_link_real M_loaded_26 = t50 - c->S_0_x;
-    const six_link_real M_loaded_33 = link->M_V[7] + t58;
-    const six_link_real M_loaded_34 = t51 - link->M_V[4];
-    const six_link_real M_loaded_35 = c->S_0_x + t52;
-    const six_link_real M_loaded_44 = c->m + Lambda_T_44;
-    const six_link_real M_loaded_55 = c->m + Lambda_T_55;
-    const six_link_real M_loaded_66 = c->m + Lambda_T_66;
-    const six_link_real h_loaded_1 = link->h_V[0] + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
-    const six_link_real h_loaded_2 = link->h_V[1] + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
-    const six_link_real h_loaded_3 = link->h_V[2] + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
-    const six_link_real h_loaded_4 = link->h_V[3] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[4] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[5] + p_T_6;
-    const six_link_real t59 = Lambda_T_12 * link->G[3] - Lambda_T_11 * link->G[1] + Lambda_T_13 * link->G[4];
-    const six_link_real t60 = Lambda_T_11 * link->G[2] + Lambda_T_12 * link->G[4] + Lambda_T_13 * link->G[5];
-    const six_link_real t61 = Lambda_T_23 * link->G[4];
-    const six_link_real t62 = Lambda_T_22 * link->G[3] - Lambda_T_12 * link->G[1] + t61;
-    const six_link_real t63 = Lambda_T_12 * link->G[2] + Lambda_T_22 * link->G[4] + Lambda_T_23 * link->G[5];
-    const six_link_real t64 = Lambda_T_23 * link->G[3] - Lambda_T_13 * link->G[1] + Lambda_T_33 * link->G[4];
-    const six_link_real t65 = Lambda_T_13 * link->G[2] + t61 + Lambda_T_33 * link->G[5];
-    const six_link_real t66 = Lambda_T_15 * link->G[2] + Lambda_T_25 * link->G[4] + Lambda_T_35 * link->G[5];
-    const six_link_real t67 = Lambda_T_26 * link->G[3] - Lambda_T_16 * link->G[1] + Lambda_T_36 * link->G[4];
-    const six_link_real t68 = Lambda_T_16 * link->G[2] + Lambda_T_26 * link->G[4] + Lambda_T_36 * link->G[5];
-    const six_link_real C_41 = (Lambda_T_14 * link->G[2] + Lambda_T_24 * link->G[4] + Lambda_T_34 * link->G[5])
-        * c->Psi_c_z1 + Lambda_T_45 * REAL(2.23606797749979);
-    const six_link_real C_42 = (Lambda_T_24 * link->G[3] - Lambda_T_14 * link->G[1] + Lambda_T_34 * link->G[4])
-        * c->Psi_c_y2 + Lambda_T_46 * REAL(2.23606797749979);
-    const six_link_real t69 = t66 * c->Psi_c_z1 + Lambda_T_55 * REAL(2.23606797749979);
-    const six_link_real t70 = Lambda_T_56 * REAL(2.23606797749979);
-    const six_link_real C_52 = (Lambda_T_25 * link->G[3] - Lambda_T_15 * link->G[1] + Lambda_T_35 * link->G[4])
-        * c->Psi_c_y2 + t70;
-    const six_link_real C_61 = t68 * c->Psi_c_z1 + t70;
-    const six_link_real t71 = t67 * c->Psi_c_y2 + Lambda_T_66 * REAL(2.23606797749979);
-    const six_link_real t72 = t60 * c->Psi_c_z1 + Lambda_T_15 * REAL(2.23606797749979)
-        + (link->r_T[0] * C_61 - link->r_T[1] * t69);
-    const six_link_real C_21 = t63 * c->Psi_c_z1 + Lambda_T_25 * REAL(2.23606797749979)
-        + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real t73 = t65 * c->Psi_c_z1 + Lambda_T_35 * REAL(2.23606797749979)
-        + (c->length * t69 - link->r_T[0] * C_41);
-    const six_link_real t74 = t59 * c->Psi_c_y2 + Lambda_T_16 * REAL(2.23606797749979)
-        + (link->r_T[0] * t71 - link->r_T[1] * C_52);
-    const six_link_real t75 = t62 * c->Psi_c_y2 + Lambda_T_26 * REAL(2.23606797749979)
-        + (link->r_T[1] * C_42 - c->length * t71);
-    const six_link_real C_32 = t64 * c->Psi_c_y2 + Lambda_T_36 * REAL(2.23606797749979)
-        + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_11 = t72 - link->M_D[0];
-    const six_link_real C_12 = link->M_D[1] + t74;
-    const six_link_real C_22 = t75 - c->chi_2;
-    const six_link_real C_31 = c->chi_1 + t73;
-    const six_link_real C_51 = c->sigma_y1 + t69;
-    const six_link_real C_62 = c->sigma_z2 + t71;
-    const six_link_real t76 = (link->G[3] * t62 - link->G[1] * t59 + link->G[4] * t64) * c->Psi_c_y2
-        + t67 * REAL(2.23606797749979);
-    const six_link_real t77 = (link->G[2] * t60 + link->G[4] * t63 + link->G[5] * t65) * c->Psi_c_z1
-        + t66 * REAL(2.23606797749979);
-    const six_link_real t78 = (link->G[3] * t63 - link->G[1] * t60 + link->G[4] * t65) * c->Psi_c_y2
-        + t68 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_12 = c->Psi_c_z1 * t78 + C_52 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_11 = c->Psi_c_z1 * t77 + t69 * REAL(2.23606797749979) + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_22 = c->Psi_c_y2 * t76 + t71 * REAL(2.23606797749979) + m_eta[1];
-    const six_link_real t79 = c->Psi_c_z1 * (link->G[2] * p_T_1 + link->G[4] * p_T_2 + link->G[5] * p_T_3)
-        + p_T_5 * REAL(2.23606797749979);
-    const six_link_real t80 = c->Psi_c_y2 * (link->G[3] * p_T_2 - link->G[1] * p_T_1 + link->G[4] * p_T_3)
-        + p_T_6 * REAL(2.23606797749979);
-    const six_link_real h_phi_1 = link->h_eta[0] + f_eta[0] + t79;
-    const six_link_real h_phi_2 = link->h_eta[1] + f_eta[1] + t80;
-    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
-    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
-    const six_link_real t81 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t81 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t81;
-    const six_link_real t82 = C_12 - modes_L_21 * C_11;
-    const six_link_real t83 = C_22 - modes_L_21 * C_21;
-    const six_link_real t84 = C_32 - modes_L_21 * C_31;
-    const six_link_real t85 = C_42 - modes_L_21 * C_41;
-    const six_link_real t86 = C_52 - modes_L_21 * C_51;
-    const six_link_real t87 = C_62 - modes_L_21 * C_61;
-    const six_link_real t88 = h_phi_2 - modes_L_21 * h_phi_1;
-    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
-    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
-    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
-    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
-    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
-    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
-    const six_link_real modes_W_21 = t82 * modes_inverse_2;
-    const six_link_real modes_W_22 = t83 * modes_inverse_2;
-    const six_link_real modes_W_23 = t84 * modes_inverse_2;
-    const six_link_real modes_W_24 = t85 * modes_inverse_2;
-    const six_link_real modes_W_25 = t86 * modes_inverse_2;
-    const six_link_real modes_W_26 = t87 * modes_inverse_2;
-    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    const six_link_real modes_w_2 = t88 * modes_inverse_2;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t82 * modes_W_21);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t82 * modes_W_22);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t82 * modes_W_23);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t82 * modes_W_24);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t82 * modes_W_25);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t82 * modes_W_26);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t83 * modes_W_22);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t83 * modes_W_23);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t83 * modes_W_24);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t83 * modes_W_25);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t83 * modes_W_26);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t84 * modes_W_23);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t84 * modes_W_24);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t84 * modes_W_25);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t84 * modes_W_26);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t85 * modes_W_24);
-    const six_link_real M_i_45 = Lambda_T_45 - (C_41 * modes_W_15 + t85 * modes_W_25);
-    const six_link_real M_i_46 = Lambda_T_46 - (C_41 * modes_W_16 + t85 * modes_W_26);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t86 * modes_W_25);
-    const six_link_real M_i_56 = Lambda_T_56 - (C_51 * modes_W_16 + t86 * modes_W_26);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t87 * modes_W_26);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t88);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t88);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t88);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t88);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t88);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t88);
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t89 = M_i_13 * link->beta[1] - M_i_11 * link->beta[0] - M_i_14 * link->beta[2]
-        + M_i_16 * link->beta[3];
-    const six_link_real t90 = M_i_23 * link->beta[1] - M_i_12 * link->beta[0] - M_i_24 * link->beta[2]
-        + M_i_26 * link->beta[3];
-    const six_link_real t91 = M_i_33 * link->beta[1] - M_i_13 * link->beta[0] - M_i_34 * link->beta[2]
-        + M_i_36 * link->beta[3];
-    const six_link_real t92 = M_i_34 * link->beta[1] - M_i_14 * link->beta[0] - M_i_44 * link->beta[2]
-        + M_i_46 * link->beta[3];
-    const six_link_real t93 = M_i_35 * link->beta[1] - M_i_15 * link->beta[0] - M_i_45 * link->beta[2]
-        + M_i_56 * link->beta[3];
-    const six_link_real t94 = M_i_36 * link->beta[1] - M_i_16 * link->beta[0] - M_i_46 * link->beta[2]
-        + M_i_66 * link->beta[3];
-    const six_link_real bias_1 = h_i_1 + t89;
-    const six_link_real bias_2 = h_i_2 + t90;
-    const six_link_real bias_3 = h_i_3 + t91;
-    const six_link_real bias_4 = h_i_4 + t92;
-    const six_link_real bias_5 = h_i_5 + t93;
-    const six_link_real bias_6 = h_i_6 + t94;
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
-    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
-    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
-    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_2) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
-    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
-    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
-    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
-    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
-    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
-    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
-    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
-    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_i_12 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_i_22 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_i_23 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + M_i_24 * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + M_i_25 * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + M_i_26 * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t95 = Lambda_i_11 * link->R_rel[2] + Lambda_i_12 * c->R_m_yy
-        + Lambda_i_13 * link->R_rel[3];
-    const six_link_real t96 = Lambda_i_11 * link->R_rel[4] + Lambda_i_12 * c->R_m_zy
-        + Lambda_i_13 * link->R_rel[5];
-    const six_link_real t97 = Lambda_i_12 * link->R_rel[2] + Lambda_i_22 * c->R_m_yy
-        + Lambda_i_23 * link->R_rel[3];
-    const six_link_real t98 = Lambda_i_12 * link->R_rel[4] + Lambda_i_22 * c->R_m_zy
-        + Lambda_i_23 * link->R_rel[5];
-    const six_link_real t99 = Lambda_i_13 * link->R_rel[2] + Lambda_i_23 * c->R_m_yy
-        + Lambda_i_33 * link->R_rel[3];
-    const six_link_real t100 = Lambda_i_13 * link->R_rel[4] + Lambda_i_23 * c->R_m_zy
-        + Lambda_i_33 * link->R_rel[5];
-    const six_link_real t101 = link->R_rel[0]
-        * (Lambda_i_11 * link->R_rel[0] + Lambda_i_12 * c->R_m_xy + Lambda_i_13 * link->R_rel[1]);
-    const six_link_real t102 = c->R_m_xy
-        * (Lambda_i_12 * link->R_rel[0] + Lambda_i_22 * c->R_m_xy + Lambda_i_23 * link->R_rel[1]);
-    const six_link_real t103 = link->R_rel[1]
-        * (Lambda_i_13 * link->R_rel[0] + Lambda_i_23 * c->R_m_xy + Lambda_i_33 * link->R_rel[1]);
-    const six_link_real t104 = Lambda_i_14 * link->R_rel[0] + Lambda_i_15 * c->R_m_xy
-        + Lambda_i_16 * link->R_rel[1];
-    const six_link_real t105 = Lambda_i_14 * link->R_rel[2] + Lambda_i_15 * c->R_m_yy
-        + Lambda_i_16 * link->R_rel[3];
-    const six_link_real t106 = Lambda_i_14 * link->R_rel[4] + Lambda_i_15 * c->R_m_zy
-        + Lambda_i_16 * link->R_rel[5];
-    const six_link_real t107 = Lambda_i_24 * link->R_rel[0] + Lambda_i_25 * c->R_m_xy
-        + Lambda_i_26 * link->R_rel[1];
-    const six_link_real t108 = Lambda_i_24 * link->R_rel[2] + Lambda_i_25 * c->R_m_yy
-        + Lambda_i_26 * link->R_rel[3];
-    const six_link_real t109 = Lambda_i_24 * link->R_rel[4] + Lambda_i_25 * c->R_m_zy
-        + Lambda_i_26 * link->R_rel[5];
-    const six_link_real t110 = Lambda_i_34 * link->R_rel[0] + Lambda_i_35 * c->R_m_xy
-        + Lambda_i_36 * link->R_rel[1];
-    const six_link_real t111 = Lambda_i_34 * link->R_rel[2] + Lambda_i_35 * c->R_m_yy
-        + Lambda_i_36 * link->R_rel[3];
-    const six_link_real t112 = Lambda_i_34 * link->R_rel[4] + Lambda_i_35 * c->R_m_zy
-        + Lambda_i_36 * link->R_rel[5];
-    const six_link_real t113 = link->R_rel[0] * t104 + c->R_m_xy * t107 + link->R_rel[1] * t110;
-    const six_link_real t114 = link->R_rel[0] * t105 + c->R_m_xy * t108 + link->R_rel[1] * t111;
-    const six_link_real t115 = link->R_rel[0] * t106 + c->R_m_xy * t109 + link->R_rel[1] * t112;
-    const six_link_real t116 = link->R_rel[2] * t104 + c->R_m_yy * t107 + link->R_rel[3] * t110;
-    const six_link_real t117 = link->R_rel[2] * t105 + c->R_m_yy * t108 + link->R_rel[3] * t111;
-    const six_link_real t118 = link->R_rel[2] * t106 + c->R_m_yy * t109 + link->R_rel[3] * t112;
-    const six_link_real t119 = link->R_rel[4] * t104 + c->R_m_zy * t107 + link->R_rel[5] * t110;
-    const six_link_real t120 = link->R_rel[4] * t105 + c->R_m_zy * t108 + link->R_rel[5] * t111;
-    const six_link_real t121 = Lambda_i_44 * link->R_rel[2] + Lambda_i_45 * c->R_m_yy
-        + Lambda_i_46 * link->R_rel[3];
-    const six_link_real t122 = Lambda_i_44 * link->R_rel[4] + Lambda_i_45 * c->R_m_zy
-        + Lambda_i_46 * link->R_rel[5];
-    const six_link_real t123 = Lambda_i_45 * link->R_rel[2] + Lambda_i_55 * c->R_m_yy
-        + Lambda_i_56 * link->R_rel[3];
-    const six_link_real t124 = Lambda_i_45 * link->R_rel[4] + Lambda_i_55 * c->R_m_zy
-        + Lambda_i_56 * link->R_rel[5];
-    const six_link_real t125 = Lambda_i_46 * link->R_rel[2] + Lambda_i_56 * c->R_m_yy
-        + Lambda_i_66 * link->R_rel[3];
-    const six_link_real t126 = Lambda_i_46 * link->R_rel[4] + Lambda_i_56 * c->R_m_zy
-        + Lambda_i_66 * link->R_rel[5];
-    const six_link_real t127 = link->R_rel[0]
-        * (Lambda_i_44 * link->R_rel[0] + Lambda_i_45 * c->R_m_xy + Lambda_i_46 * link->R_rel[1]);
-    const six_link_real t128 = c->R_m_xy
-        * (Lambda_i_45 * link->R_rel[0] + Lambda_i_55 * c->R_m_xy + Lambda_i_56 * link->R_rel[1]);
-    const six_link_real t129 = link->R_rel[1]
-        * (Lambda_i_46 * link->R_rel[0] + Lambda_i_56 * c->R_m_xy + Lambda_i_66 * link->R_rel[1]);
-    const six_link_real Lambda_16 = t127 + t128 + t129;
-    const six_link_real Lambda_17 = link->R_rel[0] * t121 + c->R_m_xy * t123 + link->R_rel[1] * t125;
-    const six_link_real Lambda_18 = link->R_rel[0] * t122 + c->R_m_xy * t124 + link->R_rel[1] * t126;
-    const six_link_real Lambda_19 = link->R_rel[2] * t121 + c->R_m_yy * t123 + link->R_rel[3] * t125;
-    const six_link_real Lambda_20 = link->R_rel[2] * t122 + c->R_m_yy * t124 + link->R_rel[3] * t126;
-    const six_link_real Lambda_21 = link->R_rel[4] * t122 + c->R_m_zy * t124 + link->R_rel[5] * t126;
-    const six_link_real t130 = c->mount_xyz_z * Lambda_17;
-    const six_link_real t131 = c->mount_xyz_y * Lambda_18;
-    const six_link_real t132 = c->mount_xyz_x * Lambda_20;
-    const six_link_real Lambda_4 = t113 + (t131 - t130);
-    const six_link_real Lambda_5 = t114 + (c->mount_xyz_y * Lambda_20 - c->mount_xyz_z * Lambda_19);
-    const six_link_real Lambda_6 = t115 + (c->mount_xyz_y * Lambda_21 - c->mount_xyz_z * Lambda_20);
-    const six_link_real Lambda_9 = t116 + (c->mount_xyz_z * Lambda_16 - c->mount_xyz_x * Lambda_18);
-    const six_link_real Lambda_10 = t117 + (t130 - t132);
-    const six_link_real Lambda_11 = t118 + (c->mount_xyz_z * Lambda_18 - c->mount_xyz_x * Lambda_21);
-    const six_link_real Lambda_13 = t119 + (c->mount_xyz_x * Lambda_17 - c->mount_xyz_y * Lambda_16);
-    const six_link_real Lambda_14 = t120 + (c->mount_xyz_x * Lambda_19 - c->mount_xyz_y * Lambda_17);
-    const six_link_real Lambda_15 = link->R_rel[4] * t106 + c->R_m_zy * t109 + link->R_rel[5] * t112
-        + (t132 - t131);
-    const six_link_real Lambda_1 = t101 + t102 + t103 - (t114 * c->mount_xyz_z - t115 * c->mount_xyz_y)
-        + (c->mount_xyz_y * Lambda_6 - c->mount_xyz_z * Lambda_5);
-    const six_link_real t133 = link->R_rel[0] * t95 + c->R_m_xy * t97 + link->R_rel[1] * t99
-        - (t115 * c->mount_xyz_x - t113 * c->mount_xyz_z);
-    const six_link_real Lambda_2 = t133 + (c->mount_xyz_y * Lambda_11 - c->mount_xyz_z * Lambda_10);
-    const six_link_real t134 = link->R_rel[0] * t96 + c->R_m_xy * t98 + link->R_rel[1] * t100
-        - (t113 * c->mount_xyz_y - t114 * c->mount_xyz_x);
-    const six_link_real Lambda_3 = t134 + (c->mount_xyz_y * Lambda_15 - c->mount_xyz_z * Lambda_14);
-    const six_link_real t135 = link->R_rel[2] * t95 + c->R_m_yy * t97 + link->R_rel[3] * t99
-        - (t118 * c->mount_xyz_x - t116 * c->mount_xyz_z);
-    const six_link_real Lambda_7 = t135 + (c->mount_xyz_z * Lambda_9 - c->mount_xyz_x * Lambda_11);
-    const six_link_real t136 = link->R_rel[2] * t96 + c->R_m_yy * t98 + link->R_rel[3] * t100
-        - (t116 * c->mount_xyz_y - t117 * c->mount_xyz_x);
-    const six_link_real Lambda_8 = t136 + (c->mount_xyz_z * Lambda_13 - c->mount_xyz_x * Lambda_15);
-    const six_link_real t137 = link->R_rel[4] * t96 + c->R_m_zy * t98 + link->R_rel[5] * t100
-        - (t119 * c->mount_xyz_y - t120 * c->mount_xyz_x);
-    const six_link_real Lambda_12 = t137 + (c->mount_xyz_x * Lambda_14 - c->mount_xyz_y * Lambda_13);
-    const six_link_real p_4 = link->R_rel[0] * p_i_4 + c->R_m_xy * p_i_5 + link->R_rel[1] * p_i_6;
-    const six_link_real p_5 = link->R_rel[2] * p_i_4 + c->R_m_yy * p_i_5 + link->R_rel[3] * p_i_6;
-    const six_link_real p_6 = link->R_rel[4] * p_i_4 + c->R_m_zy * p_i_5 + link->R_rel[5] * p_i_6;
-    const six_link_real p_1 = link->R_rel[0] * p_i_1 + c->R_m_xy * p_i_2 + link->R_rel[1] * p_i_3
-        + (c->mount_xyz_y * p_6 - c->mount_xyz_z * p_5);
-    const six_link_real p_2 = link->R_rel[2] * p_i_1 + c->R_m_yy * p_i_2 + link->R_rel[3] * p_i_3
-        + (c->mount_xyz_z * p_4 - c->mount_xyz_x * p_6);
-    const six_link_real p_3 = link->R_rel[4] * p_i_1 + c->R_m_zy * p_i_2 + link->R_rel[5] * p_i_3
-        + (c->mount_xyz_x * p_5 - c->mount_xyz_y * p_4);
-
-    /* outputs */
-    link->modes_L[0] = modes_L_21;
-    link->modes_W[0] = modes_W_11;
-    link->modes_W[1] = modes_W_12;
-    link->modes_W[2] = modes_W_13;
-    link->modes_W[3] = modes_W_14;
-    link->modes_W[4] = modes_W_15;
-    link->modes_W[5] = modes_W_16;
-    link->modes_W[6] = modes_W_21;
-    link->modes_W[7] = modes_W_22;
-    link->modes_W[8] = modes_W_23;
-    link->modes_W[9] = modes_W_24;
-    link->modes_W[10] = modes_W_25;
-    link->modes_W[11] = modes_W_26;
-    link->modes_w[0] = modes_w_1;
-    link->modes_w[1] = modes_w_2;
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_1;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_4;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_7;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_10;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_16;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_19;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_21;
-    base->p[0] = p_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_5;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like wrist_roll: 267 operations */
-static six_link_status eliminate_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real tau[1],
-    const six_link_real qdot[1])
-{
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t1 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_24 = tip->Lambda[8] - c->length * tip->Lambda[17];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t1;
-    const six_link_real t2 = tip->Lambda[10] - c->length * tip->Lambda[20];
-    const six_link_real M_loaded_34 = tip->Lambda[12] + c->length * tip->Lambda[16];
-    const six_link_real t3 = tip->Lambda[13] + c->length * tip->Lambda[18];
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t1;
-    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
-    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
-    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
-    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t2);
-    const six_link_real M_loaded_26 = t2 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t3);
-    const six_link_real M_loaded_35 = c->S_0_x + t3;
-    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
-    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
-    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
-    const six_link_real h_loaded_2 = link->h_V[0] + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = link->h_V[1] + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = link->h_V[2] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[3] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[4] + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t4 = M_loaded_12 * link->beta[0] - M_loaded_13 * link->beta[1]
-        + tip->Lambda[4] * link->beta[2] - tip->Lambda[5] * link->beta[3];
-    const six_link_real t5 = M_loaded_22 * link->beta[0] - M_loaded_23 * link->beta[1]
-        + M_loaded_25 * link->beta[2] - M_loaded_26 * link->beta[3];
-    const six_link_real t6 = M_loaded_23 * link->beta[0] - M_loaded_33 * link->beta[1]
-        + M_loaded_35 * link->beta[2] - M_loaded_36 * link->beta[3];
-    const six_link_real t7 = M_loaded_24 * link->beta[0] - M_loaded_34 * link->beta[1]
-        + tip->Lambda[16] * link->beta[2] - tip->Lambda[17] * link->beta[3];
-    const six_link_real t8 = M_loaded_25 * link->beta[0] - M_loaded_35 * link->beta[1]
-        + M_loaded_55 * link->beta[2] - tip->Lambda[19] * link->beta[3];
-    const six_link_real t9 = M_loaded_26 * link->beta[0] - M_loaded_36 * link->beta[1]
-        + tip->Lambda[19] * link->beta[2] - M_loaded_66 * link->beta[3];
-    const six_link_real bias_1 = p_T_1 + t4;
-    const six_link_real bias_2 = h_loaded_2 + t5;
-    const six_link_real bias_3 = h_loaded_3 + t6;
-    const six_link_real bias_4 = h_loaded_4 + t7;
-    const six_link_real bias_5 = h_loaded_5 + t8;
-    const six_link_real bias_6 = h_loaded_6 + t9;
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_loaded_12 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_loaded_13 * joint_inverse_1;
-    const six_link_real joint_W_14 = tip->Lambda[3] * joint_inverse_1;
-    const six_link_real joint_W_15 = tip->Lambda[4] * joint_inverse_1;
-    const six_link_real joint_W_16 = tip->Lambda[5] * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_1) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_11 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_11 * joint_W_13;
-    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_11 * joint_W_14;
-    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_11 * joint_W_15;
-    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_11 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_12 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_12 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_12 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_12 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_12 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_13 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_13 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_13 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_13 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[3] * joint_W_14;
-    const six_link_real Lambda_i_45 = tip->Lambda[16] - tip->Lambda[3] * joint_W_15;
-    const six_link_real Lambda_i_46 = tip->Lambda[17] - tip->Lambda[3] * joint_W_16;
-    const six_link_real Lambda_i_55 = M_loaded_55 - tip->Lambda[4] * joint_W_15;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - tip->Lambda[4] * joint_W_16;
-    const six_link_real Lambda_i_66 = M_loaded_66 - tip->Lambda[5] * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_loaded_11 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_loaded_12 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_loaded_13 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + tip->Lambda[3] * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + tip->Lambda[4] * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + tip->Lambda[5] * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real Lambda_2 = Lambda_i_12 * link->R_rel[0] - Lambda_i_13 * link->R_rel[1];
-    const six_link_real Lambda_3 = Lambda_i_12 * link->R_rel[1] + Lambda_i_13 * link->R_rel[0];
-    const six_link_real t10 = Lambda_i_23 * link->R_rel[1];
-    const six_link_real t11 = Lambda_i_23 * link->R_rel[0];
-    const six_link_real t12 = Lambda_i_22 * link->R_rel[1] + t11;
-    const six_link_real t13 = t10 + Lambda_i_33 * link->R_rel[0];
-    const six_link_real Lambda_7 = link->R_rel[0] * (Lambda_i_22 * link->R_rel[0] - t10)
-        - link->R_rel[1] * (t11 - Lambda_i_33 * link->R_rel[1]);
-    const six_link_real Lambda_8 = link->R_rel[0] * t12 - link->R_rel[1] * t13;
-    const six_link_real Lambda_12 = link->R_rel[1] * t12 + link->R_rel[0] * t13;
-    const six_link_real Lambda_5 = Lambda_i_15 * link->R_rel[0] - Lambda_i_16 * link->R_rel[1];
-    const six_link_real Lambda_6 = Lambda_i_15 * link->R_rel[1] + Lambda_i_16 * link->R_rel[0];
-    const six_link_real t14 = Lambda_i_25 * link->R_rel[0] - Lambda_i_26 * link->R_rel[1];
-    const six_link_real t15 = Lambda_i_25 * link->R_rel[1] + Lambda_i_26 * link->R_rel[0];
-    const six_link_real t16 = Lambda_i_35 * link->R_rel[0] - Lambda_i_36 * link->R_rel[1];
-    const six_link_real t17 = Lambda_i_35 * link->R_rel[1] + Lambda_i_36 * link->R_rel[0];
-    const six_link_real Lambda_9 = link->R_rel[0] * Lambda_i_24 - link->R_rel[1] * Lambda_i_34;
-    const six_link_real Lambda_10 = link->R_rel[0] * t14 - link->R_rel[1] * t16;
-    const six_link_real Lambda_11 = link->R_rel[0] * t15 - link->R_rel[1] * t17;
-    const six_link_real Lambda_13 = link->R_rel[1] * Lambda_i_24 + link->R_rel[0] * Lambda_i_34;
-    const six_link_real Lambda_14 = link->R_rel[1] * t14 + link->R_rel[0] * t16;
-    const six_link_real Lambda_15 = link->R_rel[1] * t15 + link->R_rel[0] * t17;
-    const six_link_real Lambda_17 = Lambda_i_45 * link->R_rel[0] - Lambda_i_46 * link->R_rel[1];
-    const six_link_real Lambda_18 = Lambda_i_45 * link->R_rel[1] + Lambda_i_46 * link->R_rel[0];
-    const six_link_real t18 = Lambda_i_56 * link->R_rel[1];
-    const six_link_real t19 = Lambda_i_56 * link->R_rel[0];
-    const six_link_real t20 = Lambda_i_55 * link->R_rel[1] + t19;
-    const six_link_real t21 = t18 + Lambda_i_66 * link->R_rel[0];
-    const six_link_real Lambda_19 = link->R_rel[0] * (Lambda_i_55 * link->R_rel[0] - t18)
-        - link->R_rel[1] * (t19 - Lambda_i_66 * link->R_rel[1]);
-    const six_link_real Lambda_20 = link->R_rel[0] * t20 - link->R_rel[1] * t21;
-    const six_link_real Lambda_21 = link->R_rel[1] * t20 + link->R_rel[0] * t21;
-    const six_link_real p_2 = link->R_rel[0] * p_i_2 - link->R_rel[1] * p_i_3;
-    const six_link_real p_3 = link->R_rel[1] * p_i_2 + link->R_rel[0] * p_i_3;
-    const six_link_real p_5 = link->R_rel[0] * p_i_5 - link->R_rel[1] * p_i_6;
-    const six_link_real p_6 = link->R_rel[1] * p_i_5 + link->R_rel[0] * p_i_6;
-
-    /* outputs */
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_i_11;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_i_14;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_7;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_10;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_i_44;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_19;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_21;
-    base->p[0] = p_i_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_i_4;
-    base->p[4] = p_5;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like wrist_pitch: 267 operations */
-static six_link_status eliminate_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real tau[1],
-    const six_link_real qdot[1])
-{
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t1 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_24 = tip->Lambda[8] - c->length * tip->Lambda[17];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t1;
-    const six_link_real t2 = tip->Lambda[10] - c->length * tip->Lambda[20];
-    const six_link_real M_loaded_34 = tip->Lambda[12] + c->length * tip->Lambda[16];
-    const six_link_real t3 = tip->Lambda[13] + c->length * tip->Lambda[18];
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t1;
-    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
-    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
-    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
-    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t2);
-    const six_link_real M_loaded_26 = t2 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t3);
-    const six_link_real M_loaded_35 = c->S_0_x + t3;
-    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
-    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
-    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
-    const six_link_real h_loaded_2 = link->h_V[0] + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = link->h_V[1] + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = link->h_V[2] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[3] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[4] + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t4 = M_loaded_13 * link->beta[1] - M_loaded_11 * link->beta[0]
-        - tip->Lambda[3] * link->beta[2] + tip->Lambda[5] * link->beta[3];
-    const six_link_real t5 = M_loaded_23 * link->beta[1] - M_loaded_12 * link->beta[0]
-        - M_loaded_24 * link->beta[2] + M_loaded_26 * link->beta[3];
-    const six_link_real t6 = M_loaded_33 * link->beta[1] - M_loaded_13 * link->beta[0]
-        - M_loaded_34 * link->beta[2] + M_loaded_36 * link->beta[3];
-    const six_link_real t7 = M_loaded_34 * link->beta[1] - tip->Lambda[3] * link->beta[0]
-        - M_loaded_44 * link->beta[2] + tip->Lambda[17] * link->beta[3];
-    const six_link_real t8 = M_loaded_35 * link->beta[1] - tip->Lambda[4] * link->beta[0]
-        - tip->Lambda[16] * link->beta[2] + tip->Lambda[19] * link->beta[3];
-    const six_link_real t9 = M_loaded_36 * link->beta[1] - tip->Lambda[5] * link->beta[0]
-        - tip->Lambda[17] * link->beta[2] + M_loaded_66 * link->beta[3];
-    const six_link_real bias_1 = p_T_1 + t4;
-    const six_link_real bias_2 = h_loaded_2 + t5;
-    const six_link_real bias_3 = h_loaded_3 + t6;
-    const six_link_real bias_4 = h_loaded_4 + t7;
-    const six_link_real bias_5 = h_loaded_5 + t8;
-    const six_link_real bias_6 = h_loaded_6 + t9;
-    const six_link_real joint_inertia_11 = M_loaded_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_loaded_22 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_loaded_23 * joint_inverse_1;
-    const six_link_real joint_W_14 = M_loaded_24 * joint_inverse_1;
-    const six_link_real joint_W_15 = M_loaded_25 * joint_inverse_1;
-    const six_link_real joint_W_16 = M_loaded_26 * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_2) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_12 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_12 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_12 * joint_W_13;
-    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_12 * joint_W_14;
-    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_12 * joint_W_15;
-    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_12 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_22 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_22 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_22 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_22 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_22 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_23 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_23 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_23 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_23 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_loaded_44 - M_loaded_24 * joint_W_14;
-    const six_link_real Lambda_i_45 = tip->Lambda[16] - M_loaded_24 * joint_W_15;
-    const six_link_real Lambda_i_46 = tip->Lambda[17] - M_loaded_24 * joint_W_16;
-    const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_25 * joint_W_15;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - M_loaded_25 * joint_W_16;
-    const six_link_real Lambda_i_66 = M_loaded_66 - M_loaded_26 * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_loaded_12 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_loaded_22 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_loaded_23 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + M_loaded_24 * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + M_loaded_25 * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + M_loaded_26 * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t10 = Lambda_i_13 * link->R_rel[1];
-    const six_link_real t11 = Lambda_i_13 * link->R_rel[0];
-    const six_link_real t12 = t11 - Lambda_i_11 * link->R_rel[1];
-    const six_link_real Lambda_2 = Lambda_i_12 * link->R_rel[0] + Lambda_i_23 * link->R_rel[1];
-    const six_link_real Lambda_8 = Lambda_i_23 * link->R_rel[0] - Lambda_i_12 * link->R_rel[1];
-    const six_link_real t13 = Lambda_i_33 * link->R_rel[0] - t10;
-    const six_link_real Lambda_1 = link->R_rel[0] * (Lambda_i_11 * link->R_rel[0] + t10)
-        + link->R_rel[1] * (t11 + Lambda_i_33 * link->R_rel[1]);
-    const six_link_real Lambda_3 = link->R_rel[0] * t12 + link->R_rel[1] * t13;
-    const six_link_real Lambda_12 = link->R_rel[0] * t13 - link->R_rel[1] * t12;
-    const six_link_real t14 = Lambda_i_14 * link->R_rel[0] + Lambda_i_16 * link->R_rel[1];
-    const six_link_real t15 = Lambda_i_16 * link->R_rel[0] - Lambda_i_14 * link->R_rel[1];
-    const six_link_real Lambda_9 = Lambda_i_24 * link->R_rel[0] + Lambda_i_26 * link->R_rel[1];
-    const six_link_real Lambda_11 = Lambda_i_26 * link->R_rel[0] - Lambda_i_24 * link->R_rel[1];
-    const six_link_real t16 = Lambda_i_34 * link->R_rel[0] + Lambda_i_36 * link->R_rel[1];
-    const six_link_real t17 = Lambda_i_36 * link->R_rel[0] - Lambda_i_34 * link->R_rel[1];
-    const six_link_real Lambda_4 = link->R_rel[0] * t14 + link->R_rel[1] * t16;
-    const six_link_real Lambda_5 = link->R_rel[0] * Lambda_i_15 + link->R_rel[1] * Lambda_i_35;
-    const six_link_real Lambda_6 = link->R_rel[0] * t15 + link->R_rel[1] * t17;
-    const six_link_real Lambda_13 = link->R_rel[0] * t16 - link->R_rel[1] * t14;
-    const six_link_real Lambda_14 = link->R_rel[0] * Lambda_i_35 - link->R_rel[1] * Lambda_i_15;
-    const six_link_real Lambda_15 = link->R_rel[0] * t17 - link->R_rel[1] * t15;
-    const six_link_real t18 = Lambda_i_46 * link->R_rel[1];
-    const six_link_real t19 = Lambda_i_46 * link->R_rel[0];
-    const six_link_real t20 = t19 - Lambda_i_44 * link->R_rel[1];
-    const six_link_real Lambda_17 = Lambda_i_45 * link->R_rel[0] + Lambda_i_56 * link->R_rel[1];
-    const six_link_real Lambda_20 = Lambda_i_56 * link->R_rel[0] - Lambda_i_45 * link->R_rel[1];
-    const six_link_real t21 = Lambda_i_66 * link->R_rel[0] - t18;
-    const six_link_real Lambda_16 = link->R_rel[0] * (Lambda_i_44 * link->R_rel[0] + t18)
-        + link->R_rel[1] * (t19 + Lambda_i_66 * link->R_rel[1]);
-    const six_link_real Lambda_18 = link->R_rel[0] * t20 + link->R_rel[1] * t21;
-    const six_link_real Lambda_21 = link->R_rel[0] * t21 - link->R_rel[1] * t20;
-    const six_link_real p_1 = link->R_rel[0] * p_i_1 + link->R_rel[1] * p_i_3;
-    const six_link_real p_3 = link->R_rel[0] * p_i_3 - link->R_rel[1] * p_i_1;
-    const six_link_real p_4 = link->R_rel[0] * p_i_4 + link->R_rel[1] * p_i_6;
-    const six_link_real p_6 = link->R_rel[0] * p_i_6 - link->R_rel[1] * p_i_4;
-
-    /* outputs */
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_1;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_4;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_i_22;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_i_25;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_16;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_i_55;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_21;
-    base->p[0] = p_1;
-    base->p[1] = p_i_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_i_5;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like flange: 288 operations */
-static six_link_status eliminate_flange(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real w_ext[6], const six_link_real tau[1],
-    const six_link_real qdot[1])
-{
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real Lambda_T_11 = tip->Lambda[0] + c->I_T_xx;
-    const six_link_real Lambda_T_12 = tip->Lambda[1] - c->J_T_xy;
-    const six_link_real Lambda_T_13 = tip->Lambda[2] - c->J_T_xz;
-    const six_link_real Lambda_T_15 = tip->Lambda[4] - c->S_T_z;
-    const six_link_real Lambda_T_16 = tip->Lambda[5] + c->S_T_y;
-    const six_link_real Lambda_T_22 = tip->Lambda[6] + c->I_T_yy;
-    const six_link_real Lambda_T_23 = tip->Lambda[7] - c->J_T_yz;
-    const six_link_real Lambda_T_24 = tip->Lambda[8] + c->S_T_z;
-    const six_link_real Lambda_T_26 = tip->Lambda[10] - c->S_T_x;
-    const six_link_real Lambda_T_33 = tip->Lambda[11] + c->I_T_zz;
-    const six_link_real Lambda_T_34 = tip->Lambda[12] - c->S_T_y;
-    const six_link_real Lambda_T_35 = tip->Lambda[13] + c->S_T_x;
-    const six_link_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
-    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
-    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const six_link_real p_T_1 = tip->p[0] + link->h_T[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] + link->h_T[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] + link->h_T[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] + link->h_T[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] + link->h_T[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] + link->h_T[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t1 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_24 = Lambda_T_24 - c->length * tip->Lambda[17];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t1;
-    const six_link_real t2 = Lambda_T_26 - c->length * Lambda_T_66;
-    const six_link_real M_loaded_34 = Lambda_T_34 + c->length * tip->Lambda[16];
-    const six_link_real t3 = Lambda_T_35 + c->length * Lambda_T_55;
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t1;
-    const six_link_real M_loaded_12 = Lambda_T_12 - Lambda_T_16 * c->length;
-    const six_link_real M_loaded_13 = Lambda_T_13 + Lambda_T_15 * c->length;
-    const six_link_real M_loaded_23 = Lambda_T_23 + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + Lambda_T_11;
-    const six_link_real M_loaded_22 = c->J_0_xx + (Lambda_T_22 - Lambda_T_26 * c->length - c->length * t2);
-    const six_link_real M_loaded_26 = t2 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx + (Lambda_T_33 + Lambda_T_35 * c->length + c->length * t3);
-    const six_link_real M_loaded_35 = c->S_0_x + t3;
-    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
-    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
-    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
-    const six_link_real h_loaded_2 = link->h_V[0] + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = link->h_V[1] + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = link->h_V[2] + p_T_4;
-    const six_link_real h_loaded_5 = link->h_V[3] + p_T_5;
-    const six_link_real h_loaded_6 = link->h_V[4] + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real t4 = M_loaded_12 * link->beta[0] - M_loaded_13 * link->beta[1]
-        + Lambda_T_15 * link->beta[2] - Lambda_T_16 * link->beta[3];
-    const six_link_real t5 = M_loaded_22 * link->beta[0] - M_loaded_23 * link->beta[1]
-        + M_loaded_25 * link->beta[2] - M_loaded_26 * link->beta[3];
-    const six_link_real t6 = M_loaded_23 * link->beta[0] - M_loaded_33 * link->beta[1]
-        + M_loaded_35 * link->beta[2] - M_loaded_36 * link->beta[3];
-    const six_link_real t7 = M_loaded_24 * link->beta[0] - M_loaded_34 * link->beta[1]
-        + tip->Lambda[16] * link->beta[2] - tip->Lambda[17] * link->beta[3];
-    const six_link_real t8 = M_loaded_25 * link->beta[0] - M_loaded_35 * link->beta[1]
-        + M_loaded_55 * link->beta[2] - tip->Lambda[19] * link->beta[3];
-    const six_link_real t9 = M_loaded_26 * link->beta[0] - M_loaded_36 * link->beta[1]
-        + tip->Lambda[19] * link->beta[2] - M_loaded_66 * link->beta[3];
-    const six_link_real bias_1 = p_T_1 + t4;
-    const six_link_real bias_2 = h_loaded_2 + t5;
-    const six_link_real bias_3 = h_loaded_3 + t6;
-    const six_link_real bias_4 = h_loaded_4 + t7;
-    const six_link_real bias_5 = h_loaded_5 + t8;
-    const six_link_real bias_6 = h_loaded_6 + t9;
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
-    const six_link_real joint_W_12 = M_loaded_12 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_loaded_13 * joint_inverse_1;
-    const six_link_real joint_W_14 = tip->Lambda[3] * joint_inverse_1;
-    const six_link_real joint_W_15 = Lambda_T_15 * joint_inverse_1;
-    const six_link_real joint_W_16 = Lambda_T_16 * joint_inverse_1;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - bias_1) * joint_inverse_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_11 * joint_W_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_11 * joint_W_13;
-    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_11 * joint_W_14;
-    const six_link_real Lambda_i_15 = Lambda_T_15 - M_loaded_11 * joint_W_15;
-    const six_link_real Lambda_i_16 = Lambda_T_16 - M_loaded_11 * joint_W_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_12 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_12 * joint_W_13;
-    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_12 * joint_W_14;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_12 * joint_W_15;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_12 * joint_W_16;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_13 * joint_W_13;
-    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_13 * joint_W_14;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_13 * joint_W_15;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_13 * joint_W_16;
-    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[3] * joint_W_14;
-    const six_link_real Lambda_i_45 = tip->Lambda[16] - tip->Lambda[3] * joint_W_15;
-    const six_link_real Lambda_i_46 = tip->Lambda[17] - tip->Lambda[3] * joint_W_16;
-    const six_link_real Lambda_i_55 = M_loaded_55 - Lambda_T_15 * joint_W_15;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - Lambda_T_15 * joint_W_16;
-    const six_link_real Lambda_i_66 = M_loaded_66 - Lambda_T_16 * joint_W_16;
-    const six_link_real p_i_1 = bias_1 + M_loaded_11 * joint_w_1;
-    const six_link_real p_i_2 = bias_2 + M_loaded_12 * joint_w_1;
-    const six_link_real p_i_3 = bias_3 + M_loaded_13 * joint_w_1;
-    const six_link_real p_i_4 = bias_4 + tip->Lambda[3] * joint_w_1;
-    const six_link_real p_i_5 = bias_5 + Lambda_T_15 * joint_w_1;
-    const six_link_real p_i_6 = bias_6 + Lambda_T_16 * joint_w_1;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real Lambda_2 = Lambda_i_12 * link->R_rel[0] - Lambda_i_13 * link->R_rel[1];
-    const six_link_real Lambda_3 = Lambda_i_12 * link->R_rel[1] + Lambda_i_13 * link->R_rel[0];
-    const six_link_real t10 = Lambda_i_23 * link->R_rel[1];
-    const six_link_real t11 = Lambda_i_23 * link->R_rel[0];
-    const six_link_real t12 = Lambda_i_22 * link->R_rel[1] + t11;
-    const six_link_real t13 = t10 + Lambda_i_33 * link->R_rel[0];
-    const six_link_real Lambda_7 = link->R_rel[0] * (Lambda_i_22 * link->R_rel[0] - t10)
-        - link->R_rel[1] * (t11 - Lambda_i_33 * link->R_rel[1]);
-    const six_link_real Lambda_8 = link->R_rel[0] * t12 - link->R_rel[1] * t13;
-    const six_link_real Lambda_12 = link->R_rel[1] * t12 + link->R_rel[0] * t13;
-    const six_link_real Lambda_5 = Lambda_i_15 * link->R_rel[0] - Lambda_i_16 * link->R_rel[1];
-    const six_link_real Lambda_6 = Lambda_i_15 * link->R_rel[1] + Lambda_i_16 * link->R_rel[0];
-    const six_link_real t14 = Lambda_i_25 * link->R_rel[0] - Lambda_i_26 * link->R_rel[1];
-    const six_link_real t15 = Lambda_i_25 * link->R_rel[1] + Lambda_i_26 * link->R_rel[0];
-    const six_link_real t16 = Lambda_i_35 * link->R_rel[0] - Lambda_i_36 * link->R_rel[1];
-    const six_link_real t17 = Lambda_i_35 * link->R_rel[1] + Lambda_i_36 * link->R_rel[0];
-    const six_link_real Lambda_9 = link->R_rel[0] * Lambda_i_24 - link->R_rel[1] * Lambda_i_34;
-    const six_link_real Lambda_10 = link->R_rel[0] * t14 - link->R_rel[1] * t16;
-    const six_link_real Lambda_11 = link->R_rel[0] * t15 - link->R_rel[1] * t17;
-    const six_link_real Lambda_13 = link->R_rel[1] * Lambda_i_24 + link->R_rel[0] * Lambda_i_34;
-    const six_link_real Lambda_14 = link->R_rel[1] * t14 + link->R_rel[0] * t16;
-    const six_link_real Lambda_15 = link->R_rel[1] * t15 + link->R_rel[0] * t17;
-    const six_link_real Lambda_17 = Lambda_i_45 * link->R_rel[0] - Lambda_i_46 * link->R_rel[1];
-    const six_link_real Lambda_18 = Lambda_i_45 * link->R_rel[1] + Lambda_i_46 * link->R_rel[0];
-    const six_link_real t18 = Lambda_i_56 * link->R_rel[1];
-    const six_link_real t19 = Lambda_i_56 * link->R_rel[0];
-    const six_link_real t20 = Lambda_i_55 * link->R_rel[1] + t19;
-    const six_link_real t21 = t18 + Lambda_i_66 * link->R_rel[0];
-    const six_link_real Lambda_19 = link->R_rel[0] * (Lambda_i_55 * link->R_rel[0] - t18)
-        - link->R_rel[1] * (t19 - Lambda_i_66 * link->R_rel[1]);
-    const six_link_real Lambda_20 = link->R_rel[0] * t20 - link->R_rel[1] * t21;
-    const six_link_real Lambda_21 = link->R_rel[1] * t20 + link->R_rel[0] * t21;
-    const six_link_real p_2 = link->R_rel[0] * p_i_2 - link->R_rel[1] * p_i_3;
-    const six_link_real p_3 = link->R_rel[1] * p_i_2 + link->R_rel[0] * p_i_3;
-    const six_link_real p_5 = link->R_rel[0] * p_i_5 - link->R_rel[1] * p_i_6;
-    const six_link_real p_6 = link->R_rel[1] * p_i_5 + link->R_rel[0] * p_i_6;
-
-    /* outputs */
-    link->joint_W[0] = joint_W_11;
-    link->joint_W[1] = joint_W_12;
-    link->joint_W[2] = joint_W_13;
-    link->joint_W[3] = joint_W_14;
-    link->joint_W[4] = joint_W_15;
-    link->joint_W[5] = joint_W_16;
-    link->joint_w[0] = joint_w_1;
-    link->Lambda_i[0] = Lambda_i_11;
-    link->Lambda_i[1] = Lambda_i_12;
-    link->Lambda_i[2] = Lambda_i_13;
-    link->Lambda_i[3] = Lambda_i_14;
-    link->Lambda_i[4] = Lambda_i_15;
-    link->Lambda_i[5] = Lambda_i_16;
-    link->Lambda_i[6] = Lambda_i_22;
-    link->Lambda_i[7] = Lambda_i_23;
-    link->Lambda_i[8] = Lambda_i_24;
-    link->Lambda_i[9] = Lambda_i_25;
-    link->Lambda_i[10] = Lambda_i_26;
-    link->Lambda_i[11] = Lambda_i_33;
-    link->Lambda_i[12] = Lambda_i_34;
-    link->Lambda_i[13] = Lambda_i_35;
-    link->Lambda_i[14] = Lambda_i_36;
-    link->Lambda_i[15] = Lambda_i_44;
-    link->Lambda_i[16] = Lambda_i_45;
-    link->Lambda_i[17] = Lambda_i_46;
-    link->Lambda_i[18] = Lambda_i_55;
-    link->Lambda_i[19] = Lambda_i_56;
-    link->Lambda_i[20] = Lambda_i_66;
-    link->p_i[0] = p_i_1;
-    link->p_i[1] = p_i_2;
-    link->p_i[2] = p_i_3;
-    link->p_i[3] = p_i_4;
-    link->p_i[4] = p_i_5;
-    link->p_i[5] = p_i_6;
-    base->Lambda[0] = Lambda_i_11;
-    base->Lambda[1] = Lambda_2;
-    base->Lambda[2] = Lambda_3;
-    base->Lambda[3] = Lambda_i_14;
-    base->Lambda[4] = Lambda_5;
-    base->Lambda[5] = Lambda_6;
-    base->Lambda[6] = Lambda_7;
-    base->Lambda[7] = Lambda_8;
-    base->Lambda[8] = Lambda_9;
-    base->Lambda[9] = Lambda_10;
-    base->Lambda[10] = Lambda_11;
-    base->Lambda[11] = Lambda_12;
-    base->Lambda[12] = Lambda_13;
-    base->Lambda[13] = Lambda_14;
-    base->Lambda[14] = Lambda_15;
-    base->Lambda[15] = Lambda_i_44;
-    base->Lambda[16] = Lambda_17;
-    base->Lambda[17] = Lambda_18;
-    base->Lambda[18] = Lambda_19;
-    base->Lambda[19] = Lambda_20;
-    base->Lambda[20] = Lambda_21;
-    base->p[0] = p_i_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_i_4;
-    base->p[4] = p_5;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like shoulder: 117 operations */
-static six_link_status accelerate_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real t1 = base->alpha[3] + (base->alpha[1] * c->mount_xyz_z - base->alpha[2] * c->mount_xyz_y);
-    const six_link_real t2 = base->alpha[4] + (base->alpha[2] * c->mount_xyz_x - base->alpha[0] * c->mount_xyz_z);
-    const six_link_real carried_6 = base->alpha[5]
-        + (base->alpha[0] * c->mount_xyz_y - base->alpha[1] * c->mount_xyz_x);
-    const six_link_real carried_1 = link->R_rel[0] * base->alpha[0] + link->R_rel[1] * base->alpha[1];
-    const six_link_real carried_2 = link->R_rel[0] * base->alpha[1] - link->R_rel[1] * base->alpha[0];
-    const six_link_real carried_4 = link->R_rel[0] * t1 + link->R_rel[1] * t2;
-    const six_link_real carried_5 = link->R_rel[0] * t2 - link->R_rel[1] * t1;
-    const six_link_real t3 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
-        + link->joint_W[2] * base->alpha[2] + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t3 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    const six_link_real t4 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-        + link->Lambda_i[2] * base->alpha[2];
-    const six_link_real t5 = t4 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * carried_5
-        + link->Lambda_i[5] * carried_6;
-    const six_link_real t6 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
-        + link->Lambda_i[7] * base->alpha[2];
-    const six_link_real t7 = t6 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * carried_5
-        + link->Lambda_i[10] * carried_6;
-    const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
-        + link->Lambda_i[11] * base->alpha[2];
-    const six_link_real t9 = t8 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * carried_5
-        + link->Lambda_i[14] * carried_6;
-    const six_link_real t10 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
-        + link->Lambda_i[12] * base->alpha[2];
-    const six_link_real t11 = t10 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * carried_5
-        + link->Lambda_i[17] * carried_6;
-    const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
-        + link->Lambda_i[13] * base->alpha[2];
-    const six_link_real t13 = t12 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * carried_5
-        + link->Lambda_i[19] * carried_6;
-    const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
-        + link->Lambda_i[14] * base->alpha[2];
-    const six_link_real t15 = t14 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * carried_5
-        + link->Lambda_i[20] * carried_6;
-    const six_link_real wrench_1 = t5 + link->p_i[0];
-    const six_link_real wrench_2 = t7 + link->p_i[1];
-    const six_link_real wrench_3 = t9 + link->p_i[2];
-    const six_link_real wrench_4 = t11 + link->p_i[3];
-    const six_link_real wrench_5 = t13 + link->p_i[4];
-    const six_link_real wrench_6 = t15 + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_3 = base->alpha[2] + qddot_1;
-    const six_link_real alpha_1 = carried_1 + link->beta[0];
-    const six_link_real alpha_2 = carried_2 - link->beta[1];
-    const six_link_real alpha_4 = carried_4 + link->beta[2];
-    const six_link_real alpha_5 = carried_5 - link->beta[3];
-
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real alpha_T_5 = alpha_5 + alpha_3 * c->length;
-    const six_link_real alpha_T_6 = carried_6 - alpha_2 * c->length;
-
-    /* outputs */
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[6] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[8] * base->delta[2];
+    const six_link_real minus_carried_4 = carried_3 * c->mount_xyz_y;
+    const six_link_real carried_6 = carried_1 * c->mount_xyz_y;
+    const six_link_real carried_5 = base->delta[4] + (carried_3 * link->lever[0] - carried_1 * link->lever[1]);
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[2] * carried_3
+        - link->joint_W[3] * minus_carried_4 + link->joint_W[4] * carried_5;
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
     qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
+    alpha[1] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real alpha_1 = carried_1 + link->alpha_0[0];
     alpha[0] = alpha_1;
-    alpha[1] = alpha_2;
+    const six_link_real alpha_3 = carried_3 + link->alpha_0[2];
     alpha[2] = alpha_3;
+    const six_link_real alpha_4 = link->alpha_0[3] - minus_carried_4;
     alpha[3] = alpha_4;
+    const six_link_real alpha_5 = carried_5 + link->alpha_0[4];
     alpha[4] = alpha_5;
-    alpha[5] = carried_6;
-    tip->alpha[0] = alpha_1;
-    tip->alpha[1] = alpha_2;
-    tip->alpha[2] = alpha_3;
-    tip->alpha[3] = alpha_4;
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like upper_arm: 231 operations */
-static six_link_status accelerate_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6],
-    six_link_real etaddot[3])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real t1 = base->alpha[3] + (base->alpha[1] * c->mount_xyz_z - base->alpha[2] * c->mount_xyz_y);
-    const six_link_real carried_5 = base->alpha[4]
-        + (base->alpha[2] * c->mount_xyz_x - base->alpha[0] * c->mount_xyz_z);
-    const six_link_real t2 = base->alpha[5] + (base->alpha[0] * c->mount_xyz_y - base->alpha[1] * c->mount_xyz_x);
-    const six_link_real carried_1 = link->R_rel[0] * base->alpha[0] - link->R_rel[1] * base->alpha[2];
-    const six_link_real carried_3 = link->R_rel[1] * base->alpha[0] + link->R_rel[0] * base->alpha[2];
-    const six_link_real carried_4 = link->R_rel[0] * t1 - link->R_rel[1] * t2;
-    const six_link_real carried_6 = link->R_rel[1] * t1 + link->R_rel[0] * t2;
-    const six_link_real t3 = link->joint_W[0] * carried_1 + link->joint_W[1] * base->alpha[1]
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t3 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    const six_link_real t4 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * base->alpha[1]
-        + link->Lambda_i[2] * carried_3;
-    const six_link_real t5 = t4 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * carried_5
-        + link->Lambda_i[5] * carried_6;
-    const six_link_real t6 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * base->alpha[1]
-        + link->Lambda_i[7] * carried_3;
-    const six_link_real t7 = t6 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * carried_5
-        + link->Lambda_i[10] * carried_6;
-    const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * base->alpha[1]
-        + link->Lambda_i[11] * carried_3;
-    const six_link_real t9 = t8 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * carried_5
-        + link->Lambda_i[14] * carried_6;
-    const six_link_real t10 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * base->alpha[1]
-        + link->Lambda_i[12] * carried_3;
-    const six_link_real t11 = t10 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * carried_5
-        + link->Lambda_i[17] * carried_6;
-    const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * base->alpha[1]
-        + link->Lambda_i[13] * carried_3;
-    const six_link_real t13 = t12 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * carried_5
-        + link->Lambda_i[19] * carried_6;
-    const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * base->alpha[1]
-        + link->Lambda_i[14] * carried_3;
-    const six_link_real t15 = t14 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * carried_5
-        + link->Lambda_i[20] * carried_6;
-    const six_link_real wrench_1 = t5 + link->p_i[0];
-    const six_link_real wrench_2 = t7 + link->p_i[1];
-    const six_link_real wrench_3 = t9 + link->p_i[2];
-    const six_link_real wrench_4 = t11 + link->p_i[3];
-    const six_link_real wrench_5 = t13 + link->p_i[4];
-    const six_link_real wrench_6 = t15 + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_2 = base->alpha[1] + qddot_1;
-    const six_link_real alpha_1 = carried_1 - link->beta[0];
-    const six_link_real alpha_3 = carried_3 + link->beta[1];
-    const six_link_real alpha_4 = carried_4 - link->beta[2];
-    const six_link_real alpha_6 = carried_6 + link->beta[3];
-    const six_link_real t16 = link->modes_W[0] * alpha_1 + link->modes_W[1] * alpha_2
-        + link->modes_W[2] * alpha_3 + link->modes_W[3] * alpha_4;
-    const six_link_real t17 = link->modes_W[6] * alpha_1 + link->modes_W[7] * alpha_2
-        + link->modes_W[8] * alpha_3 + link->modes_W[9] * alpha_4;
-    const six_link_real t18 = link->modes_W[12] * alpha_1 + link->modes_W[13] * alpha_2
-        + link->modes_W[14] * alpha_3 + link->modes_W[15] * alpha_4;
+    const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
+    alpha[5] = alpha_6;
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * qddot_1
+        + link->modes_W[2] * carried_3 - link->modes_W[3] * minus_carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * qddot_1
+        + link->modes_W[8] * carried_3 - link->modes_W[9] * minus_carried_4;
+    const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * qddot_1
+        + link->modes_W[14] * carried_3 - link->modes_W[15] * minus_carried_4;
     const six_link_real minus_etaddot_3 = link->modes_w[2]
-        + (t18 + link->modes_W[16] * carried_5 + link->modes_W[17] * alpha_6);
+        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6);
+    etaddot[2] = -minus_etaddot_3;
     const six_link_real minus_etaddot_2 = link->modes_w[1]
-        + (t17 + link->modes_W[10] * carried_5 + link->modes_W[11] * alpha_6)
+        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
         - link->modes_L[2] * minus_etaddot_3;
-    const six_link_real t19 = link->modes_w[0]
-        + (t16 + link->modes_W[4] * carried_5 + link->modes_W[5] * alpha_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = t19 - link->modes_L[1] * minus_etaddot_3;
-    const six_link_real t20 = -minus_etaddot_1;
-    const six_link_real t21 = -minus_etaddot_2;
-    const six_link_real t22 = -minus_etaddot_3;
+    etaddot[1] = -minus_etaddot_2;
+    const six_link_real t5 = link->modes_w[0]
+        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
+    etaddot[0] = -minus_etaddot_1;
+    const six_link_real t6 = -minus_etaddot_1;
+    etaddot[0] = t6;
+    const six_link_real t7 = -minus_etaddot_2;
+    etaddot[1] = t7;
+    const six_link_real t8 = -minus_etaddot_3;
+    etaddot[2] = t8;
 
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real t23 = minus_etaddot_3 * REAL(1.4142135623730951);
-    const six_link_real t24 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t25 = c->Psi_c_z1 * minus_etaddot_1;
-    const six_link_real t26 = alpha_4 + (alpha_2 * link->r_T[1] - alpha_3 * link->r_T[0]);
-    const six_link_real t27 = alpha_1 - (link->G[0] * t23 + link->G[1] * t24 + link->G[2] * t25);
-    const six_link_real t28 = alpha_2 - (link->G[3] * t23 + link->G[4] * t24 + link->G[5] * t25);
-    const six_link_real t29 = alpha_3 - (link->G[6] * t23 + link->G[7] * t24 + link->G[8] * t25);
-    const six_link_real t30 = carried_5 + (alpha_3 * c->length - alpha_1 * link->r_T[1]) - minus_etaddot_1 * 2;
-    const six_link_real t31 = alpha_6 + (alpha_1 * link->r_T[0] - alpha_2 * c->length) - minus_etaddot_2 * 2;
-    const six_link_real alpha_T_1 = link->R_T[0] * t27 + link->R_T[3] * t28 + link->R_T[6] * t29 + link->b_T[0];
-    const six_link_real alpha_T_2 = link->R_T[1] * t27 + link->R_T[4] * t28 + link->R_T[7] * t29 + link->b_T[1];
-    const six_link_real alpha_T_3 = link->R_T[2] * t27 + link->R_T[5] * t28 + link->R_T[8] * t29 + link->b_T[2];
-    const six_link_real alpha_T_4 = link->R_T[0] * t26 + link->R_T[3] * t30 + link->R_T[6] * t31 + link->b_T[3];
-    const six_link_real alpha_T_5 = link->R_T[1] * t26 + link->R_T[4] * t30 + link->R_T[7] * t31 + link->b_T[4];
-    const six_link_real alpha_T_6 = link->R_T[2] * t26 + link->R_T[5] * t30 + link->R_T[8] * t31 + link->b_T[5];
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real t9 = minus_etaddot_3 * REAL(1.4142135623730951);
+    const six_link_real t10 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t11 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
+    tip->delta[3] = delta_T_4;
+    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t9 + link->J_l[1] * t10 + link->J_l[2] * t11);
+    tip->delta[0] = delta_T_1;
+    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t9 + link->J_l[4] * t10 + link->J_l[5] * t11);
+    tip->delta[1] = delta_T_2;
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t9 + link->J_l[7] * t10 + link->J_l[8] * t11);
+    tip->delta[2] = delta_T_3;
+    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
+        - minus_etaddot_1 * 2;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - qddot_1 * c->length)
+        - minus_etaddot_2 * 2;
+    tip->delta[5] = delta_T_6;
 
-    /* outputs */
-    qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
-    alpha[0] = alpha_1;
-    alpha[1] = alpha_2;
-    alpha[2] = alpha_3;
-    alpha[3] = alpha_4;
-    alpha[4] = carried_5;
-    alpha[5] = alpha_6;
-    etaddot[0] = t20;
-    etaddot[1] = t21;
-    etaddot[2] = t22;
-    tip->alpha[0] = alpha_T_1;
-    tip->alpha[1] = alpha_T_2;
-    tip->alpha[2] = alpha_T_3;
-    tip->alpha[3] = alpha_T_4;
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t12 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
+            - link->Lambda_i[3] * minus_carried_4;
+        const six_link_real t13 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
+            - link->Lambda_i[8] * minus_carried_4;
+        const six_link_real t14 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
+            - link->Lambda_i[12] * minus_carried_4;
+        const six_link_real t15 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
+            - link->Lambda_i[15] * minus_carried_4;
+        const six_link_real t16 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
+            - link->Lambda_i[16] * minus_carried_4;
+        const six_link_real t17 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
+            - link->Lambda_i[17] * minus_carried_4;
+        const six_link_real wrench_1 = t12 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t13 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t14 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t15 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t16 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t17 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
     return SIX_LINK_OK;
 }
 
-/* accelerate, links like forearm: 225 operations */
-static six_link_status accelerate_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6],
-    six_link_real etaddot[2])
+/* accelerate, links like forearm: 191 operations */
+static six_link_status accelerate_forearm_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 2])
 {
 
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real t1 = base->alpha[3] + (base->alpha[1] * c->mount_xyz_z - base->alpha[2] * c->mount_xyz_y);
-    const six_link_real t2 = base->alpha[4] + (base->alpha[2] * c->mount_xyz_x - base->alpha[0] * c->mount_xyz_z);
-    const six_link_real t3 = base->alpha[5] + (base->alpha[0] * c->mount_xyz_y - base->alpha[1] * c->mount_xyz_x);
-    const six_link_real carried_1 = link->R_rel[0] * base->alpha[0] + link->R_rel[2] * base->alpha[1]
-        + link->R_rel[4] * base->alpha[2];
-    const six_link_real carried_2 = c->R_m_xy * base->alpha[0] + c->R_m_yy * base->alpha[1]
-        + c->R_m_zy * base->alpha[2];
-    const six_link_real carried_3 = link->R_rel[1] * base->alpha[0] + link->R_rel[3] * base->alpha[1]
-        + link->R_rel[5] * base->alpha[2];
-    const six_link_real carried_4 = link->R_rel[0] * t1 + link->R_rel[2] * t2 + link->R_rel[4] * t3;
-    const six_link_real carried_5 = c->R_m_xy * t1 + c->R_m_yy * t2 + c->R_m_zy * t3;
-    const six_link_real carried_6 = link->R_rel[1] * t1 + link->R_rel[3] * t2 + link->R_rel[5] * t3;
-    const six_link_real t4 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2];
+    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5] + (carried_2 * link->lever[2] - carried_3 * link->lever[1]);
+    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5] + (carried_3 * link->lever[0] - carried_1 * link->lever[2]);
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5] + (carried_1 * link->lever[1] - carried_2 * link->lever[0]);
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
         + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t4 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    const six_link_real t5 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-        + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-    const six_link_real t6 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
-        + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-    const six_link_real t7 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
-        + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-    const six_link_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
-        + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-    const six_link_real t9 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
-        + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-    const six_link_real t10 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
-        + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-    const six_link_real wrench_1 = t5 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
-        + link->p_i[0];
-    const six_link_real wrench_2 = t6 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
-        + link->p_i[1];
-    const six_link_real wrench_3 = t7 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
-        + link->p_i[2];
-    const six_link_real wrench_4 = t8 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
-        + link->p_i[3];
-    const six_link_real wrench_5 = t9 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
-        + link->p_i[4];
-    const six_link_real wrench_6 = t10 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
-        + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_2 = carried_2 + qddot_1;
-    const six_link_real alpha_1 = carried_1 - link->beta[0];
-    const six_link_real alpha_3 = carried_3 + link->beta[1];
-    const six_link_real alpha_4 = carried_4 - link->beta[2];
-    const six_link_real alpha_6 = carried_6 + link->beta[3];
-    const six_link_real t11 = link->modes_W[0] * alpha_1 + link->modes_W[1] * alpha_2
-        + link->modes_W[2] * alpha_3 + link->modes_W[3] * alpha_4;
-    const six_link_real t12 = link->modes_W[6] * alpha_1 + link->modes_W[7] * alpha_2
-        + link->modes_W[8] * alpha_3 + link->modes_W[9] * alpha_4;
-    const six_link_real minus_etaddot_2 = link->modes_w[1]
-        + (t12 + link->modes_W[10] * carried_5 + link->modes_W[11] * alpha_6);
-    const six_link_real minus_etaddot_1 = link->modes_w[0]
-        + (t11 + link->modes_W[4] * carried_5 + link->modes_W[5] * alpha_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real t13 = -minus_etaddot_1;
-    const six_link_real t14 = -minus_etaddot_2;
-
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real t15 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t16 = c->Psi_c_z1 * minus_etaddot_1;
-    const six_link_real t17 = alpha_4 + (alpha_2 * link->r_T[1] - alpha_3 * link->r_T[0]);
-    const six_link_real t18 = alpha_1 + (link->G[1] * t15 - link->G[2] * t16);
-    const six_link_real t19 = alpha_2 - (link->G[3] * t15 + link->G[4] * t16);
-    const six_link_real t20 = alpha_3 - (link->G[4] * t15 + link->G[5] * t16);
-    const six_link_real t21 = carried_5 + (alpha_3 * c->length - alpha_1 * link->r_T[1])
-        - minus_etaddot_1 * REAL(2.23606797749979);
-    const six_link_real t22 = alpha_6 + (alpha_1 * link->r_T[0] - alpha_2 * c->length)
-        - minus_etaddot_2 * REAL(2.23606797749979);
-    const six_link_real alpha_T_1 = link->R_T[0] * t18 + link->R_T[1] * t19 - link->R_T[2] * t20 + link->b_T[0];
-    const six_link_real alpha_T_2 = link->R_T[3] * t19 - link->R_T[1] * t18 + link->R_T[4] * t20 + link->b_T[1];
-    const six_link_real alpha_T_3 = link->R_T[2] * t18 + link->R_T[4] * t19 + link->R_T[5] * t20 + link->b_T[2];
-    const six_link_real alpha_T_4 = link->R_T[0] * t17 + link->R_T[1] * t21 - link->R_T[2] * t22 + link->b_T[3];
-    const six_link_real alpha_T_5 = link->R_T[3] * t21 - link->R_T[1] * t17 + link->R_T[4] * t22 + link->b_T[4];
-    const six_link_real alpha_T_6 = link->R_T[2] * t17 + link->R_T[4] * t21 + link->R_T[5] * t22 + link->b_T[5];
-
-    /* outputs */
-    qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
-    alpha[0] = alpha_1;
-    alpha[1] = alpha_2;
-    alpha[2] = alpha_3;
-    alpha[3] = alpha_4;
-    alpha[4] = carried_5;
-    alpha[5] = alpha_6;
-    etaddot[0] = t13;
-    etaddot[1] = t14;
-    tip->alpha[0] = alpha_T_1;
-    tip->alpha[1] = alpha_T_2;
-    tip->alpha[2] = alpha_T_3;
-    tip->alpha[3] = alpha_T_4;
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like wrist_roll: 105 operations */
-static six_link_status accelerate_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real carried_2 = link->R_rel[0] * base->alpha[1] + link->R_rel[1] * base->alpha[2];
-    const six_link_real carried_3 = link->R_rel[0] * base->alpha[2] - link->R_rel[1] * base->alpha[1];
-    const six_link_real carried_5 = link->R_rel[0] * base->alpha[4] + link->R_rel[1] * base->alpha[5];
-    const six_link_real carried_6 = link->R_rel[0] * base->alpha[5] - link->R_rel[1] * base->alpha[4];
-    const six_link_real t1 = link->joint_W[0] * base->alpha[0] + link->joint_W[1] * carried_2
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * base->alpha[3];
     const six_link_real qddot_1 = link->joint_w[0]
         - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    const six_link_real t2 = link->Lambda_i[0] * base->alpha[0] + link->Lambda_i[1] * carried_2
-        + link->Lambda_i[2] * carried_3;
-    const six_link_real t3 = t2 + link->Lambda_i[3] * base->alpha[3] + link->Lambda_i[4] * carried_5
-        + link->Lambda_i[5] * carried_6;
-    const six_link_real t4 = link->Lambda_i[1] * base->alpha[0] + link->Lambda_i[6] * carried_2
-        + link->Lambda_i[7] * carried_3;
-    const six_link_real t5 = t4 + link->Lambda_i[8] * base->alpha[3] + link->Lambda_i[9] * carried_5
-        + link->Lambda_i[10] * carried_6;
-    const six_link_real t6 = link->Lambda_i[2] * base->alpha[0] + link->Lambda_i[7] * carried_2
-        + link->Lambda_i[11] * carried_3;
-    const six_link_real t7 = t6 + link->Lambda_i[12] * base->alpha[3] + link->Lambda_i[13] * carried_5
-        + link->Lambda_i[14] * carried_6;
-    const six_link_real t8 = link->Lambda_i[3] * base->alpha[0] + link->Lambda_i[8] * carried_2
-        + link->Lambda_i[12] * carried_3;
-    const six_link_real t9 = t8 + link->Lambda_i[15] * base->alpha[3] + link->Lambda_i[16] * carried_5
-        + link->Lambda_i[17] * carried_6;
-    const six_link_real t10 = link->Lambda_i[4] * base->alpha[0] + link->Lambda_i[9] * carried_2
-        + link->Lambda_i[13] * carried_3;
-    const six_link_real t11 = t10 + link->Lambda_i[16] * base->alpha[3] + link->Lambda_i[18] * carried_5
-        + link->Lambda_i[19] * carried_6;
-    const six_link_real t12 = link->Lambda_i[5] * base->alpha[0] + link->Lambda_i[10] * carried_2
-        + link->Lambda_i[14] * carried_3;
-    const six_link_real t13 = t12 + link->Lambda_i[17] * base->alpha[3] + link->Lambda_i[19] * carried_5
-        + link->Lambda_i[20] * carried_6;
-    const six_link_real wrench_1 = t3 + link->p_i[0];
-    const six_link_real wrench_2 = t5 + link->p_i[1];
-    const six_link_real wrench_3 = t7 + link->p_i[2];
-    const six_link_real wrench_4 = t9 + link->p_i[3];
-    const six_link_real wrench_5 = t11 + link->p_i[4];
-    const six_link_real wrench_6 = t13 + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_1 = base->alpha[0] + qddot_1;
-    const six_link_real alpha_2 = carried_2 + link->beta[0];
-    const six_link_real alpha_3 = carried_3 - link->beta[1];
-    const six_link_real alpha_5 = carried_5 + link->beta[2];
-    const six_link_real alpha_6 = carried_6 - link->beta[3];
-
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real alpha_T_5 = alpha_5 + alpha_3 * c->length;
-    const six_link_real alpha_T_6 = alpha_6 - alpha_2 * c->length;
-
-    /* outputs */
     qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_2 = carried_2 + qddot_1;
+    const six_link_real alpha_1 = carried_1 + link->alpha_0[0];
     alpha[0] = alpha_1;
+    const six_link_real alpha_2 = delta_2 + link->alpha_0[1];
     alpha[1] = alpha_2;
+    const six_link_real alpha_3 = carried_3 + link->alpha_0[2];
     alpha[2] = alpha_3;
-    alpha[3] = base->alpha[3];
+    const six_link_real alpha_4 = carried_4 + link->alpha_0[3];
+    alpha[3] = alpha_4;
+    const six_link_real alpha_5 = carried_5 + link->alpha_0[4];
     alpha[4] = alpha_5;
+    const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
     alpha[5] = alpha_6;
-    tip->alpha[0] = alpha_1;
-    tip->alpha[1] = alpha_2;
-    tip->alpha[2] = alpha_3;
-    tip->alpha[3] = base->alpha[3];
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * delta_2
+        + link->modes_W[2] * carried_3 + link->modes_W[3] * carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2
+        + link->modes_W[8] * carried_3 + link->modes_W[9] * carried_4;
+    const six_link_real minus_etaddot_2 = link->modes_w[1]
+        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6);
+    etaddot[1] = -minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = link->modes_w[0]
+        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
+    etaddot[0] = -minus_etaddot_1;
+    const six_link_real t4 = -minus_etaddot_1;
+    etaddot[0] = t4;
+    const six_link_real t5 = -minus_etaddot_2;
+    etaddot[1] = t5;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real t6 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t7 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
+    tip->delta[3] = delta_T_4;
+    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    tip->delta[0] = delta_T_1;
+    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    tip->delta[1] = delta_T_2;
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    tip->delta[2] = delta_T_3;
+    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
+        - minus_etaddot_1 * REAL(2.23606797749979);
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - delta_2 * c->length)
+        - minus_etaddot_2 * REAL(2.23606797749979);
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t8 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
+        const six_link_real t9 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
+        const six_link_real t10 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
+        const six_link_real t11 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
+        const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
+        const six_link_real t13 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
+        const six_link_real wrench_1 = t8 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t9 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t10 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t11 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t12 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t13 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
     return SIX_LINK_OK;
 }
 
-/* accelerate, links like wrist_pitch: 105 operations */
-static six_link_status accelerate_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, six_link_real qddot[1], six_link_real wrench[6], six_link_real alpha[6])
+/* accelerate, links like wrist_roll: 125 operations */
+static six_link_status accelerate_wrist_roll_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
 
-    /* joint: acceleration that the parent's tip imparts, joint accelerations, joint wrench (48) */
-    const six_link_real carried_1 = link->R_rel[0] * base->alpha[0] - link->R_rel[1] * base->alpha[2];
-    const six_link_real carried_3 = link->R_rel[1] * base->alpha[0] + link->R_rel[0] * base->alpha[2];
-    const six_link_real carried_4 = link->R_rel[0] * base->alpha[3] - link->R_rel[1] * base->alpha[5];
-    const six_link_real carried_6 = link->R_rel[1] * base->alpha[3] + link->R_rel[0] * base->alpha[5];
-    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * base->alpha[1]
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2];
+    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    tip->delta[1] = carried_2;
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    tip->delta[2] = carried_3;
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5];
+    tip->delta[3] = carried_4;
+    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5];
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
         + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
     const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * base->alpha[4] + link->joint_W[5] * carried_6);
-    const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * base->alpha[1]
-        + link->Lambda_i[2] * carried_3;
-    const six_link_real t3 = t2 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * base->alpha[4]
-        + link->Lambda_i[5] * carried_6;
-    const six_link_real t4 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * base->alpha[1]
-        + link->Lambda_i[7] * carried_3;
-    const six_link_real t5 = t4 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * base->alpha[4]
-        + link->Lambda_i[10] * carried_6;
-    const six_link_real t6 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * base->alpha[1]
-        + link->Lambda_i[11] * carried_3;
-    const six_link_real t7 = t6 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * base->alpha[4]
-        + link->Lambda_i[14] * carried_6;
-    const six_link_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * base->alpha[1]
-        + link->Lambda_i[12] * carried_3;
-    const six_link_real t9 = t8 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * base->alpha[4]
-        + link->Lambda_i[17] * carried_6;
-    const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * base->alpha[1]
-        + link->Lambda_i[13] * carried_3;
-    const six_link_real t11 = t10 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * base->alpha[4]
-        + link->Lambda_i[19] * carried_6;
-    const six_link_real t12 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * base->alpha[1]
-        + link->Lambda_i[14] * carried_3;
-    const six_link_real t13 = t12 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * base->alpha[4]
-        + link->Lambda_i[20] * carried_6;
-    const six_link_real wrench_1 = t3 + link->p_i[0];
-    const six_link_real wrench_2 = t5 + link->p_i[1];
-    const six_link_real wrench_3 = t7 + link->p_i[2];
-    const six_link_real wrench_4 = t9 + link->p_i[3];
-    const six_link_real wrench_5 = t11 + link->p_i[4];
-    const six_link_real wrench_6 = t13 + link->p_i[5];
-
-    /* link: acceleration of F_i, modal accelerations (83) */
-    const six_link_real alpha_2 = base->alpha[1] + qddot_1;
-    const six_link_real alpha_1 = carried_1 - link->beta[0];
-    const six_link_real alpha_3 = carried_3 + link->beta[1];
-    const six_link_real alpha_4 = carried_4 - link->beta[2];
-    const six_link_real alpha_6 = carried_6 + link->beta[3];
-
-    /* tip: acceleration of the tip section (accconst1b) */
-    const six_link_real alpha_T_5 = base->alpha[4] + alpha_3 * c->length;
-    const six_link_real alpha_T_6 = alpha_6 - alpha_2 * c->length;
-
-    /* outputs */
+        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
     qddot[0] = qddot_1;
-    wrench[0] = wrench_1;
-    wrench[1] = wrench_2;
-    wrench[2] = wrench_3;
-    wrench[3] = wrench_4;
-    wrench[4] = wrench_5;
-    wrench[5] = wrench_6;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_1 = carried_1 + qddot_1;
+    tip->delta[0] = delta_1;
+    const six_link_real alpha_1 = delta_1 + link->alpha_0[0];
     alpha[0] = alpha_1;
+    const six_link_real alpha_2 = carried_2 + link->alpha_0[1];
     alpha[1] = alpha_2;
+    const six_link_real alpha_3 = carried_3 + link->alpha_0[2];
     alpha[2] = alpha_3;
+    const six_link_real alpha_4 = carried_4 + link->alpha_0[3];
     alpha[3] = alpha_4;
-    alpha[4] = base->alpha[4];
+    const six_link_real alpha_5 = carried_5 + link->alpha_0[4];
+    alpha[4] = alpha_5;
+    const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
     alpha[5] = alpha_6;
-    tip->alpha[0] = alpha_1;
-    tip->alpha[1] = alpha_2;
-    tip->alpha[2] = alpha_3;
-    tip->alpha[3] = alpha_4;
-    tip->alpha[4] = alpha_T_5;
-    tip->alpha[5] = alpha_T_6;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = carried_5 + carried_3 * c->length;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 - carried_2 * c->length;
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
+        const six_link_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
+        const six_link_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
+        const six_link_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
+        const six_link_real t6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
+        const six_link_real t7 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
+        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t3 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+            + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t4 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+            + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t5 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+            + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t6 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t7 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
     return SIX_LINK_OK;
 }
 
-/* twist rates, links like shoulder: 55 operations */
-static six_link_status twist_rates_shoulder(const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real alpha[6],
-    six_link_real Vdot[6])
+/* accelerate, links like wrist_pitch: 107 operations */
+static six_link_status accelerate_wrist_pitch_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
+    tip->delta[0] = carried_1;
+    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
+    tip->delta[2] = carried_3;
+    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[6] * base->delta[5];
+    tip->delta[3] = carried_4;
+    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * base->delta[1]
+        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
+    const six_link_real qddot_1 = link->joint_w[0]
+        - (t1 + link->joint_W[4] * base->delta[4] + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_2 = base->delta[1] + qddot_1;
+    tip->delta[1] = delta_2;
+    const six_link_real alpha_1 = carried_1 + link->alpha_0[0];
+    alpha[0] = alpha_1;
+    const six_link_real alpha_2 = delta_2 + link->alpha_0[1];
+    alpha[1] = alpha_2;
+    const six_link_real alpha_3 = carried_3 + link->alpha_0[2];
+    alpha[2] = alpha_3;
+    const six_link_real alpha_4 = carried_4 + link->alpha_0[3];
+    alpha[3] = alpha_4;
+    const six_link_real alpha_5 = base->delta[4] + link->alpha_0[4];
+    alpha[4] = alpha_5;
+    const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
+    alpha[5] = alpha_6;
+
+    /* tip: what is added to the acceleration of the tip section (accconst1b) */
+    const six_link_real delta_T_5 = base->delta[4] + carried_3 * c->length;
+    tip->delta[4] = delta_T_5;
+    const six_link_real delta_T_6 = carried_6 - delta_2 * c->length;
+    tip->delta[5] = delta_T_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * base->delta[1]
+            + link->Lambda_i[2] * carried_3;
+        const six_link_real t3 = t2 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * base->delta[4]
+            + link->Lambda_i[5] * carried_6;
+        const six_link_real t4 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * base->delta[1]
+            + link->Lambda_i[7] * carried_3;
+        const six_link_real t5 = t4 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * base->delta[4]
+            + link->Lambda_i[10] * carried_6;
+        const six_link_real t6 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * base->delta[1]
+            + link->Lambda_i[11] * carried_3;
+        const six_link_real t7 = t6 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * base->delta[4]
+            + link->Lambda_i[14] * carried_6;
+        const six_link_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * base->delta[1]
+            + link->Lambda_i[12] * carried_3;
+        const six_link_real t9 = t8 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * base->delta[4]
+            + link->Lambda_i[17] * carried_6;
+        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * base->delta[1]
+            + link->Lambda_i[13] * carried_3;
+        const six_link_real t11 = t10 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * base->delta[4]
+            + link->Lambda_i[19] * carried_6;
+        const six_link_real t12 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * base->delta[1]
+            + link->Lambda_i[14] * carried_3;
+        const six_link_real t13 = t12 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * base->delta[4]
+            + link->Lambda_i[20] * carried_6;
+        const six_link_real wrench_1 = t3 + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t5 + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t7 + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t9 + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t11 + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t13 + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* accelerate, links like flange: 89 operations */
+static six_link_status accelerate_flange_2(const six_link_link_store *restrict link, const six_link_node *restrict base,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
+{
+
+    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
+    const six_link_real carried_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
+    const six_link_real carried_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
+    const six_link_real carried_5 = link->R_P[4] * base->delta[4] + link->R_P[7] * base->delta[5];
+    const six_link_real carried_6 = link->R_P[5] * base->delta[4] + link->R_P[8] * base->delta[5];
+    const six_link_real t1 = link->joint_W[0] * base->delta[0] + link->joint_W[1] * carried_2
+        + link->joint_W[2] * carried_3 + link->joint_W[4] * carried_5;
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
+    qddot[0] = qddot_1;
+
+    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
+    const six_link_real delta_1 = base->delta[0] + qddot_1;
+    const six_link_real alpha_1 = delta_1 + link->alpha_0[0];
+    alpha[0] = alpha_1;
+    const six_link_real alpha_2 = carried_2 + link->alpha_0[1];
+    alpha[1] = alpha_2;
+    const six_link_real alpha_3 = carried_3 + link->alpha_0[2];
+    alpha[2] = alpha_3;
+    const six_link_real alpha_4 = base->delta[3] + link->alpha_0[3];
+    alpha[3] = alpha_4;
+    const six_link_real alpha_5 = carried_5 + link->alpha_0[4];
+    alpha[4] = alpha_5;
+    const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
+    alpha[5] = alpha_6;
+
+    if (wrench) {
+        /* joint wrench (48) */
+        const six_link_real t2 = link->Lambda_i[0] * base->delta[0] + link->Lambda_i[1] * carried_2
+            + link->Lambda_i[2] * carried_3;
+        const six_link_real t3 = link->Lambda_i[1] * base->delta[0] + link->Lambda_i[6] * carried_2
+            + link->Lambda_i[7] * carried_3;
+        const six_link_real t4 = t3 + link->Lambda_i[8] * base->delta[3] + link->Lambda_i[9] * carried_5
+            + link->Lambda_i[10] * carried_6;
+        const six_link_real t5 = link->Lambda_i[2] * base->delta[0] + link->Lambda_i[7] * carried_2
+            + link->Lambda_i[11] * carried_3;
+        const six_link_real t6 = t5 + link->Lambda_i[12] * base->delta[3] + link->Lambda_i[13] * carried_5
+            + link->Lambda_i[14] * carried_6;
+        const six_link_real t7 = link->Lambda_i[8] * carried_2 + link->Lambda_i[12] * carried_3
+            + link->Lambda_i[15] * base->delta[3];
+        const six_link_real t8 = link->Lambda_i[4] * base->delta[0] + link->Lambda_i[9] * carried_2
+            + link->Lambda_i[13] * carried_3;
+        const six_link_real t9 = link->Lambda_i[5] * base->delta[0] + link->Lambda_i[10] * carried_2
+            + link->Lambda_i[14] * carried_3;
+        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+            + link->p_i[0];
+        wrench[0] = wrench_1;
+        const six_link_real wrench_2 = t4 + link->p_i[1];
+        wrench[1] = wrench_2;
+        const six_link_real wrench_3 = t6 + link->p_i[2];
+        wrench[2] = wrench_3;
+        const six_link_real wrench_4 = t7 + link->p_i[3];
+        wrench[3] = wrench_4;
+        const six_link_real wrench_5 = t8 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+            + link->p_i[4];
+        wrench[4] = wrench_5;
+        const six_link_real wrench_6 = t9 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+            + link->p_i[5];
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* twist rates, links like shoulder: 67 operations */
+static six_link_status twist_rates_shoulder(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
+    const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
+    six_link_real Vdot[restrict 6])
 {
 
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -3375,28 +4139,67 @@ static six_link_status twist_rates_shoulder(const six_link_real quaternion[4], c
     const six_link_real t9 = quaternion[0] * quaternion[3];
     const six_link_real t10 = quaternion[0] * quaternion[2];
     const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real Vdot_4 = alpha[3]
+    const six_link_real t12 = alpha[3]
         + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
-    const six_link_real Vdot_5 = alpha[4]
+    const six_link_real t13 = alpha[4]
         + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
-    const six_link_real Vdot_6 = alpha[5]
+    const six_link_real t14 = alpha[5]
         + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
+    const six_link_real Vdot_4 = t12 - (twist[1] * twist[5] - twist[2] * twist[4]);
+    Vdot[3] = Vdot_4;
+    const six_link_real Vdot_5 = t13 - (twist[2] * twist[3] - twist[0] * twist[5]);
+    Vdot[4] = Vdot_5;
+    const six_link_real Vdot_6 = t14 - (twist[0] * twist[4] - twist[1] * twist[3]);
+    Vdot[5] = Vdot_6;
+
+    /* outputs */
+    Vdot[0] = 0;
+    Vdot[1] = 0;
+    Vdot[2] = alpha[2];
+    return SIX_LINK_OK;
+}
+
+/* twist rates, links like upper_arm: 67 operations */
+static six_link_status twist_rates_upper_arm(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
+    const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
+    six_link_real Vdot[restrict 6])
+{
+
+    const six_link_real t1 = quaternion[1] * quaternion[1];
+    const six_link_real t2 = quaternion[2] * quaternion[2];
+    const six_link_real t3 = quaternion[3] * quaternion[3];
+    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
+    const six_link_real t5 = t1 + t2 + t3;
+    const six_link_real t6 = quaternion[1] * quaternion[2];
+    const six_link_real t7 = quaternion[1] * quaternion[3];
+    const six_link_real t8 = quaternion[2] * quaternion[3];
+    const six_link_real t9 = quaternion[0] * quaternion[3];
+    const six_link_real t10 = quaternion[0] * quaternion[2];
+    const six_link_real t11 = quaternion[0] * quaternion[1];
+    const six_link_real t12 = alpha[3]
+        + ((1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1] + t4 * (t7 - t10) * gravity[2]);
+    const six_link_real t13 = alpha[4]
+        + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
+    const six_link_real t14 = alpha[5]
+        + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
+    const six_link_real Vdot_4 = t12 - (twist[1] * twist[5] - twist[2] * twist[4]);
+    Vdot[3] = Vdot_4;
+    const six_link_real Vdot_5 = t13 - (twist[2] * twist[3] - twist[0] * twist[5]);
+    Vdot[4] = Vdot_5;
+    const six_link_real Vdot_6 = t14 - (twist[0] * twist[4] - twist[1] * twist[3]);
+    Vdot[5] = Vdot_6;
 
     /* outputs */
     Vdot[0] = alpha[0];
     Vdot[1] = alpha[1];
     Vdot[2] = alpha[2];
-    Vdot[3] = Vdot_4;
-    Vdot[4] = Vdot_5;
-    Vdot[5] = Vdot_6;
     return SIX_LINK_OK;
 }
 
-/* project, links like shoulder: 168 operations */
-static six_link_status project_shoulder(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
-    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
-    six_link_real new_position[3])
+/* project, links like shoulder: 68 operations */
+static six_link_status project_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
+    const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1],
+    six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
 
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -3406,140 +4209,85 @@ static six_link_status project_shoulder(const six_link_link_constants *c, const 
     const six_link_real t5 = t1 + t2 + t3;
     const six_link_real t6 = quaternion[1] * quaternion[2];
     const six_link_real t7 = quaternion[1] * quaternion[3];
-    const six_link_real t8 = quaternion[2] * quaternion[3];
-    const six_link_real t9 = quaternion[0] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[2];
-    const six_link_real t11 = quaternion[0] * quaternion[1];
-    const six_link_real R_m_12 = t4 * (t6 - t9);
-    const six_link_real R_m_13 = t4 * (t10 + t7);
-    const six_link_real R_m_21 = t4 * (t9 + t6);
-    const six_link_real R_m_23 = t4 * (t8 - t11);
-    const six_link_real R_m_31 = t4 * (t7 - t10);
-    const six_link_real R_m_32 = t4 * (t11 + t8);
+    const six_link_real t8 = quaternion[0] * quaternion[3];
+    const six_link_real t9 = quaternion[0] * quaternion[2];
+    const six_link_real R_m_12 = t4 * (t6 - t8);
+    const six_link_real R_m_13 = t4 * (t9 + t7);
+    const six_link_real R_m_21 = t4 * (t8 + t6);
+    const six_link_real R_m_23 = t4 * (quaternion[2] * quaternion[3] - quaternion[0] * quaternion[1]);
+    const six_link_real R_m_31 = t4 * (t7 - t9);
     const six_link_real R_m_11 = 1 + t4 * (t1 - t5);
     const six_link_real R_m_22 = 1 + t4 * (t2 - t5);
     const six_link_real R_m_33 = 1 + t4 * (t3 - t5);
-    const six_link_real t12 = base->R_m[0] * R_m_11 + base->R_m[3] * R_m_21 + base->R_m[6] * R_m_31;
-    const six_link_real t13 = base->R_m[0] * R_m_12 + base->R_m[3] * R_m_22 + base->R_m[6] * R_m_32;
-    const six_link_real t14 = base->R_m[1] * R_m_11 + base->R_m[4] * R_m_21 + base->R_m[7] * R_m_31;
-    const six_link_real t15 = base->R_m[1] * R_m_12 + base->R_m[4] * R_m_22 + base->R_m[7] * R_m_32;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx = six_link_cos(q[0]);
     const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
 
-    const six_link_real t16 = q[0]
-        + (R_rel_xx * t14 - minus_R_rel_xy * t12 - (R_rel_xx * t13 + minus_R_rel_xy * t15)) * REAL(0.5);
+    const six_link_real t10 = (R_rel_xx * R_m_21 - minus_R_rel_xy * R_m_11
+        - (R_rel_xx * R_m_12 + minus_R_rel_xy * R_m_22)) * REAL(0.5);
+    const six_link_real t11 = q[0] + t10;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_2 = six_link_cos(t16);
-    const six_link_real minus_R_rel_xy_2 = six_link_sin(t16);
+    const six_link_real R_rel_xx_2 = six_link_cos(t11);
+    const six_link_real minus_R_rel_xy_2 = six_link_sin(t11);
 
-    const six_link_real t17 = (R_rel_xx_2 * t14 - minus_R_rel_xy_2 * t12
-        - (R_rel_xx_2 * t13 + minus_R_rel_xy_2 * t15)) * REAL(0.5);
-    const six_link_real new_q_1 = t16 + t17;
+    const six_link_real t12 = R_rel_xx_2 * R_m_21 - minus_R_rel_xy_2 * R_m_11
+        - (R_rel_xx_2 * R_m_12 + minus_R_rel_xy_2 * R_m_22);
+    const six_link_real new_q_1 = t11 + t12 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx_3 = six_link_cos(new_q_1);
     const six_link_real minus_R_rel_xy_3 = six_link_sin(new_q_1);
 
-    const six_link_real t18 = twist[2] - base->omega_m[2];
-
-    /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx_3 * base->omega[0] + minus_R_rel_xy_3 * base->omega[1];
-    const six_link_real omega_R_y = R_rel_xx_3 * base->omega[1] - minus_R_rel_xy_3 * base->omega[0];
-
-    /* omega: angular velocity of the link (45) */
-    const six_link_real omega_z = base->omega[2] + t18;
-
-    /* v_R: velocity of the joint point */
-    const six_link_real t19 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t20 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_x = R_rel_xx_3 * t19 + minus_R_rel_xy_3 * t20;
-    const six_link_real v_R_y = R_rel_xx_3 * t20 - minus_R_rel_xy_3 * t19;
-    const six_link_real v_R_z = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-
-    const six_link_real R_xx = base->R[0] * R_rel_xx_3 + base->R[1] * minus_R_rel_xy_3;
-    const six_link_real R_xy = base->R[1] * R_rel_xx_3 - base->R[0] * minus_R_rel_xy_3;
-    const six_link_real R_yx = base->R[3] * R_rel_xx_3 + base->R[4] * minus_R_rel_xy_3;
-    const six_link_real R_yy = base->R[4] * R_rel_xx_3 - base->R[3] * minus_R_rel_xy_3;
-    const six_link_real R_zx = base->R[6] * R_rel_xx_3 + base->R[7] * minus_R_rel_xy_3;
-    const six_link_real R_zy = base->R[7] * R_rel_xx_3 - base->R[6] * minus_R_rel_xy_3;
-    const six_link_real new_position_1 = base->r[0]
-        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
-    const six_link_real new_position_2 = base->r[1]
-        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
-    const six_link_real new_position_3 = base->r[2]
-        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
-    const six_link_real t21 = new_q_1 * REAL(0.5);
-    const six_link_real t22 = six_link_sin(t21);
-    const six_link_real t23 = six_link_cos(t21);
-    const six_link_real new_quaternion_1 = base->Q[0] * t23 - base->Q[3] * t22;
-    const six_link_real new_quaternion_4 = base->Q[0] * t22 + t23 * base->Q[3];
-    const six_link_real new_quaternion_2 = t23 * base->Q[1] + base->Q[2] * t22;
-    const six_link_real new_quaternion_3 = t23 * base->Q[2] - base->Q[1] * t22;
+    const six_link_real t13 = -minus_R_rel_xy_3;
+    const six_link_real t14 = new_q_1 * REAL(0.5);
+    const six_link_real new_quaternion_4 = six_link_sin(t14);
+    const six_link_real new_quaternion_1 = six_link_cos(t14);
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = v_R_y + c->length * omega_z;
-    const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
+    const six_link_real v_T_y = c->length * twist[2];
 
-    const six_link_real r_x = new_position_1 + R_xx * c->length;
-    const six_link_real r_y = new_position_2 + R_yx * c->length;
-    const six_link_real r_z = new_position_3 + R_zx * c->length;
+    const six_link_real r_x = c->mount_xyz_x + R_rel_xx_3 * c->length;
+    const six_link_real r_y = c->mount_xyz_y + minus_R_rel_xy_3 * c->length;
 
     /* outputs */
     new_q[0] = new_q_1;
-    tip->omega_m[0] = twist[0];
     tip->omega_m[1] = twist[1];
-    tip->omega_m[2] = twist[2];
     tip->R_m[0] = R_m_11;
-    tip->R_m[1] = R_m_12;
     tip->R_m[2] = R_m_13;
     tip->R_m[3] = R_m_21;
-    tip->R_m[4] = R_m_22;
     tip->R_m[5] = R_m_23;
     tip->R_m[6] = R_m_31;
-    tip->R_m[7] = R_m_32;
     tip->R_m[8] = R_m_33;
-    new_twist[0] = omega_R_x;
-    new_twist[1] = omega_R_y;
-    new_twist[2] = omega_z;
-    new_twist[3] = v_R_x;
-    new_twist[4] = v_R_y;
-    new_twist[5] = v_R_z;
+    new_twist[0] = 0;
+    new_twist[1] = 0;
+    new_twist[2] = twist[2];
+    new_twist[3] = 0;
+    new_twist[4] = 0;
+    new_twist[5] = 0;
     new_quaternion[0] = new_quaternion_1;
-    new_quaternion[1] = new_quaternion_2;
-    new_quaternion[2] = new_quaternion_3;
+    new_quaternion[1] = 0;
+    new_quaternion[2] = 0;
     new_quaternion[3] = new_quaternion_4;
-    new_position[0] = new_position_1;
-    new_position[1] = new_position_2;
-    new_position[2] = new_position_3;
-    tip->omega[0] = omega_R_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_z;
-    tip->v[0] = v_R_x;
+    new_position[0] = c->mount_xyz_x;
+    new_position[1] = c->mount_xyz_y;
+    new_position[2] = c->mount_xyz_z;
+    tip->omega[2] = twist[2];
     tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    tip->R[0] = R_xx;
-    tip->R[1] = R_xy;
-    tip->R[2] = base->R[2];
-    tip->R[3] = R_yx;
-    tip->R[4] = R_yy;
-    tip->R[5] = base->R[5];
-    tip->R[6] = R_zx;
-    tip->R[7] = R_zy;
-    tip->R[8] = base->R[8];
+    tip->R[0] = R_rel_xx_3;
+    tip->R[1] = t13;
+    tip->R[3] = minus_R_rel_xy_3;
+    tip->R[4] = R_rel_xx_3;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
-    tip->r[2] = r_z;
+    tip->r[2] = c->mount_xyz_z;
     tip->Q[0] = new_quaternion_1;
-    tip->Q[1] = new_quaternion_2;
-    tip->Q[2] = new_quaternion_3;
     tip->Q[3] = new_quaternion_4;
     return SIX_LINK_OK;
 }
 
-/* project, links like upper_arm: 450 operations */
+/* project, links like upper_arm: 397 operations */
 static six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[3],
     const six_link_real etadot[3], const six_link_real quaternion[4], six_link_real new_q[1],
@@ -3589,7 +4337,7 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real R_rel_xx_3 = six_link_cos(new_q_1);
     const six_link_real R_rel_xz_3 = six_link_sin(new_q_1);
 
-    const six_link_real t26 = twist[1] - base->omega_m[1];
+    const six_link_real omega_y = twist[1] - base->omega_m[1];
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
@@ -3597,11 +4345,11 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real theta_z = c->Psi_c_z1 * eta[0];
 
     /* x: squared angle of the tip section */
-    const six_link_real t27 = theta_x * theta_x;
-    const six_link_real t28 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t27 + t28;
-    const six_link_real t29 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t29;
+    const six_link_real t26 = theta_x * theta_x;
+    const six_link_real t27 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t26 + t27;
+    const six_link_real t28 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t28;
 
     /* c1: Stumpff function of order 1 */
     const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
@@ -3611,27 +4359,27 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t28 + t29;
+    const six_link_real minus_theta_hat2_11 = t27 + t28;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t27 + t29;
+    const six_link_real minus_theta_hat2_22 = t26 + t28;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* R_T: rotation of the tip section, exp of theta */
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const six_link_real t30 = c2 * theta_hat2_12;
-    const six_link_real t31 = c1 * theta_z;
-    const six_link_real R_T_xy = t30 - t31;
-    const six_link_real t32 = c1 * theta_y;
-    const six_link_real t33 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t32 + t33;
-    const six_link_real R_T_yx = t31 + t30;
+    const six_link_real t29 = c2 * theta_hat2_12;
+    const six_link_real t30 = c1 * theta_z;
+    const six_link_real R_T_xy = t29 - t30;
+    const six_link_real t31 = c1 * theta_y;
+    const six_link_real t32 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t31 + t32;
+    const six_link_real R_T_yx = t30 + t29;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const six_link_real t34 = c2 * theta_hat2_23;
-    const six_link_real t35 = c1 * theta_x;
-    const six_link_real R_T_yz = t34 - t35;
-    const six_link_real R_T_zx = t33 - t32;
-    const six_link_real R_T_zy = t35 + t34;
+    const six_link_real t33 = c2 * theta_hat2_23;
+    const six_link_real t34 = c1 * theta_x;
+    const six_link_real R_T_yz = t33 - t34;
+    const six_link_real R_T_zx = t32 - t31;
+    const six_link_real R_T_zy = t34 + t33;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
@@ -3640,20 +4388,20 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t36 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t37 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t38 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real omega_s_x = thetadot_x + c2 * t36 + c3 * (theta_y * t37 - theta_z * t38);
-    const six_link_real omega_s_y = thetadot_y + c2 * t38 + c3 * (theta_z * t36 - theta_x * t37);
-    const six_link_real omega_s_z = thetadot_z + c2 * t37 + c3 * (theta_x * t38 - theta_y * t36);
+    const six_link_real t35 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t36 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t37 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real omega_s_x = thetadot_x + c2 * t35 + c3 * (theta_y * t36 - theta_z * t37);
+    const six_link_real omega_s_y = thetadot_y + c2 * t37 + c3 * (theta_z * t35 - theta_x * t36);
+    const six_link_real omega_s_z = thetadot_z + c2 * t36 + c3 * (theta_x * t37 - theta_y * t35);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t39 = omega_s_x + twist[0];
-    const six_link_real t40 = omega_s_y + twist[1];
-    const six_link_real t41 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t39 + R_T_yx * t40 + R_T_zx * t41;
-    const six_link_real omega_T_y = R_T_xy * t39 + R_T_yy * t40 + R_T_zy * t41;
-    const six_link_real omega_T_z = R_T_xz * t39 + R_T_yz * t40 + R_T_zz * t41;
+    const six_link_real t38 = omega_s_x + twist[0];
+    const six_link_real t39 = omega_s_y + twist[1];
+    const six_link_real t40 = omega_s_z + twist[2];
+    const six_link_real omega_T_x = R_T_xx * t38 + R_T_yx * t39 + R_T_zx * t40;
+    const six_link_real omega_T_y = R_T_xy * t38 + R_T_yy * t39 + R_T_zy * t40;
+    const six_link_real omega_T_z = R_T_xz * t38 + R_T_yz * t39 + R_T_zz * t40;
 
     const six_link_real R_m_11 = t18 * R_T_xx + t12 * R_T_yx + t13 * R_T_zx;
     const six_link_real R_m_12 = t18 * R_T_xy + t12 * R_T_yy + t13 * R_T_zy;
@@ -3666,38 +4414,33 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real R_m_33 = t16 * R_T_xz + t17 * R_T_yz + t20 * R_T_zz;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx_3 * base->omega[0] - R_rel_xz_3 * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz_3 * base->omega[0] + R_rel_xx_3 * base->omega[2];
-
-    /* omega: angular velocity of the link (45) */
-    const six_link_real omega_y = base->omega[1] + t26;
+    const six_link_real minus_omega_R_x = R_rel_xz_3 * base->omega[2];
+    const six_link_real t41 = -minus_omega_R_x;
+    const six_link_real omega_R_z = R_rel_xx_3 * base->omega[2];
 
     /* v_R: velocity of the joint point */
-    const six_link_real t42 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t43 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx_3 * t42 - R_rel_xz_3 * t43;
-    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_z = R_rel_xz_3 * t42 + R_rel_xx_3 * t43;
+    const six_link_real t42 = c->mount_xyz_y * base->omega[2];
+    const six_link_real minus_v_R_x = R_rel_xx_3 * t42;
+    const six_link_real t43 = -minus_v_R_x;
+    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real minus_v_R_z = R_rel_xz_3 * t42;
+    const six_link_real t44 = -minus_v_R_z;
 
-    const six_link_real t44 = base->R[0] * R_rel_xx_3 - base->R[2] * R_rel_xz_3;
-    const six_link_real t45 = base->R[0] * R_rel_xz_3 + base->R[2] * R_rel_xx_3;
-    const six_link_real t46 = base->R[3] * R_rel_xx_3 - base->R[5] * R_rel_xz_3;
-    const six_link_real t47 = base->R[3] * R_rel_xz_3 + base->R[5] * R_rel_xx_3;
-    const six_link_real t48 = base->R[6] * R_rel_xx_3 - base->R[8] * R_rel_xz_3;
-    const six_link_real t49 = base->R[6] * R_rel_xz_3 + base->R[8] * R_rel_xx_3;
-    const six_link_real new_position_1 = base->r[0]
-        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
-    const six_link_real new_position_2 = base->r[1]
-        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
-    const six_link_real new_position_3 = base->r[2]
-        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
-    const six_link_real t50 = new_q_1 * REAL(0.5);
-    const six_link_real t51 = six_link_sin(t50);
-    const six_link_real t52 = six_link_cos(t50);
-    const six_link_real new_quaternion_1 = base->Q[0] * t52 - base->Q[2] * t51;
-    const six_link_real new_quaternion_3 = base->Q[0] * t51 + t52 * base->Q[2];
-    const six_link_real new_quaternion_2 = t52 * base->Q[1] - base->Q[3] * t51;
-    const six_link_real new_quaternion_4 = t52 * base->Q[3] + base->Q[1] * t51;
+    const six_link_real t45 = base->R[0] * R_rel_xx_3;
+    const six_link_real t46 = base->R[0] * R_rel_xz_3;
+    const six_link_real t47 = base->R[3] * R_rel_xx_3;
+    const six_link_real t48 = base->R[3] * R_rel_xz_3;
+    const six_link_real new_position_1 = base->r[0] + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y);
+    const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
+    const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
+    const six_link_real t49 = new_q_1 * REAL(0.5);
+    const six_link_real t50 = six_link_sin(t49);
+    const six_link_real t51 = six_link_cos(t49);
+    const six_link_real new_quaternion_1 = base->Q[0] * t51;
+    const six_link_real new_quaternion_3 = base->Q[0] * t50;
+    const six_link_real new_quaternion_4 = t51 * base->Q[3];
+    const six_link_real minus_new_quaternion_2 = base->Q[3] * t50;
+    const six_link_real t52 = -minus_new_quaternion_2;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * 2;
@@ -3708,7 +4451,7 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real udot_T_z = etadot[1] * 2;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t53 = omega_s_x + omega_R_x;
+    const six_link_real t53 = omega_s_x - minus_omega_R_x;
     const six_link_real t54 = omega_s_y + omega_y;
     const six_link_real t55 = omega_s_z + omega_R_z;
     const six_link_real omega_T_x_2 = R_T_xx * t53 + R_T_yx * t54 + R_T_zx * t55;
@@ -3716,25 +4459,25 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real omega_T_z_2 = R_T_xz * t53 + R_T_yz * t54 + R_T_zz * t55;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real t56 = v_R_x + omega_y * r_T_z - omega_R_z * r_T_y;
-    const six_link_real t57 = udot_T_y + v_R_y + c->length * omega_R_z - omega_R_x * r_T_z;
-    const six_link_real t58 = udot_T_z + v_R_z + omega_R_x * r_T_y - c->length * omega_y;
+    const six_link_real t56 = omega_y * r_T_z - minus_v_R_x - omega_R_z * r_T_y;
+    const six_link_real t57 = udot_T_y + v_R_y + c->length * omega_R_z + minus_omega_R_x * r_T_z;
+    const six_link_real t58 = udot_T_z - minus_v_R_z - minus_omega_R_x * r_T_y - c->length * omega_y;
     const six_link_real v_T_x = R_T_xx * t56 + R_T_yx * t57 + R_T_zx * t58;
     const six_link_real v_T_y = R_T_xy * t56 + R_T_yy * t57 + R_T_zy * t58;
     const six_link_real v_T_z = R_T_xz * t56 + R_T_yz * t57 + R_T_zz * t58;
 
-    const six_link_real R_xx = t44 * R_T_xx + base->R[1] * R_T_yx + t45 * R_T_zx;
-    const six_link_real R_xy = t44 * R_T_xy + base->R[1] * R_T_yy + t45 * R_T_zy;
-    const six_link_real R_xz = t44 * R_T_xz + base->R[1] * R_T_yz + t45 * R_T_zz;
-    const six_link_real R_yx = t46 * R_T_xx + base->R[4] * R_T_yx + t47 * R_T_zx;
-    const six_link_real R_yy = t46 * R_T_xy + base->R[4] * R_T_yy + t47 * R_T_zy;
-    const six_link_real R_yz = t46 * R_T_xz + base->R[4] * R_T_yz + t47 * R_T_zz;
-    const six_link_real R_zx = t48 * R_T_xx + base->R[7] * R_T_yx + t49 * R_T_zx;
-    const six_link_real R_zy = t48 * R_T_xy + base->R[7] * R_T_yy + t49 * R_T_zy;
-    const six_link_real R_zz = t48 * R_T_xz + base->R[7] * R_T_yz + t49 * R_T_zz;
-    const six_link_real r_x = new_position_1 + (t44 * c->length + base->R[1] * r_T_y + t45 * r_T_z);
-    const six_link_real r_y = new_position_2 + (t46 * c->length + base->R[4] * r_T_y + t47 * r_T_z);
-    const six_link_real r_z = new_position_3 + (t48 * c->length + base->R[7] * r_T_y + t49 * r_T_z);
+    const six_link_real R_xx = t45 * R_T_xx + base->R[1] * R_T_yx + t46 * R_T_zx;
+    const six_link_real R_xy = t45 * R_T_xy + base->R[1] * R_T_yy + t46 * R_T_zy;
+    const six_link_real R_xz = t45 * R_T_xz + base->R[1] * R_T_yz + t46 * R_T_zz;
+    const six_link_real R_yx = t47 * R_T_xx + base->R[4] * R_T_yx + t48 * R_T_zx;
+    const six_link_real R_yy = t47 * R_T_xy + base->R[4] * R_T_yy + t48 * R_T_zy;
+    const six_link_real R_yz = t47 * R_T_xz + base->R[4] * R_T_yz + t48 * R_T_zz;
+    const six_link_real R_zx = R_rel_xx_3 * R_T_zx - R_rel_xz_3 * R_T_xx;
+    const six_link_real R_zy = R_rel_xx_3 * R_T_zy - R_rel_xz_3 * R_T_xy;
+    const six_link_real R_zz = R_rel_xx_3 * R_T_zz - R_rel_xz_3 * R_T_xz;
+    const six_link_real r_x = new_position_1 + (t45 * c->length + base->R[1] * r_T_y + t46 * r_T_z);
+    const six_link_real r_y = new_position_2 + (t47 * c->length + base->R[4] * r_T_y + t48 * r_T_z);
+    const six_link_real r_z = new_position_3 + (R_rel_xx_3 * r_T_z - R_rel_xz_3 * c->length);
     const six_link_real t59 = x * REAL(0.25);
     const six_link_real t60 = 1 - t59 * (REAL(0.5) - t59 * six_link_c4(t59));
     const six_link_real t61 = (1 - t59 * (REAL(0.16666666666666666) - t59 * six_link_c5(t59))) * REAL(0.5);
@@ -3742,13 +4485,13 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real t63 = t61 * theta_y;
     const six_link_real t64 = t61 * theta_z;
     const six_link_real Q_1 = new_quaternion_1 * t60
-        - (new_quaternion_2 * t62 + new_quaternion_3 * t63 + new_quaternion_4 * t64);
-    const six_link_real Q_2 = new_quaternion_1 * t62 + t60 * new_quaternion_2
+        - (new_quaternion_3 * t63 - minus_new_quaternion_2 * t62 + new_quaternion_4 * t64);
+    const six_link_real Q_2 = new_quaternion_1 * t62 - t60 * minus_new_quaternion_2
         + (new_quaternion_3 * t64 - new_quaternion_4 * t63);
     const six_link_real Q_3 = new_quaternion_1 * t63 + t60 * new_quaternion_3
-        + (new_quaternion_4 * t62 - new_quaternion_2 * t64);
+        + (new_quaternion_4 * t62 + minus_new_quaternion_2 * t64);
     const six_link_real Q_4 = new_quaternion_1 * t64 + t60 * new_quaternion_4
-        + (new_quaternion_2 * t63 - new_quaternion_3 * t62);
+        - (minus_new_quaternion_2 * t63 + new_quaternion_3 * t62);
 
     /* outputs */
     new_q[0] = new_q_1;
@@ -3764,14 +4507,14 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     tip->R_m[6] = R_m_31;
     tip->R_m[7] = R_m_32;
     tip->R_m[8] = R_m_33;
-    new_twist[0] = omega_R_x;
+    new_twist[0] = t41;
     new_twist[1] = omega_y;
     new_twist[2] = omega_R_z;
-    new_twist[3] = v_R_x;
+    new_twist[3] = t43;
     new_twist[4] = v_R_y;
-    new_twist[5] = v_R_z;
+    new_twist[5] = t44;
     new_quaternion[0] = new_quaternion_1;
-    new_quaternion[1] = new_quaternion_2;
+    new_quaternion[1] = t52;
     new_quaternion[2] = new_quaternion_3;
     new_quaternion[3] = new_quaternion_4;
     new_position[0] = new_position_1;
@@ -3802,7 +4545,7 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     return SIX_LINK_OK;
 }
 
-/* project, links like forearm: 579 operations */
+/* project, links like forearm: 554 operations */
 static six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[2],
     const six_link_real etadot[2], const six_link_real quaternion[4], six_link_real new_q[1],
@@ -3915,20 +4658,13 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t37;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t38 = omega_s_x + twist[0];
-    const six_link_real t39 = omega_s_y + twist[1];
-    const six_link_real t40 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t38 + minus_R_T_xy * t39 - R_T_xz * t40;
-    const six_link_real omega_T_y = R_T_yy * t39 - minus_R_T_xy * t38 + R_T_yz * t40;
-    const six_link_real omega_T_z = R_T_xz * t38 + R_T_yz * t39 + R_T_zz * t40;
+    const six_link_real omega_T_x = R_T_xx * (omega_s_x + twist[0]) + minus_R_T_xy * (omega_s_y + twist[1])
+        - R_T_xz * (omega_s_z + twist[2]);
 
-    const six_link_real R_m_11 = t18 * R_T_xx + t12 * minus_R_T_xy - t13 * R_T_xz;
     const six_link_real R_m_12 = t12 * R_T_yy - t18 * minus_R_T_xy + t13 * R_T_yz;
     const six_link_real R_m_13 = t18 * R_T_xz + t12 * R_T_yz + t13 * R_T_zz;
-    const six_link_real R_m_21 = t14 * R_T_xx + t19 * minus_R_T_xy - t15 * R_T_xz;
     const six_link_real R_m_22 = t19 * R_T_yy - t14 * minus_R_T_xy + t15 * R_T_yz;
     const six_link_real R_m_23 = t14 * R_T_xz + t19 * R_T_yz + t15 * R_T_zz;
-    const six_link_real R_m_31 = t16 * R_T_xx + t17 * minus_R_T_xy - t20 * R_T_xz;
     const six_link_real R_m_32 = t17 * R_T_yy - t16 * minus_R_T_xy + t20 * R_T_yz;
     const six_link_real R_m_33 = t16 * R_T_xz + t17 * R_T_yz + t20 * R_T_zz;
 
@@ -3944,60 +4680,60 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real omega_y = omega_R_y + t36;
 
     /* v_R: velocity of the joint point */
-    const six_link_real t41 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t42 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t43 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx_3 * t41 + R_rel_yx_3 * t42 + R_rel_zx_3 * t43;
-    const six_link_real v_R_y = c->R_m_xy * t41 + c->R_m_yy * t42 + c->R_m_zy * t43;
-    const six_link_real v_R_z = R_rel_xz_3 * t41 + R_rel_yz_3 * t42 + R_rel_zz_3 * t43;
+    const six_link_real t38 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
+    const six_link_real t39 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
+    const six_link_real t40 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    const six_link_real v_R_x = R_rel_xx_3 * t38 + R_rel_yx_3 * t39 + R_rel_zx_3 * t40;
+    const six_link_real v_R_y = c->R_m_xy * t38 + c->R_m_yy * t39 + c->R_m_zy * t40;
+    const six_link_real v_R_z = R_rel_xz_3 * t38 + R_rel_yz_3 * t39 + R_rel_zz_3 * t40;
 
-    const six_link_real t44 = base->R[0] * R_rel_xx_3 + base->R[1] * R_rel_yx_3 + base->R[2] * R_rel_zx_3;
-    const six_link_real t45 = base->R[0] * c->R_m_xy + base->R[1] * c->R_m_yy + base->R[2] * c->R_m_zy;
-    const six_link_real t46 = base->R[0] * R_rel_xz_3 + base->R[1] * R_rel_yz_3 + base->R[2] * R_rel_zz_3;
-    const six_link_real t47 = base->R[3] * R_rel_xx_3 + base->R[4] * R_rel_yx_3 + base->R[5] * R_rel_zx_3;
-    const six_link_real t48 = base->R[3] * c->R_m_xy + base->R[4] * c->R_m_yy + base->R[5] * c->R_m_zy;
-    const six_link_real t49 = base->R[3] * R_rel_xz_3 + base->R[4] * R_rel_yz_3 + base->R[5] * R_rel_zz_3;
-    const six_link_real t50 = base->R[6] * R_rel_xx_3 + base->R[7] * R_rel_yx_3 + base->R[8] * R_rel_zx_3;
-    const six_link_real t51 = base->R[6] * c->R_m_xy + base->R[7] * c->R_m_yy + base->R[8] * c->R_m_zy;
-    const six_link_real t52 = base->R[6] * R_rel_xz_3 + base->R[7] * R_rel_yz_3 + base->R[8] * R_rel_zz_3;
+    const six_link_real t41 = base->R[0] * R_rel_xx_3 + base->R[1] * R_rel_yx_3 + base->R[2] * R_rel_zx_3;
+    const six_link_real t42 = base->R[0] * c->R_m_xy + base->R[1] * c->R_m_yy + base->R[2] * c->R_m_zy;
+    const six_link_real t43 = base->R[0] * R_rel_xz_3 + base->R[1] * R_rel_yz_3 + base->R[2] * R_rel_zz_3;
+    const six_link_real t44 = base->R[3] * R_rel_xx_3 + base->R[4] * R_rel_yx_3 + base->R[5] * R_rel_zx_3;
+    const six_link_real t45 = base->R[3] * c->R_m_xy + base->R[4] * c->R_m_yy + base->R[5] * c->R_m_zy;
+    const six_link_real t46 = base->R[3] * R_rel_xz_3 + base->R[4] * R_rel_yz_3 + base->R[5] * R_rel_zz_3;
+    const six_link_real t47 = base->R[6] * R_rel_xx_3 + base->R[7] * R_rel_yx_3 + base->R[8] * R_rel_zx_3;
+    const six_link_real t48 = base->R[6] * c->R_m_xy + base->R[7] * c->R_m_yy + base->R[8] * c->R_m_zy;
+    const six_link_real t49 = base->R[6] * R_rel_xz_3 + base->R[7] * R_rel_yz_3 + base->R[8] * R_rel_zz_3;
     const six_link_real new_position_1 = base->r[0]
         + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
     const six_link_real new_position_2 = base->r[1]
         + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
     const six_link_real new_position_3 = base->r[2]
         + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
-    const six_link_real t53 = c->mount_rpy_z * REAL(0.5);
+    const six_link_real t50 = c->mount_rpy_z * REAL(0.5);
+    const six_link_real t51 = six_link_sin(t50);
+    const six_link_real t52 = six_link_cos(t50);
+    const six_link_real t53 = c->mount_rpy_y * REAL(0.5);
     const six_link_real t54 = six_link_sin(t53);
     const six_link_real t55 = six_link_cos(t53);
-    const six_link_real t56 = c->mount_rpy_y * REAL(0.5);
+    const six_link_real t56 = c->mount_rpy_x * REAL(0.5);
     const six_link_real t57 = six_link_sin(t56);
     const six_link_real t58 = six_link_cos(t56);
-    const six_link_real t59 = c->mount_rpy_x * REAL(0.5);
+    const six_link_real t59 = new_q_1 * REAL(0.5);
     const six_link_real t60 = six_link_sin(t59);
     const six_link_real t61 = six_link_cos(t59);
-    const six_link_real t62 = new_q_1 * REAL(0.5);
-    const six_link_real t63 = six_link_sin(t62);
-    const six_link_real t64 = six_link_cos(t62);
-    const six_link_real t65 = t55 * t58;
-    const six_link_real t66 = t55 * t57;
-    const six_link_real t67 = t58 * t54;
-    const six_link_real t68 = t54 * t57;
-    const six_link_real t69 = t65 * t61 + t68 * t60;
-    const six_link_real t70 = t65 * t60 - t61 * t68;
-    const six_link_real t71 = t61 * t66 + t67 * t60;
-    const six_link_real t72 = t61 * t67 - t66 * t60;
-    const six_link_real t73 = t69 * t64 - t71 * t63;
-    const six_link_real t74 = t69 * t63 + t64 * t71;
-    const six_link_real t75 = t64 * t70 - t72 * t63;
-    const six_link_real t76 = t64 * t72 + t70 * t63;
-    const six_link_real new_quaternion_1 = base->Q[0] * t73
-        - (base->Q[1] * t75 + base->Q[2] * t74 + base->Q[3] * t76);
-    const six_link_real new_quaternion_2 = base->Q[0] * t75 + t73 * base->Q[1]
-        + (base->Q[2] * t76 - base->Q[3] * t74);
-    const six_link_real new_quaternion_3 = base->Q[0] * t74 + t73 * base->Q[2]
-        + (base->Q[3] * t75 - base->Q[1] * t76);
-    const six_link_real new_quaternion_4 = base->Q[0] * t76 + t73 * base->Q[3]
-        + (base->Q[1] * t74 - base->Q[2] * t75);
+    const six_link_real t62 = t52 * t55;
+    const six_link_real t63 = t52 * t54;
+    const six_link_real t64 = t55 * t51;
+    const six_link_real t65 = t51 * t54;
+    const six_link_real t66 = t62 * t58 + t65 * t57;
+    const six_link_real t67 = t62 * t57 - t58 * t65;
+    const six_link_real t68 = t58 * t63 + t64 * t57;
+    const six_link_real t69 = t58 * t64 - t63 * t57;
+    const six_link_real t70 = t66 * t61 - t68 * t60;
+    const six_link_real t71 = t66 * t60 + t61 * t68;
+    const six_link_real t72 = t61 * t67 - t69 * t60;
+    const six_link_real t73 = t61 * t69 + t67 * t60;
+    const six_link_real new_quaternion_1 = base->Q[0] * t70
+        - (base->Q[1] * t72 + base->Q[2] * t71 + base->Q[3] * t73);
+    const six_link_real new_quaternion_2 = base->Q[0] * t72 + t70 * base->Q[1]
+        + (base->Q[2] * t73 - base->Q[3] * t71);
+    const six_link_real new_quaternion_3 = base->Q[0] * t71 + t70 * base->Q[2]
+        + (base->Q[3] * t72 - base->Q[1] * t73);
+    const six_link_real new_quaternion_4 = base->Q[0] * t73 + t70 * base->Q[3]
+        + (base->Q[1] * t71 - base->Q[2] * t72);
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
@@ -4008,55 +4744,50 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real udot_T_z = etadot[1] * REAL(2.23606797749979);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t77 = omega_s_x + omega_R_x;
-    const six_link_real t78 = omega_s_y + omega_y;
-    const six_link_real t79 = omega_s_z + omega_R_z;
-    const six_link_real omega_T_x_2 = R_T_xx * t77 + minus_R_T_xy * t78 - R_T_xz * t79;
-    const six_link_real omega_T_y_2 = R_T_yy * t78 - minus_R_T_xy * t77 + R_T_yz * t79;
-    const six_link_real omega_T_z_2 = R_T_xz * t77 + R_T_yz * t78 + R_T_zz * t79;
+    const six_link_real t74 = omega_s_x + omega_R_x;
+    const six_link_real t75 = omega_s_y + omega_y;
+    const six_link_real t76 = omega_s_z + omega_R_z;
+    const six_link_real omega_T_x_2 = R_T_xx * t74 + minus_R_T_xy * t75 - R_T_xz * t76;
+    const six_link_real omega_T_y = R_T_yy * t75 - minus_R_T_xy * t74 + R_T_yz * t76;
+    const six_link_real omega_T_z = R_T_xz * t74 + R_T_yz * t75 + R_T_zz * t76;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real t80 = v_R_x + omega_y * r_T_z - omega_R_z * r_T_y;
-    const six_link_real t81 = udot_T_y + v_R_y + c->length * omega_R_z - omega_R_x * r_T_z;
-    const six_link_real t82 = udot_T_z + v_R_z + omega_R_x * r_T_y - c->length * omega_y;
-    const six_link_real v_T_x = R_T_xx * t80 + minus_R_T_xy * t81 - R_T_xz * t82;
-    const six_link_real v_T_y = R_T_yy * t81 - minus_R_T_xy * t80 + R_T_yz * t82;
-    const six_link_real v_T_z = R_T_xz * t80 + R_T_yz * t81 + R_T_zz * t82;
+    const six_link_real t77 = v_R_x + omega_y * r_T_z - omega_R_z * r_T_y;
+    const six_link_real t78 = udot_T_y + v_R_y + c->length * omega_R_z - omega_R_x * r_T_z;
+    const six_link_real t79 = udot_T_z + v_R_z + omega_R_x * r_T_y - c->length * omega_y;
+    const six_link_real v_T_x = R_T_xx * t77 + minus_R_T_xy * t78 - R_T_xz * t79;
+    const six_link_real v_T_y = R_T_yy * t78 - minus_R_T_xy * t77 + R_T_yz * t79;
+    const six_link_real v_T_z = R_T_xz * t77 + R_T_yz * t78 + R_T_zz * t79;
 
-    const six_link_real R_xx = t44 * R_T_xx + t45 * minus_R_T_xy - t46 * R_T_xz;
-    const six_link_real R_xy = t45 * R_T_yy - t44 * minus_R_T_xy + t46 * R_T_yz;
-    const six_link_real R_xz = t44 * R_T_xz + t45 * R_T_yz + t46 * R_T_zz;
-    const six_link_real R_yx = t47 * R_T_xx + t48 * minus_R_T_xy - t49 * R_T_xz;
-    const six_link_real R_yy = t48 * R_T_yy - t47 * minus_R_T_xy + t49 * R_T_yz;
-    const six_link_real R_yz = t47 * R_T_xz + t48 * R_T_yz + t49 * R_T_zz;
-    const six_link_real R_zx = t50 * R_T_xx + t51 * minus_R_T_xy - t52 * R_T_xz;
-    const six_link_real R_zy = t51 * R_T_yy - t50 * minus_R_T_xy + t52 * R_T_yz;
-    const six_link_real R_zz = t50 * R_T_xz + t51 * R_T_yz + t52 * R_T_zz;
-    const six_link_real r_x = new_position_1 + (t44 * c->length + t45 * r_T_y + t46 * r_T_z);
-    const six_link_real r_y = new_position_2 + (t47 * c->length + t48 * r_T_y + t49 * r_T_z);
-    const six_link_real r_z = new_position_3 + (t50 * c->length + t51 * r_T_y + t52 * r_T_z);
-    const six_link_real t83 = x * REAL(0.25);
-    const six_link_real t84 = 1 - t83 * (REAL(0.5) - t83 * six_link_c4(t83));
-    const six_link_real t85 = (1 - t83 * (REAL(0.16666666666666666) - t83 * six_link_c5(t83))) * REAL(0.5);
-    const six_link_real t86 = t85 * theta_y;
-    const six_link_real t87 = t85 * theta_z;
-    const six_link_real Q_1 = new_quaternion_1 * t84 - (new_quaternion_3 * t86 + new_quaternion_4 * t87);
-    const six_link_real Q_2 = t84 * new_quaternion_2 + (new_quaternion_3 * t87 - new_quaternion_4 * t86);
-    const six_link_real Q_3 = new_quaternion_1 * t86 + t84 * new_quaternion_3 - new_quaternion_2 * t87;
-    const six_link_real Q_4 = new_quaternion_1 * t87 + t84 * new_quaternion_4 + new_quaternion_2 * t86;
+    const six_link_real R_xx = t41 * R_T_xx + t42 * minus_R_T_xy - t43 * R_T_xz;
+    const six_link_real R_xy = t42 * R_T_yy - t41 * minus_R_T_xy + t43 * R_T_yz;
+    const six_link_real R_xz = t41 * R_T_xz + t42 * R_T_yz + t43 * R_T_zz;
+    const six_link_real R_yx = t44 * R_T_xx + t45 * minus_R_T_xy - t46 * R_T_xz;
+    const six_link_real R_yy = t45 * R_T_yy - t44 * minus_R_T_xy + t46 * R_T_yz;
+    const six_link_real R_yz = t44 * R_T_xz + t45 * R_T_yz + t46 * R_T_zz;
+    const six_link_real R_zx = t47 * R_T_xx + t48 * minus_R_T_xy - t49 * R_T_xz;
+    const six_link_real R_zy = t48 * R_T_yy - t47 * minus_R_T_xy + t49 * R_T_yz;
+    const six_link_real R_zz = t47 * R_T_xz + t48 * R_T_yz + t49 * R_T_zz;
+    const six_link_real r_x = new_position_1 + (t41 * c->length + t42 * r_T_y + t43 * r_T_z);
+    const six_link_real r_y = new_position_2 + (t44 * c->length + t45 * r_T_y + t46 * r_T_z);
+    const six_link_real r_z = new_position_3 + (t47 * c->length + t48 * r_T_y + t49 * r_T_z);
+    const six_link_real t80 = x * REAL(0.25);
+    const six_link_real t81 = 1 - t80 * (REAL(0.5) - t80 * six_link_c4(t80));
+    const six_link_real t82 = (1 - t80 * (REAL(0.16666666666666666) - t80 * six_link_c5(t80))) * REAL(0.5);
+    const six_link_real t83 = t82 * theta_y;
+    const six_link_real t84 = t82 * theta_z;
+    const six_link_real Q_1 = new_quaternion_1 * t81 - (new_quaternion_3 * t83 + new_quaternion_4 * t84);
+    const six_link_real Q_2 = t81 * new_quaternion_2 + (new_quaternion_3 * t84 - new_quaternion_4 * t83);
+    const six_link_real Q_3 = new_quaternion_1 * t83 + t81 * new_quaternion_3 - new_quaternion_2 * t84;
+    const six_link_real Q_4 = new_quaternion_1 * t84 + t81 * new_quaternion_4 + new_quaternion_2 * t83;
 
     /* outputs */
     new_q[0] = new_q_1;
     tip->omega_m[0] = omega_T_x;
-    tip->omega_m[1] = omega_T_y;
-    tip->omega_m[2] = omega_T_z;
-    tip->R_m[0] = R_m_11;
     tip->R_m[1] = R_m_12;
     tip->R_m[2] = R_m_13;
-    tip->R_m[3] = R_m_21;
     tip->R_m[4] = R_m_22;
     tip->R_m[5] = R_m_23;
-    tip->R_m[6] = R_m_31;
     tip->R_m[7] = R_m_32;
     tip->R_m[8] = R_m_33;
     new_twist[0] = omega_R_x;
@@ -4073,8 +4804,8 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     new_position[1] = new_position_2;
     new_position[2] = new_position_3;
     tip->omega[0] = omega_T_x_2;
-    tip->omega[1] = omega_T_y_2;
-    tip->omega[2] = omega_T_z_2;
+    tip->omega[1] = omega_T_y;
+    tip->omega[2] = omega_T_z;
     tip->v[0] = v_T_x;
     tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
@@ -4097,7 +4828,7 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     return SIX_LINK_OK;
 }
 
-/* project, links like wrist_roll: 138 operations */
+/* project, links like wrist_roll: 129 operations */
 static six_link_status project_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
@@ -4161,11 +4892,8 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     const six_link_real v_R_y = R_rel_yy_3 * base->v[1] + minus_R_rel_yz_3 * base->v[2];
     const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
 
-    const six_link_real R_xy = base->R[1] * R_rel_yy_3 + base->R[2] * minus_R_rel_yz_3;
     const six_link_real R_xz = base->R[2] * R_rel_yy_3 - base->R[1] * minus_R_rel_yz_3;
-    const six_link_real R_yy = base->R[4] * R_rel_yy_3 + base->R[5] * minus_R_rel_yz_3;
     const six_link_real R_yz = base->R[5] * R_rel_yy_3 - base->R[4] * minus_R_rel_yz_3;
-    const six_link_real R_zy = base->R[7] * R_rel_yy_3 + base->R[8] * minus_R_rel_yz_3;
     const six_link_real R_zz = base->R[8] * R_rel_yy_3 - base->R[7] * minus_R_rel_yz_3;
     const six_link_real t19 = new_q_1 * REAL(0.5);
     const six_link_real t20 = six_link_sin(t19);
@@ -4185,17 +4913,12 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
 
     /* outputs */
     new_q[0] = new_q_1;
-    tip->omega_m[0] = twist[0];
     tip->omega_m[1] = twist[1];
-    tip->omega_m[2] = twist[2];
     tip->R_m[0] = R_m_11;
-    tip->R_m[1] = R_m_12;
     tip->R_m[2] = R_m_13;
     tip->R_m[3] = R_m_21;
-    tip->R_m[4] = R_m_22;
     tip->R_m[5] = R_m_23;
     tip->R_m[6] = R_m_31;
-    tip->R_m[7] = R_m_32;
     tip->R_m[8] = R_m_33;
     new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
@@ -4217,13 +4940,10 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
     tip->R[0] = base->R[0];
-    tip->R[1] = R_xy;
     tip->R[2] = R_xz;
     tip->R[3] = base->R[3];
-    tip->R[4] = R_yy;
     tip->R[5] = R_yz;
     tip->R[6] = base->R[6];
-    tip->R[7] = R_zy;
     tip->R[8] = R_zz;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
@@ -4235,7 +4955,7 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     return SIX_LINK_OK;
 }
 
-/* project, links like wrist_pitch: 138 operations */
+/* project, links like wrist_pitch: 129 operations */
 static six_link_status project_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
@@ -4299,11 +5019,8 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     const six_link_real v_R_z = R_rel_xz_3 * base->v[0] + R_rel_xx_3 * base->v[2];
 
     const six_link_real R_xx = base->R[0] * R_rel_xx_3 - base->R[2] * R_rel_xz_3;
-    const six_link_real R_xz = base->R[0] * R_rel_xz_3 + base->R[2] * R_rel_xx_3;
     const six_link_real R_yx = base->R[3] * R_rel_xx_3 - base->R[5] * R_rel_xz_3;
-    const six_link_real R_yz = base->R[3] * R_rel_xz_3 + base->R[5] * R_rel_xx_3;
     const six_link_real R_zx = base->R[6] * R_rel_xx_3 - base->R[8] * R_rel_xz_3;
-    const six_link_real R_zz = base->R[6] * R_rel_xz_3 + base->R[8] * R_rel_xx_3;
     const six_link_real t18 = new_q_1 * REAL(0.5);
     const six_link_real t19 = six_link_sin(t18);
     const six_link_real t20 = six_link_cos(t18);
@@ -4323,15 +5040,10 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     /* outputs */
     new_q[0] = new_q_1;
     tip->omega_m[0] = twist[0];
-    tip->omega_m[1] = twist[1];
-    tip->omega_m[2] = twist[2];
-    tip->R_m[0] = R_m_11;
     tip->R_m[1] = R_m_12;
     tip->R_m[2] = R_m_13;
-    tip->R_m[3] = R_m_21;
     tip->R_m[4] = R_m_22;
     tip->R_m[5] = R_m_23;
-    tip->R_m[6] = R_m_31;
     tip->R_m[7] = R_m_32;
     tip->R_m[8] = R_m_33;
     new_twist[0] = omega_R_x;
@@ -4353,15 +5065,6 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     tip->v[0] = v_R_x;
     tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
-    tip->R[0] = R_xx;
-    tip->R[1] = base->R[1];
-    tip->R[2] = R_xz;
-    tip->R[3] = R_yx;
-    tip->R[4] = base->R[4];
-    tip->R[5] = R_yz;
-    tip->R[6] = R_zx;
-    tip->R[7] = base->R[7];
-    tip->R[8] = R_zz;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
     tip->r[2] = r_z;
@@ -4372,98 +5075,138 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     return SIX_LINK_OK;
 }
 
-/* forward kinematics, links like shoulder: 88 operations */
-static six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
+/* project, links like flange: 103 operations */
+static six_link_status project_flange(const six_link_node *base, const six_link_real q[1], const six_link_real twist[6],
+    const six_link_real quaternion[4], six_link_real new_q[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
 
+    const six_link_real t1 = quaternion[1] * quaternion[1];
+    const six_link_real t2 = quaternion[2] * quaternion[2];
+    const six_link_real t3 = quaternion[3] * quaternion[3];
+    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
+    const six_link_real t5 = t1 + t2 + t3;
+    const six_link_real t6 = quaternion[2] * quaternion[3];
+    const six_link_real t7 = quaternion[0] * quaternion[1];
+    const six_link_real R_m_12 = t4 * (quaternion[1] * quaternion[2] - quaternion[0] * quaternion[3]);
+    const six_link_real R_m_13 = t4 * (quaternion[0] * quaternion[2] + quaternion[1] * quaternion[3]);
+    const six_link_real R_m_23 = t4 * (t6 - t7);
+    const six_link_real R_m_32 = t4 * (t7 + t6);
+    const six_link_real R_m_22 = 1 + t4 * (t2 - t5);
+    const six_link_real R_m_33 = 1 + t4 * (t3 - t5);
+    const six_link_real t8 = base->R_m[1] * R_m_12 + base->R_m[4] * R_m_22 + base->R_m[7] * R_m_32;
+    const six_link_real t9 = base->R_m[1] * R_m_13 + base->R_m[4] * R_m_23 + base->R_m[7] * R_m_33;
+    const six_link_real t10 = base->R_m[2] * R_m_12 + base->R_m[5] * R_m_22 + base->R_m[8] * R_m_32;
+    const six_link_real t11 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
+
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    const six_link_real t12 = q[0]
+        + (R_rel_yy * t10 - minus_R_rel_yz * t8 - (R_rel_yy * t9 + minus_R_rel_yz * t11)) * REAL(0.5);
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy_2 = six_link_cos(t12);
+    const six_link_real minus_R_rel_yz_2 = six_link_sin(t12);
+
+    const six_link_real t13 = (R_rel_yy_2 * t10 - minus_R_rel_yz_2 * t8
+        - (R_rel_yy_2 * t9 + minus_R_rel_yz_2 * t11)) * REAL(0.5);
+    const six_link_real new_q_1 = t12 + t13;
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy_3 = six_link_cos(new_q_1);
+    const six_link_real minus_R_rel_yz_3 = six_link_sin(new_q_1);
+
+    const six_link_real t14 = twist[0] - base->omega_m[0];
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const six_link_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
+    const six_link_real omega_R_y = R_rel_yy_3 * base->omega[1] + minus_R_rel_yz_3 * base->omega[2];
+    const six_link_real omega_R_z = R_rel_yy_3 * base->omega[2] - minus_R_rel_yz_3 * base->omega[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_z = base->omega[2] + qdot[0];
+    const six_link_real omega_x = base->omega[0] + t14;
 
     /* v_R: velocity of the joint point */
-    const six_link_real t1 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t2 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_x = R_rel_xx * t1 + minus_R_rel_xy * t2;
-    const six_link_real v_R_y = R_rel_xx * t2 - minus_R_rel_xy * t1;
-    const six_link_real v_R_z = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    const six_link_real v_R_y = R_rel_yy_3 * base->v[1] + minus_R_rel_yz_3 * base->v[2];
+    const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
 
-    const six_link_real R_xx = base->R[0] * R_rel_xx + base->R[1] * minus_R_rel_xy;
-    const six_link_real R_xy = base->R[1] * R_rel_xx - base->R[0] * minus_R_rel_xy;
-    const six_link_real R_yx = base->R[3] * R_rel_xx + base->R[4] * minus_R_rel_xy;
-    const six_link_real R_yy = base->R[4] * R_rel_xx - base->R[3] * minus_R_rel_xy;
-    const six_link_real R_zx = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
-    const six_link_real R_zy = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
-    const six_link_real new_position_1 = base->r[0]
-        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
-    const six_link_real new_position_2 = base->r[1]
-        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
-    const six_link_real new_position_3 = base->r[2]
-        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
-    const six_link_real t3 = q[0] * REAL(0.5);
-    const six_link_real t4 = six_link_sin(t3);
-    const six_link_real t5 = six_link_cos(t3);
-    const six_link_real new_quaternion_1 = base->Q[0] * t5 - base->Q[3] * t4;
-    const six_link_real new_quaternion_4 = base->Q[0] * t4 + t5 * base->Q[3];
-    const six_link_real new_quaternion_2 = t5 * base->Q[1] + base->Q[2] * t4;
-    const six_link_real new_quaternion_3 = t5 * base->Q[2] - base->Q[1] * t4;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = v_R_y + c->length * omega_z;
-    const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
-
-    const six_link_real r_x = new_position_1 + R_xx * c->length;
-    const six_link_real r_y = new_position_2 + R_yx * c->length;
-    const six_link_real r_z = new_position_3 + R_zx * c->length;
+    const six_link_real t15 = new_q_1 * REAL(0.5);
+    const six_link_real t16 = six_link_sin(t15);
+    const six_link_real t17 = six_link_cos(t15);
+    const six_link_real new_quaternion_1 = base->Q[0] * t17 - base->Q[1] * t16;
+    const six_link_real new_quaternion_2 = base->Q[0] * t16 + t17 * base->Q[1];
+    const six_link_real new_quaternion_3 = t17 * base->Q[2] + base->Q[3] * t16;
+    const six_link_real new_quaternion_4 = t17 * base->Q[3] - base->Q[2] * t16;
 
     /* outputs */
-    new_twist[0] = omega_R_x;
+    new_q[0] = new_q_1;
+    new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
-    new_twist[2] = omega_z;
-    new_twist[3] = v_R_x;
+    new_twist[2] = omega_R_z;
+    new_twist[3] = base->v[0];
     new_twist[4] = v_R_y;
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
     new_quaternion[1] = new_quaternion_2;
     new_quaternion[2] = new_quaternion_3;
     new_quaternion[3] = new_quaternion_4;
-    new_position[0] = new_position_1;
-    new_position[1] = new_position_2;
-    new_position[2] = new_position_3;
-    tip->omega[0] = omega_R_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_z;
-    tip->v[0] = v_R_x;
+    new_position[0] = base->r[0];
+    new_position[1] = base->r[1];
+    new_position[2] = base->r[2];
+    return SIX_LINK_OK;
+}
+
+/* forward kinematics, links like shoulder: 11 operations */
+static six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
+    const six_link_real qdot[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
+    six_link_real new_position[3])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+
+    const six_link_real t1 = -minus_R_rel_xy;
+    const six_link_real t2 = q[0] * REAL(0.5);
+    const six_link_real new_quaternion_4 = six_link_sin(t2);
+    const six_link_real new_quaternion_1 = six_link_cos(t2);
+
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real v_T_y = c->length * qdot[0];
+
+    const six_link_real r_x = c->mount_xyz_x + R_rel_xx * c->length;
+    const six_link_real r_y = c->mount_xyz_y + minus_R_rel_xy * c->length;
+
+    /* outputs */
+    new_twist[0] = 0;
+    new_twist[1] = 0;
+    new_twist[2] = qdot[0];
+    new_twist[3] = 0;
+    new_twist[4] = 0;
+    new_twist[5] = 0;
+    new_quaternion[0] = new_quaternion_1;
+    new_quaternion[1] = 0;
+    new_quaternion[2] = 0;
+    new_quaternion[3] = new_quaternion_4;
+    new_position[0] = c->mount_xyz_x;
+    new_position[1] = c->mount_xyz_y;
+    new_position[2] = c->mount_xyz_z;
+    tip->omega[2] = qdot[0];
     tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
-    tip->R[0] = R_xx;
-    tip->R[1] = R_xy;
-    tip->R[2] = base->R[2];
-    tip->R[3] = R_yx;
-    tip->R[4] = R_yy;
-    tip->R[5] = base->R[5];
-    tip->R[6] = R_zx;
-    tip->R[7] = R_zy;
-    tip->R[8] = base->R[8];
+    tip->R[0] = R_rel_xx;
+    tip->R[1] = t1;
+    tip->R[3] = minus_R_rel_xy;
+    tip->R[4] = R_rel_xx;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
-    tip->r[2] = r_z;
+    tip->r[2] = c->mount_xyz_z;
     tip->Q[0] = new_quaternion_1;
-    tip->Q[1] = new_quaternion_2;
-    tip->Q[2] = new_quaternion_3;
     tip->Q[3] = new_quaternion_4;
     return SIX_LINK_OK;
 }
 
-/* forward kinematics, links like upper_arm: 307 operations */
+/* forward kinematics, links like upper_arm: 254 operations */
 static six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
     const six_link_real etadot[3], six_link_real new_twist[6], six_link_real new_quaternion[4],
@@ -4475,38 +5218,33 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real R_rel_xz = six_link_sin(q[0]);
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-
-    /* omega: angular velocity of the link (45) */
-    const six_link_real omega_y = base->omega[1] + qdot[0];
+    const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
+    const six_link_real t1 = -minus_omega_R_x;
+    const six_link_real omega_R_z = R_rel_xx * base->omega[2];
 
     /* v_R: velocity of the joint point */
-    const six_link_real t1 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t2 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx * t1 - R_rel_xz * t2;
-    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_z = R_rel_xz * t1 + R_rel_xx * t2;
+    const six_link_real t2 = c->mount_xyz_y * base->omega[2];
+    const six_link_real minus_v_R_x = R_rel_xx * t2;
+    const six_link_real t3 = -minus_v_R_x;
+    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real minus_v_R_z = R_rel_xz * t2;
+    const six_link_real t4 = -minus_v_R_z;
 
-    const six_link_real t3 = base->R[0] * R_rel_xx - base->R[2] * R_rel_xz;
-    const six_link_real t4 = base->R[0] * R_rel_xz + base->R[2] * R_rel_xx;
-    const six_link_real t5 = base->R[3] * R_rel_xx - base->R[5] * R_rel_xz;
-    const six_link_real t6 = base->R[3] * R_rel_xz + base->R[5] * R_rel_xx;
-    const six_link_real t7 = base->R[6] * R_rel_xx - base->R[8] * R_rel_xz;
-    const six_link_real t8 = base->R[6] * R_rel_xz + base->R[8] * R_rel_xx;
-    const six_link_real new_position_1 = base->r[0]
-        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
-    const six_link_real new_position_2 = base->r[1]
-        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
-    const six_link_real new_position_3 = base->r[2]
-        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
+    const six_link_real t5 = base->R[0] * R_rel_xx;
+    const six_link_real t6 = base->R[0] * R_rel_xz;
+    const six_link_real t7 = base->R[3] * R_rel_xx;
+    const six_link_real t8 = base->R[3] * R_rel_xz;
+    const six_link_real new_position_1 = base->r[0] + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y);
+    const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
+    const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
     const six_link_real t9 = q[0] * REAL(0.5);
     const six_link_real t10 = six_link_sin(t9);
     const six_link_real t11 = six_link_cos(t9);
-    const six_link_real new_quaternion_1 = base->Q[0] * t11 - base->Q[2] * t10;
-    const six_link_real new_quaternion_3 = base->Q[0] * t10 + t11 * base->Q[2];
-    const six_link_real new_quaternion_2 = t11 * base->Q[1] - base->Q[3] * t10;
-    const six_link_real new_quaternion_4 = t11 * base->Q[3] + base->Q[1] * t10;
+    const six_link_real new_quaternion_1 = base->Q[0] * t11;
+    const six_link_real new_quaternion_3 = base->Q[0] * t10;
+    const six_link_real new_quaternion_4 = t11 * base->Q[3];
+    const six_link_real minus_new_quaternion_2 = base->Q[3] * t10;
+    const six_link_real t12 = -minus_new_quaternion_2;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * 2;
@@ -4518,11 +5256,11 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real theta_z = c->Psi_c_z1 * eta[0];
 
     /* x: squared angle of the tip section */
-    const six_link_real t12 = theta_x * theta_x;
-    const six_link_real t13 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t12 + t13;
-    const six_link_real t14 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t14;
+    const six_link_real t13 = theta_x * theta_x;
+    const six_link_real t14 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t13 + t14;
+    const six_link_real t15 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t15;
 
     /* c1: Stumpff function of order 1 */
     const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
@@ -4532,27 +5270,27 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t13 + t14;
+    const six_link_real minus_theta_hat2_11 = t14 + t15;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t12 + t14;
+    const six_link_real minus_theta_hat2_22 = t13 + t15;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* R_T: rotation of the tip section, exp of theta */
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const six_link_real t15 = c2 * theta_hat2_12;
-    const six_link_real t16 = c1 * theta_z;
-    const six_link_real R_T_xy = t15 - t16;
-    const six_link_real t17 = c1 * theta_y;
-    const six_link_real t18 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t17 + t18;
-    const six_link_real R_T_yx = t16 + t15;
+    const six_link_real t16 = c2 * theta_hat2_12;
+    const six_link_real t17 = c1 * theta_z;
+    const six_link_real R_T_xy = t16 - t17;
+    const six_link_real t18 = c1 * theta_y;
+    const six_link_real t19 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t18 + t19;
+    const six_link_real R_T_yx = t17 + t16;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const six_link_real t19 = c2 * theta_hat2_23;
-    const six_link_real t20 = c1 * theta_x;
-    const six_link_real R_T_yz = t19 - t20;
-    const six_link_real R_T_zx = t18 - t17;
-    const six_link_real R_T_zy = t20 + t19;
+    const six_link_real t20 = c2 * theta_hat2_23;
+    const six_link_real t21 = c1 * theta_x;
+    const six_link_real R_T_yz = t20 - t21;
+    const six_link_real R_T_zx = t19 - t18;
+    const six_link_real R_T_zy = t21 + t20;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
@@ -4565,65 +5303,65 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t21 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t22 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t23 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real omega_s_x = thetadot_x + c2 * t21 + c3 * (theta_y * t22 - theta_z * t23);
-    const six_link_real omega_s_y = thetadot_y + c2 * t23 + c3 * (theta_z * t21 - theta_x * t22);
-    const six_link_real omega_s_z = thetadot_z + c2 * t22 + c3 * (theta_x * t23 - theta_y * t21);
+    const six_link_real t22 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t23 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t24 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real omega_s_x = thetadot_x + c2 * t22 + c3 * (theta_y * t23 - theta_z * t24);
+    const six_link_real omega_s_y = thetadot_y + c2 * t24 + c3 * (theta_z * t22 - theta_x * t23);
+    const six_link_real omega_s_z = thetadot_z + c2 * t23 + c3 * (theta_x * t24 - theta_y * t22);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t24 = omega_s_x + omega_R_x;
-    const six_link_real t25 = omega_s_y + omega_y;
-    const six_link_real t26 = omega_s_z + omega_R_z;
-    const six_link_real omega_T_x = R_T_xx * t24 + R_T_yx * t25 + R_T_zx * t26;
-    const six_link_real omega_T_y = R_T_xy * t24 + R_T_yy * t25 + R_T_zy * t26;
-    const six_link_real omega_T_z = R_T_xz * t24 + R_T_yz * t25 + R_T_zz * t26;
+    const six_link_real t25 = omega_s_x - minus_omega_R_x;
+    const six_link_real t26 = omega_s_y + qdot[0];
+    const six_link_real t27 = omega_s_z + omega_R_z;
+    const six_link_real omega_T_x = R_T_xx * t25 + R_T_yx * t26 + R_T_zx * t27;
+    const six_link_real omega_T_y = R_T_xy * t25 + R_T_yy * t26 + R_T_zy * t27;
+    const six_link_real omega_T_z = R_T_xz * t25 + R_T_yz * t26 + R_T_zz * t27;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real t27 = v_R_x + omega_y * r_T_z - omega_R_z * r_T_y;
-    const six_link_real t28 = udot_T_y + v_R_y + c->length * omega_R_z - omega_R_x * r_T_z;
-    const six_link_real t29 = udot_T_z + v_R_z + omega_R_x * r_T_y - c->length * omega_y;
-    const six_link_real v_T_x = R_T_xx * t27 + R_T_yx * t28 + R_T_zx * t29;
-    const six_link_real v_T_y = R_T_xy * t27 + R_T_yy * t28 + R_T_zy * t29;
-    const six_link_real v_T_z = R_T_xz * t27 + R_T_yz * t28 + R_T_zz * t29;
+    const six_link_real t28 = qdot[0] * r_T_z - minus_v_R_x - omega_R_z * r_T_y;
+    const six_link_real t29 = udot_T_y + v_R_y + c->length * omega_R_z + minus_omega_R_x * r_T_z;
+    const six_link_real t30 = udot_T_z - minus_v_R_z - minus_omega_R_x * r_T_y - c->length * qdot[0];
+    const six_link_real v_T_x = R_T_xx * t28 + R_T_yx * t29 + R_T_zx * t30;
+    const six_link_real v_T_y = R_T_xy * t28 + R_T_yy * t29 + R_T_zy * t30;
+    const six_link_real v_T_z = R_T_xz * t28 + R_T_yz * t29 + R_T_zz * t30;
 
-    const six_link_real R_xx = t3 * R_T_xx + base->R[1] * R_T_yx + t4 * R_T_zx;
-    const six_link_real R_xy = t3 * R_T_xy + base->R[1] * R_T_yy + t4 * R_T_zy;
-    const six_link_real R_xz = t3 * R_T_xz + base->R[1] * R_T_yz + t4 * R_T_zz;
-    const six_link_real R_yx = t5 * R_T_xx + base->R[4] * R_T_yx + t6 * R_T_zx;
-    const six_link_real R_yy = t5 * R_T_xy + base->R[4] * R_T_yy + t6 * R_T_zy;
-    const six_link_real R_yz = t5 * R_T_xz + base->R[4] * R_T_yz + t6 * R_T_zz;
-    const six_link_real R_zx = t7 * R_T_xx + base->R[7] * R_T_yx + t8 * R_T_zx;
-    const six_link_real R_zy = t7 * R_T_xy + base->R[7] * R_T_yy + t8 * R_T_zy;
-    const six_link_real R_zz = t7 * R_T_xz + base->R[7] * R_T_yz + t8 * R_T_zz;
-    const six_link_real r_x = new_position_1 + (t3 * c->length + base->R[1] * r_T_y + t4 * r_T_z);
-    const six_link_real r_y = new_position_2 + (t5 * c->length + base->R[4] * r_T_y + t6 * r_T_z);
-    const six_link_real r_z = new_position_3 + (t7 * c->length + base->R[7] * r_T_y + t8 * r_T_z);
-    const six_link_real t30 = x * REAL(0.25);
-    const six_link_real t31 = 1 - t30 * (REAL(0.5) - t30 * six_link_c4(t30));
-    const six_link_real t32 = (1 - t30 * (REAL(0.16666666666666666) - t30 * six_link_c5(t30))) * REAL(0.5);
-    const six_link_real t33 = t32 * theta_x;
-    const six_link_real t34 = t32 * theta_y;
-    const six_link_real t35 = t32 * theta_z;
-    const six_link_real Q_1 = new_quaternion_1 * t31
-        - (new_quaternion_2 * t33 + new_quaternion_3 * t34 + new_quaternion_4 * t35);
-    const six_link_real Q_2 = new_quaternion_1 * t33 + t31 * new_quaternion_2
-        + (new_quaternion_3 * t35 - new_quaternion_4 * t34);
-    const six_link_real Q_3 = new_quaternion_1 * t34 + t31 * new_quaternion_3
-        + (new_quaternion_4 * t33 - new_quaternion_2 * t35);
-    const six_link_real Q_4 = new_quaternion_1 * t35 + t31 * new_quaternion_4
-        + (new_quaternion_2 * t34 - new_quaternion_3 * t33);
+    const six_link_real R_xx = t5 * R_T_xx + base->R[1] * R_T_yx + t6 * R_T_zx;
+    const six_link_real R_xy = t5 * R_T_xy + base->R[1] * R_T_yy + t6 * R_T_zy;
+    const six_link_real R_xz = t5 * R_T_xz + base->R[1] * R_T_yz + t6 * R_T_zz;
+    const six_link_real R_yx = t7 * R_T_xx + base->R[4] * R_T_yx + t8 * R_T_zx;
+    const six_link_real R_yy = t7 * R_T_xy + base->R[4] * R_T_yy + t8 * R_T_zy;
+    const six_link_real R_yz = t7 * R_T_xz + base->R[4] * R_T_yz + t8 * R_T_zz;
+    const six_link_real R_zx = R_rel_xx * R_T_zx - R_rel_xz * R_T_xx;
+    const six_link_real R_zy = R_rel_xx * R_T_zy - R_rel_xz * R_T_xy;
+    const six_link_real R_zz = R_rel_xx * R_T_zz - R_rel_xz * R_T_xz;
+    const six_link_real r_x = new_position_1 + (t5 * c->length + base->R[1] * r_T_y + t6 * r_T_z);
+    const six_link_real r_y = new_position_2 + (t7 * c->length + base->R[4] * r_T_y + t8 * r_T_z);
+    const six_link_real r_z = new_position_3 + (R_rel_xx * r_T_z - R_rel_xz * c->length);
+    const six_link_real t31 = x * REAL(0.25);
+    const six_link_real t32 = 1 - t31 * (REAL(0.5) - t31 * six_link_c4(t31));
+    const six_link_real t33 = (1 - t31 * (REAL(0.16666666666666666) - t31 * six_link_c5(t31))) * REAL(0.5);
+    const six_link_real t34 = t33 * theta_x;
+    const six_link_real t35 = t33 * theta_y;
+    const six_link_real t36 = t33 * theta_z;
+    const six_link_real Q_1 = new_quaternion_1 * t32
+        - (new_quaternion_3 * t35 - minus_new_quaternion_2 * t34 + new_quaternion_4 * t36);
+    const six_link_real Q_2 = new_quaternion_1 * t34 - t32 * minus_new_quaternion_2
+        + (new_quaternion_3 * t36 - new_quaternion_4 * t35);
+    const six_link_real Q_3 = new_quaternion_1 * t35 + t32 * new_quaternion_3
+        + (new_quaternion_4 * t34 + minus_new_quaternion_2 * t36);
+    const six_link_real Q_4 = new_quaternion_1 * t36 + t32 * new_quaternion_4
+        - (minus_new_quaternion_2 * t35 + new_quaternion_3 * t34);
 
     /* outputs */
-    new_twist[0] = omega_R_x;
-    new_twist[1] = omega_y;
+    new_twist[0] = t1;
+    new_twist[1] = qdot[0];
     new_twist[2] = omega_R_z;
-    new_twist[3] = v_R_x;
+    new_twist[3] = t3;
     new_twist[4] = v_R_y;
-    new_twist[5] = v_R_z;
+    new_twist[5] = t4;
     new_quaternion[0] = new_quaternion_1;
-    new_quaternion[1] = new_quaternion_2;
+    new_quaternion[1] = t12;
     new_quaternion[2] = new_quaternion_3;
     new_quaternion[3] = new_quaternion_4;
     new_position[0] = new_position_1;
@@ -5024,60 +5762,2187 @@ static six_link_status forward_kinematics_wrist_pitch(const six_link_link_consta
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like shoulder: 239 operations */
-static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+/* forward kinematics, links like flange: 54 operations */
+static six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
+    six_link_real new_quaternion[4], six_link_real new_position[3])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    /* omega_R: angular velocity of the parent's tip */
+    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_x = base->omega[0] + qdot[0];
+
+    /* v_R: velocity of the joint point */
+    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
+    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+
+    const six_link_real R_xy = base->R[1] * R_rel_yy + base->R[2] * minus_R_rel_yz;
+    const six_link_real R_xz = base->R[2] * R_rel_yy - base->R[1] * minus_R_rel_yz;
+    const six_link_real R_yy = base->R[4] * R_rel_yy + base->R[5] * minus_R_rel_yz;
+    const six_link_real R_yz = base->R[5] * R_rel_yy - base->R[4] * minus_R_rel_yz;
+    const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
+    const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
+    const six_link_real t1 = q[0] * REAL(0.5);
+    const six_link_real t2 = six_link_sin(t1);
+    const six_link_real t3 = six_link_cos(t1);
+    const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
+    const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
+    const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
+    const six_link_real new_quaternion_4 = t3 * base->Q[3] - base->Q[2] * t2;
+    const six_link_real r_x = base->r[0] + base->R[0] * c->length;
+    const six_link_real r_y = base->r[1] + base->R[3] * c->length;
+    const six_link_real r_z = base->r[2] + base->R[6] * c->length;
+
+    /* outputs */
+    new_twist[0] = omega_x;
+    new_twist[1] = omega_R_y;
+    new_twist[2] = omega_R_z;
+    new_twist[3] = base->v[0];
+    new_twist[4] = v_R_y;
+    new_twist[5] = v_R_z;
+    new_quaternion[0] = new_quaternion_1;
+    new_quaternion[1] = new_quaternion_2;
+    new_quaternion[2] = new_quaternion_3;
+    new_quaternion[3] = new_quaternion_4;
+    new_position[0] = base->r[0];
+    new_position[1] = base->r[1];
+    new_position[2] = base->r[2];
+    tip->R[0] = base->R[0];
+    tip->R[1] = R_xy;
+    tip->R[2] = R_xz;
+    tip->R[3] = base->R[3];
+    tip->R[4] = R_yy;
+    tip->R[5] = R_yz;
+    tip->R[6] = base->R[6];
+    tip->R[7] = R_zy;
+    tip->R[8] = R_zz;
+    tip->r[0] = r_x;
+    tip->r[1] = r_y;
+    tip->r[2] = r_z;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like shoulder: 11 operations */
+static six_link_status kinematics_shoulder_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_real R_rel_xx = six_link_cos(q[0]);
     const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
-    const six_link_real t1 = -minus_R_rel_xy;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const six_link_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
-    const six_link_real qdot_1 = twist[2] - base->omega[2];
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
+    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t2 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t3 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real v_R_x = R_rel_xx * t2 + minus_R_rel_xy * t3;
-    const six_link_real v_R_y = R_rel_xx * t3 - minus_R_rel_xy * t2;
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real alpha_0_T_4 = alpha_0_4 - qdot[0] * (qdot[0] * c->length);
 
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_x = omega_R_y * qdot_1;
-    const six_link_real minus_beta_omega_y = omega_R_x * qdot_1;
+    /* outputs */
+    link->omega[2] = qdot[0];
+    link->alpha_0[3] = alpha_0_4;
+    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[5] = base->alpha_0[5];
+    tip->omega[2] = qdot[0];
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_5;
+    tip->alpha_0[5] = base->alpha_0[5];
+    return SIX_LINK_OK;
+}
 
-    /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_x = qdot_1 * v_R_y;
-    const six_link_real minus_beta_v_y = qdot_1 * v_R_x;
+/* kinematics, links like upper_arm: 216 operations */
+static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
+    const six_link_real etadot[3])
+{
 
-    const six_link_real t4 = quaternion[1] * quaternion[1];
-    const six_link_real t5 = quaternion[2] * quaternion[2];
-    const six_link_real t6 = quaternion[3] * quaternion[3];
-    const six_link_real t7 = 2 / (quaternion[0] * quaternion[0] + t4 + t5 + t6);
-    const six_link_real t8 = t4 + t5 + t6;
-    const six_link_real t9 = quaternion[1] * quaternion[2];
-    const six_link_real t10 = quaternion[1] * quaternion[3];
-    const six_link_real t11 = quaternion[2] * quaternion[3];
-    const six_link_real t12 = quaternion[0] * quaternion[3];
-    const six_link_real t13 = quaternion[0] * quaternion[2];
-    const six_link_real t14 = quaternion[0] * quaternion[1];
-    const six_link_real t15 = (1 + t7 * (t4 - t8)) * gravity[0] + t7 * (t12 + t9) * gravity[1]
-        + t7 * (t10 - t13) * gravity[2];
-    const six_link_real t16 = t7 * (t9 - t12) * gravity[0] + (1 + t7 * (t5 - t8)) * gravity[1]
-        + t7 * (t14 + t11) * gravity[2];
-    const six_link_real t17 = t7 * (t13 + t10) * gravity[0] + t7 * (t11 - t14) * gravity[1]
-        + (1 + t7 * (t6 - t8)) * gravity[2];
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+    const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
+    const six_link_real t2 = -minus_omega_R_1;
+    const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real minus_alpha_0_1 = omega_R_3 * qdot[0];
+    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * qdot[0];
+    const six_link_real t3 = -minus_alpha_0_3;
+    const six_link_real t4 = -minus_alpha_0_1;
+    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
+    const six_link_real alpha_0_5 = base->alpha_0[4]
+        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
+        - minus_omega_R_1 * t5;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * 2;
+    const six_link_real r_T_z = eta[1] * 2;
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t6 = theta_x * theta_x;
+    const six_link_real t7 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t6 + t7;
+    const six_link_real t8 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t8;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real t9 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real t10 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t10;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t7 + t8;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t6 + t8;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const six_link_real t11 = c3 * theta_hat2_12;
+    const six_link_real t12 = c2 * theta_z;
+    const six_link_real J_l_xy = t11 - t12;
+    const six_link_real t13 = c2 * theta_y;
+    const six_link_real t14 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t13 + t14;
+    const six_link_real J_l_yx = t12 + t11;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    const six_link_real t15 = c3 * theta_hat2_23;
+    const six_link_real t16 = c2 * theta_x;
+    const six_link_real J_l_yz = t15 - t16;
+    const six_link_real J_l_zx = t14 - t13;
+    const six_link_real J_l_zy = t16 + t15;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const six_link_real t17 = c2 * theta_hat2_12;
+    const six_link_real t18 = c1 * theta_z;
+    const six_link_real R_T_xy = t17 - t18;
+    const six_link_real t19 = c1 * theta_y;
+    const six_link_real t20 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t19 + t20;
+    const six_link_real R_T_yx = t18 + t17;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real t21 = c2 * theta_hat2_23;
+    const six_link_real t22 = c1 * theta_x;
+    const six_link_real R_T_yz = t21 - t22;
+    const six_link_real R_T_zx = t20 - t19;
+    const six_link_real R_T_zy = t22 + t21;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
+    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t26 = theta_y * t24 - theta_z * t25;
+    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
+    const six_link_real t27 = theta_z * t23 - theta_x * t24;
+    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
+    const six_link_real t28 = theta_x * t25 - theta_y * t23;
+    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
+    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
+    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
+    const six_link_real omega_T_2 = qdot[0] + omega_s_y;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1 + (qdot[0] * omega_s_z - omega_R_3 * omega_s_y);
+    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
+    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
+        - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
+    const six_link_real t29 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
+    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t31 - omega_R_3 * t30);
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
+        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
+    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
+        - (minus_omega_R_1 * t30 + qdot[0] * t29);
+
+    /* outputs */
+    link->R_P[0] = R_rel_xx;
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = t1;
+    link->R_P[8] = R_rel_xx;
+    link->lever[0] = lever_1;
+    link->lever[1] = lever_3;
+    link->omega[0] = t2;
+    link->omega[1] = qdot[0];
+    link->omega[2] = omega_R_3;
+    link->alpha_0[0] = t4;
+    link->alpha_0[2] = t3;
+    link->alpha_0[3] = alpha_0_4;
+    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[5] = alpha_0_6;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
+    link->R_T[0] = R_T_xx;
+    link->R_T[1] = R_T_xy;
+    link->R_T[2] = R_T_xz;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
+    tip->R_T[0] = R_T_xx;
+    tip->R_T[1] = R_T_xy;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[3] = R_T_yx;
+    tip->R_T[4] = R_T_yy;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[6] = R_T_zx;
+    tip->R_T[7] = R_T_zy;
+    tip->R_T[8] = R_T_zz;
+    tip->omega[0] = omega_T_1;
+    tip->omega[1] = omega_T_2;
+    tip->omega[2] = omega_T_3;
+    tip->alpha_0[0] = alpha_0_T_1;
+    tip->alpha_0[1] = alpha_0_T_2;
+    tip->alpha_0[2] = alpha_0_T_3;
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_T_5;
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like forearm: 287 operations */
+static six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
+    const six_link_real etadot[2])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real t1 = six_link_cos(q[0]);
+    const six_link_real t2 = six_link_sin(q[0]);
+    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
+    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
+    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
+    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
+    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
+    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
+    const six_link_real R_P_12 = base->R_T[0] * c->R_m_xy + base->R_T[1] * c->R_m_yy + base->R_T[2] * c->R_m_zy;
+    const six_link_real R_P_13 = base->R_T[0] * R_rel_xz + base->R_T[1] * R_rel_yz + base->R_T[2] * R_rel_zz;
+    const six_link_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx + base->R_T[5] * R_rel_zx;
+    const six_link_real R_P_22 = base->R_T[3] * c->R_m_xy + base->R_T[4] * c->R_m_yy + base->R_T[5] * c->R_m_zy;
+    const six_link_real R_P_23 = base->R_T[3] * R_rel_xz + base->R_T[4] * R_rel_yz + base->R_T[5] * R_rel_zz;
+    const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
+    const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
+    const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
+        + R_rel_zx * c->mount_xyz_z;
+    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
+        + R_rel_zz * c->mount_xyz_z;
+    const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_y = omega_R_2 + qdot[0];
+    const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2];
+    const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
+    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot[0];
+    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot[0];
+    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
+    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
+    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
+    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
+        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
+    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real t8 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real t9 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t9;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real minus_J_l_xy = c2 * theta_z;
+    const six_link_real J_l_xz = c2 * theta_y;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    const six_link_real J_l_yz = c3 * theta_hat2_23;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * x;
+    const six_link_real minus_R_T_xy = c1 * theta_z;
+    const six_link_real t10 = -minus_R_T_xy;
+    const six_link_real R_T_xz = c1 * theta_y;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real R_T_yz = c2 * theta_hat2_23;
+    const six_link_real t11 = -R_T_xz;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t12;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t12;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
+    const six_link_real omega_T_2 = omega_y + omega_s_y;
+    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
+    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (omega_y * omega_s_z - omega_R_3 * omega_s_y);
+    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
+    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
+    const six_link_real t13 = omega_y * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
+    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
+        + (omega_y * t15 - omega_R_3 * t14);
+    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
+        + (omega_R_3 * t13 - omega_R_1 * t15);
+    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
+        + (omega_R_1 * t14 - omega_y * t13);
+
+    /* outputs */
+    link->R_P[0] = R_P_11;
+    link->R_P[1] = R_P_12;
+    link->R_P[2] = R_P_13;
+    link->R_P[3] = R_P_21;
+    link->R_P[4] = R_P_22;
+    link->R_P[5] = R_P_23;
+    link->R_P[6] = R_P_31;
+    link->R_P[7] = R_P_32;
+    link->R_P[8] = R_P_33;
+    link->lever[0] = lever_1;
+    link->lever[1] = lever_2;
+    link->lever[2] = lever_3;
+    link->omega[0] = omega_R_1;
+    link->omega[1] = omega_y;
+    link->omega[2] = omega_R_3;
+    link->alpha_0[0] = alpha_0_1;
+    link->alpha_0[1] = alpha_0_2;
+    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[3] = alpha_0_4;
+    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[5] = alpha_0_6;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
+    link->R_T[0] = R_T_xx;
+    link->R_T[1] = minus_R_T_xy;
+    link->R_T[2] = R_T_xz;
+    link->R_T[3] = R_T_yy;
+    link->R_T[4] = R_T_yz;
+    link->R_T[5] = R_T_zz;
+    link->J_l[1] = minus_J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yy;
+    link->J_l[4] = J_l_yz;
+    link->J_l[5] = J_l_zz;
+    tip->R_T[0] = R_T_xx;
+    tip->R_T[1] = t10;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[3] = minus_R_T_xy;
+    tip->R_T[4] = R_T_yy;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[6] = t11;
+    tip->R_T[7] = R_T_yz;
+    tip->R_T[8] = R_T_zz;
+    tip->omega[0] = omega_T_1;
+    tip->omega[1] = omega_T_2;
+    tip->omega[2] = omega_T_3;
+    tip->alpha_0[0] = alpha_0_T_1;
+    tip->alpha_0[1] = alpha_0_T_2;
+    tip->alpha_0[2] = alpha_0_T_3;
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_T_5;
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_roll: 84 operations */
+static six_link_status kinematics_wrist_roll_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
+    const six_link_real R_P_13 = base->R_T[2] * R_rel_yy - base->R_T[1] * minus_R_rel_yz;
+    const six_link_real R_P_22 = base->R_T[4] * R_rel_yy + base->R_T[5] * minus_R_rel_yz;
+    const six_link_real R_P_23 = base->R_T[5] * R_rel_yy - base->R_T[4] * minus_R_rel_yz;
+    const six_link_real R_P_32 = base->R_T[7] * R_rel_yy + base->R_T[8] * minus_R_rel_yz;
+    const six_link_real R_P_33 = base->R_T[8] * R_rel_yy - base->R_T[7] * minus_R_rel_yz;
+    const six_link_real omega_R_1 = base->R_T[0] * base->omega[0] + base->R_T[3] * base->omega[1]
+        + base->R_T[6] * base->omega[2];
+    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
+    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_x = omega_R_1 + qdot[0];
+    const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
+        + base->R_T[6] * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
+        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot[0];
+    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
+        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot[0];
+    const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
+        + base->R_T[6] * base->alpha_0[5];
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
+        + R_P_32 * base->alpha_0[5];
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
+        + R_P_33 * base->alpha_0[5];
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
+
+    /* outputs */
+    link->R_P[0] = base->R_T[0];
+    link->R_P[1] = R_P_12;
+    link->R_P[2] = R_P_13;
+    link->R_P[3] = base->R_T[3];
+    link->R_P[4] = R_P_22;
+    link->R_P[5] = R_P_23;
+    link->R_P[6] = base->R_T[6];
+    link->R_P[7] = R_P_32;
+    link->R_P[8] = R_P_33;
+    link->omega[0] = omega_x;
+    link->omega[1] = omega_R_2;
+    link->omega[2] = omega_R_3;
+    link->alpha_0[0] = alpha_0_1;
+    link->alpha_0[1] = alpha_0_2;
+    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[3] = alpha_0_4;
+    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[5] = alpha_0_6;
+    tip->omega[0] = omega_x;
+    tip->omega[1] = omega_R_2;
+    tip->omega[2] = omega_R_3;
+    tip->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_T_5;
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_pitch: 40 operations */
+static six_link_status kinematics_wrist_pitch_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
+    const six_link_real omega_R_3 = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_y = base->omega[1] + qdot[0];
+    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
+        - omega_R_3 * qdot[0];
+    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
+        + omega_R_1 * qdot[0];
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
+    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = omega_y * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t3 + omega_R_3 * t2);
+    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+
+    /* outputs */
+    link->R_P[0] = R_rel_xx;
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = t1;
+    link->R_P[8] = R_rel_xx;
+    link->omega[0] = omega_R_1;
+    link->omega[1] = omega_y;
+    link->omega[2] = omega_R_3;
+    link->alpha_0[0] = alpha_0_1;
+    link->alpha_0[1] = base->alpha_0[1];
+    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[3] = alpha_0_4;
+    link->alpha_0[4] = base->alpha_0[4];
+    link->alpha_0[5] = alpha_0_6;
+    tip->omega[0] = omega_R_1;
+    tip->omega[1] = omega_y;
+    tip->omega[2] = omega_R_3;
+    tip->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[1] = base->alpha_0[1];
+    tip->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_T_5;
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like flange: 40 operations */
+static six_link_status kinematics_flange_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -minus_R_rel_yz;
+    const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
+    const six_link_real omega_R_3 = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+
+    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    const six_link_real omega_x = base->omega[0] + qdot[0];
+    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
+        + omega_R_3 * qdot[0];
+    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
+        - omega_R_2 * qdot[0];
+    const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
+    const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
+
+    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
+    const six_link_real t2 = omega_R_3 * c->length;
+    const six_link_real t3 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t3;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t2;
+
+    /* outputs */
+    link->R_P[4] = R_rel_yy;
+    link->R_P[5] = t1;
+    link->R_P[7] = minus_R_rel_yz;
+    link->R_P[8] = R_rel_yy;
+    link->omega[0] = omega_x;
+    link->omega[1] = omega_R_2;
+    link->omega[2] = omega_R_3;
+    link->alpha_0[0] = base->alpha_0[0];
+    link->alpha_0[1] = alpha_0_2;
+    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[3] = base->alpha_0[3];
+    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[5] = alpha_0_6;
+    tip->omega[0] = omega_x;
+    tip->omega[1] = omega_R_2;
+    tip->omega[2] = omega_R_3;
+    tip->alpha_0[0] = base->alpha_0[0];
+    tip->alpha_0[1] = alpha_0_2;
+    tip->alpha_0[2] = alpha_0_3;
+    tip->alpha_0[3] = alpha_0_T_4;
+    tip->alpha_0[4] = alpha_0_T_5;
+    tip->alpha_0[5] = alpha_0_T_6;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like shoulder: 1 operations */
+static six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+    const six_link_real qddot[1])
+{
+
+    const six_link_real delta_5 = qddot[0] * c->length;
+
+    /* outputs */
+    link->delta[2] = qddot[0];
+    tip->delta[2] = qddot[0];
+    tip->delta[4] = delta_5;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like upper_arm: 46 operations */
+static six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3])
+{
+
+    const six_link_real delta_1 = link->R_P[6] * base->delta[2];
+    const six_link_real delta_3 = link->R_P[8] * base->delta[2];
+    const six_link_real minus_delta_4 = delta_3 * c->mount_xyz_y;
+    const six_link_real t1 = -minus_delta_4;
+    const six_link_real delta_6 = delta_1 * c->mount_xyz_y;
+    const six_link_real delta_5 = base->delta[4] + (delta_3 * link->lever[0] - delta_1 * link->lever[1]);
+    const six_link_real t2 = etaddot[2] * REAL(1.4142135623730951);
+    const six_link_real t3 = c->Psi_c_y2 * etaddot[1];
+    const six_link_real t4 = c->Psi_c_z1 * etaddot[0];
+    const six_link_real delta_4 = qddot[0] * link->r_T[1] - delta_3 * link->r_T[0] - minus_delta_4;
+    const six_link_real delta_1_2 = delta_1 + (link->J_l[0] * t2 + link->J_l[1] * t3 + link->J_l[2] * t4);
+    const six_link_real delta_2 = qddot[0] + (link->J_l[3] * t2 + link->J_l[4] * t3 + link->J_l[5] * t4);
+    const six_link_real delta_3_2 = delta_3 + (link->J_l[6] * t2 + link->J_l[7] * t3 + link->J_l[8] * t4);
+    const six_link_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1]) + etaddot[0] * 2;
+    const six_link_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - qddot[0] * c->length) + etaddot[1] * 2;
+
+    /* outputs */
+    link->delta[0] = delta_1;
+    link->delta[1] = qddot[0];
+    link->delta[2] = delta_3;
+    link->delta[3] = t1;
+    link->delta[4] = delta_5;
+    link->delta[5] = delta_6;
+    tip->delta[0] = delta_1_2;
+    tip->delta[1] = delta_2;
+    tip->delta[2] = delta_3_2;
+    tip->delta[3] = delta_4;
+    tip->delta[4] = delta_5_2;
+    tip->delta[5] = delta_6_2;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like forearm: 73 operations */
+static six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2])
+{
+
+    const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2];
+    const six_link_real t1 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    const six_link_real delta_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5] + (t1 * link->lever[2] - delta_3 * link->lever[1]);
+    const six_link_real delta_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5] + (delta_3 * link->lever[0] - delta_1 * link->lever[2]);
+    const six_link_real delta_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5] + (delta_1 * link->lever[1] - t1 * link->lever[0]);
+    const six_link_real delta_2 = t1 + qddot[0];
+    const six_link_real t2 = c->Psi_c_y2 * etaddot[1];
+    const six_link_real t3 = c->Psi_c_z1 * etaddot[0];
+    const six_link_real delta_4_2 = delta_4 + (delta_2 * link->r_T[1] - delta_3 * link->r_T[0]);
+    const six_link_real delta_1_2 = delta_1 + (link->J_l[2] * t3 - link->J_l[1] * t2);
+    const six_link_real delta_2_2 = delta_2 + (link->J_l[3] * t2 + link->J_l[4] * t3);
+    const six_link_real delta_3_2 = delta_3 + (link->J_l[4] * t2 + link->J_l[5] * t3);
+    const six_link_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1])
+        + etaddot[0] * REAL(2.23606797749979);
+    const six_link_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - delta_2 * c->length)
+        + etaddot[1] * REAL(2.23606797749979);
+
+    /* outputs */
+    link->delta[0] = delta_1;
+    link->delta[1] = delta_2;
+    link->delta[2] = delta_3;
+    link->delta[3] = delta_4;
+    link->delta[4] = delta_5;
+    link->delta[5] = delta_6;
+    tip->delta[0] = delta_1_2;
+    tip->delta[1] = delta_2_2;
+    tip->delta[2] = delta_3_2;
+    tip->delta[3] = delta_4_2;
+    tip->delta[4] = delta_5_2;
+    tip->delta[5] = delta_6_2;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like wrist_roll: 35 operations */
+static six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real qddot[1])
+{
+
+    const six_link_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+        + link->R_P[7] * base->delta[2];
+    const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+        + link->R_P[8] * base->delta[2];
+    const six_link_real delta_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+        + link->R_P[6] * base->delta[5];
+    const six_link_real delta_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+        + link->R_P[7] * base->delta[5];
+    const six_link_real delta_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+        + link->R_P[8] * base->delta[5];
+    const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+        + link->R_P[6] * base->delta[2] + qddot[0];
+    const six_link_real delta_5_2 = delta_5 + delta_3 * c->length;
+    const six_link_real delta_6_2 = delta_6 - delta_2 * c->length;
+
+    /* outputs */
+    link->delta[0] = delta_1;
+    link->delta[1] = delta_2;
+    link->delta[2] = delta_3;
+    link->delta[3] = delta_4;
+    link->delta[4] = delta_5;
+    link->delta[5] = delta_6;
+    tip->delta[0] = delta_1;
+    tip->delta[1] = delta_2;
+    tip->delta[2] = delta_3;
+    tip->delta[3] = delta_4;
+    tip->delta[4] = delta_5_2;
+    tip->delta[5] = delta_6_2;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like wrist_pitch: 17 operations */
+static six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real qddot[1])
+{
+
+    const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
+    const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
+    const six_link_real delta_4 = link->R_P[0] * base->delta[3] + link->R_P[6] * base->delta[5];
+    const six_link_real delta_6 = link->R_P[2] * base->delta[3] + link->R_P[8] * base->delta[5];
+    const six_link_real delta_2 = base->delta[1] + qddot[0];
+    const six_link_real delta_5 = base->delta[4] + delta_3 * c->length;
+    const six_link_real delta_6_2 = delta_6 - delta_2 * c->length;
+
+    /* outputs */
+    link->delta[0] = delta_1;
+    link->delta[1] = delta_2;
+    link->delta[2] = delta_3;
+    link->delta[3] = delta_4;
+    link->delta[4] = base->delta[4];
+    link->delta[5] = delta_6;
+    tip->delta[0] = delta_1;
+    tip->delta[1] = delta_2;
+    tip->delta[2] = delta_3;
+    tip->delta[3] = delta_4;
+    tip->delta[4] = delta_5;
+    tip->delta[5] = delta_6_2;
+    return SIX_LINK_OK;
+}
+
+/* inverse outward, links like flange: 17 operations */
+static six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real qddot[1])
+{
+
+    const six_link_real delta_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
+    const six_link_real delta_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
+    const six_link_real delta_5 = link->R_P[4] * base->delta[4] + link->R_P[7] * base->delta[5];
+    const six_link_real delta_6 = link->R_P[5] * base->delta[4] + link->R_P[8] * base->delta[5];
+    const six_link_real delta_1 = base->delta[0] + qddot[0];
+    const six_link_real delta_5_2 = delta_5 + delta_3 * c->length;
+    const six_link_real delta_6_2 = delta_6 - delta_2 * c->length;
+
+    /* outputs */
+    link->delta[0] = delta_1;
+    link->delta[1] = delta_2;
+    link->delta[2] = delta_3;
+    link->delta[3] = base->delta[3];
+    link->delta[4] = delta_5;
+    link->delta[5] = delta_6;
+    tip->delta[0] = delta_1;
+    tip->delta[1] = delta_2;
+    tip->delta[2] = delta_3;
+    tip->delta[3] = base->delta[3];
+    tip->delta[4] = delta_5_2;
+    tip->delta[5] = delta_6_2;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like shoulder: 72 operations */
+static six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+    const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real qdot[1],
+    six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
+
+    const six_link_real t1 = tip->alpha_0[4] + tip->delta[4];
+    const six_link_real t2 = c->body0_mass * t1
+        + (tip->delta[2] * c->S_T_x - tip->omega[2] * (tip->omega[2] * c->S_T_y)) - w_ext[4];
+    const six_link_real t3 = t2 + tip->p[4];
+    const six_link_real t4 = c->S_T_x * t1 - c->S_T_y * tip->alpha_0[3] + c->I_T_zz * tip->delta[2] - w_ext[2]
+        + tip->p[2] + c->length * t3;
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + H_star_3 + t4;
+    const six_link_real force_1 = wrench_3 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+
+    /* outputs */
+    force[0] = force_1;
+
+    if (wrench) {
+        /* Omega: centripetal operator */
+        const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
+
+        /* H_star: gyroscopic wrench and weight (29) */
+        const six_link_real minus_H_star_2 = c->S_0_x * link->alpha_0[5];
+        const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+        const six_link_real H_star_5 = link->alpha_0[4] * c->mu;
+        const six_link_real H_star_6 = link->alpha_0[5] * c->mu;
+
+        const six_link_real t5 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * t1 - c->J_T_xz * tip->delta[2]
+            + tip->omega[2] * (c->J_T_yz * tip->omega[2]);
+        const six_link_real t6 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5] - c->J_T_yz * tip->delta[2]
+            - tip->omega[2] * (c->J_T_xz * tip->omega[2]);
+        const six_link_real t7 = c->body0_mass * tip->alpha_0[3]
+            - (tip->delta[2] * c->S_T_y + tip->omega[2] * (tip->omega[2] * c->S_T_x));
+        const six_link_real wrench_1 = t5 - w_ext[0] + tip->p[0];
+        const six_link_real t8 = c->body0_mass * tip->alpha_0[5] - w_ext[5] + tip->p[5];
+        const six_link_real wrench_2 = t6 - w_ext[1] + tip->p[1] - c->length * t8 - minus_H_star_2;
+        const six_link_real wrench_4 = H_star_4 + (t7 - w_ext[3] + tip->p[3]);
+        const six_link_real wrench_5 = c->S_0_x * link->delta[2] + H_star_5 + t3;
+        const six_link_real wrench_6 = H_star_6 + t8;
+
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like upper_arm: 569 operations */
+static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
+    const six_link_real eta[3], const six_link_real etadot[3], const six_link_real w_ext[6],
+    const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real qdot[1],
+    six_link_real force_eta[3], six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* S: first moment */
+    const six_link_real S_y = eta[0] * c->sigma_y1;
+    const six_link_real S_z = eta[1] * c->sigma_z2;
+
+    /* Sdot: rate of the first moment */
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
+    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
+
+    /* Ldot: rate of L */
+    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+
+    /* J: second moment */
+    const six_link_real J_xy = c->chi_1 * eta[0];
+    const six_link_real J_xz = c->chi_2 * eta[1];
+    const six_link_real J_yy = L_y1 * eta[0];
+    const six_link_real J_yz = L_z1 * eta[0];
+    const six_link_real J_zz = L_z2 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    /* Omega: centripetal operator */
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real t3 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t3 + t2;
+    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
+    const six_link_real minus_Omega_zz = t3 + t1;
+
+    /* B: moment of the elastic velocity */
+    const six_link_real B_yx = c->chi_1 * etadot[0];
+    const six_link_real B_yy = L_y1 * etadot[0];
+    const six_link_real B_yz = L_z1 * etadot[0];
+    const six_link_real B_zx = c->chi_2 * etadot[1];
+    const six_link_real B_zy = L_y2 * etadot[1];
+    const six_link_real B_zz = L_z2 * etadot[1];
+
+    /* h_c: half of the Coriolis wrench */
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
+    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * link->alpha_0[5];
+    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
+    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t6 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t6 * link->omega[1];
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->mu;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->mu;
+
+    /* h_V: bias of the twist rows */
+    const six_link_real h_V_1 = H_star_1 + h_c_1;
+    const six_link_real h_V_2 = H_star_2 + h_MD_2;
+    const six_link_real h_V_3 = H_star_3 + h_MD_3;
+    const six_link_real h_V_4 = H_star_4 + h_c_4;
+    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
+    const six_link_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes (88) */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xz * link->alpha_0[2]);
+    const six_link_real h_0_2 = h_V_2 - (J_xy * link->alpha_0[0] + J_yz * link->alpha_0[2]);
+    const six_link_real h_0_3 = h_V_3 + (I_zz * link->alpha_0[2] - J_xz * link->alpha_0[0]);
+    const six_link_real h_0_4 = h_V_4 - S_y * link->alpha_0[2];
+    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
+    const six_link_real h_0_6 = h_V_6 + S_y * link->alpha_0[0];
+    const six_link_real h_eta_0_3 = c->sigma_t_3 * link->alpha_0[0];
+    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
+    const six_link_real h_eta_0_2 = h_eta_2 + L_y2 * link->alpha_0[0];
+
+    const six_link_real t8 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
+    const six_link_real t9 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
+    const six_link_real t10 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
+    const six_link_real t11 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
+    const six_link_real t12 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
+    const six_link_real t13 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
+    const six_link_real t14 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
+    const six_link_real t15 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
+    const six_link_real t16 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
+    const six_link_real t17 = link->R_T[0]
+        * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
+        + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
+    const six_link_real t18 = link->R_T[2]
+        * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
+    const six_link_real t19 = t17 + t18;
+    const six_link_real t20 = link->R_T[0] * t11 + link->R_T[1] * t13 + link->R_T[2] * t15;
+    const six_link_real t21 = link->R_T[0] * t12 + link->R_T[1] * t14 + link->R_T[2] * t16;
+    const six_link_real t22 = link->R_T[3] * t11 + link->R_T[4] * t13 + link->R_T[5] * t15;
+    const six_link_real t23 = link->R_T[3] * t12 + link->R_T[4] * t14 + link->R_T[5] * t16;
+    const six_link_real t24 = link->R_T[6] * t12 + link->R_T[7] * t14 + link->R_T[8] * t16;
+    const six_link_real t25 = tip->alpha_0[0] + tip->delta[0];
+    const six_link_real t26 = tip->alpha_0[1] + tip->delta[1];
+    const six_link_real t27 = tip->alpha_0[2] + tip->delta[2];
+    const six_link_real t28 = tip->alpha_0[3] + tip->delta[3];
+    const six_link_real t29 = tip->alpha_0[4] + tip->delta[4];
+    const six_link_real t30 = tip->alpha_0[5] + tip->delta[5];
+    const six_link_real t31 = t19 * tip->omega[0] + t20 * tip->omega[1] + t21 * tip->omega[2];
+    const six_link_real t32 = t20 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
+    const six_link_real t33 = t21 * tip->omega[0] + t23 * tip->omega[1] + t24 * tip->omega[2];
+    const six_link_real t34 = t9 * t30 - t10 * t29 + (t19 * t25 + t20 * t26 + t21 * t27)
+        + (tip->omega[1] * t33 - tip->omega[2] * t32);
+    const six_link_real t35 = t10 * t28 - t8 * t30 + (t20 * t25 + t22 * t26 + t23 * t27)
+        + (tip->omega[2] * t31 - tip->omega[0] * t33);
+    const six_link_real t36 = t8 * t29 - t9 * t28 + (t21 * t25 + t23 * t26 + t24 * t27)
+        + (tip->omega[0] * t32 - tip->omega[1] * t31);
+    const six_link_real t37 = tip->omega[1] * t10 - tip->omega[2] * t9;
+    const six_link_real t38 = tip->omega[2] * t8 - tip->omega[0] * t10;
+    const six_link_real t39 = tip->omega[0] * t9 - tip->omega[1] * t8;
+    const six_link_real t40 = c->body0_mass * t28
+        + (t26 * t10 - t27 * t9 + (tip->omega[1] * t39 - tip->omega[2] * t38))
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real t41 = c->body0_mass * t29
+        + (t27 * t8 - t25 * t10 + (tip->omega[2] * t37 - tip->omega[0] * t39))
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const six_link_real t42 = c->body0_mass * t30
+        + (t25 * t9 - t26 * t8 + (tip->omega[0] * t38 - tip->omega[1] * t37))
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
+    const six_link_real t43 = t34 - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2])
+        + tip->p[0];
+    const six_link_real t44 = t35 - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2])
+        + tip->p[1];
+    const six_link_real t45 = t36 - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2])
+        + tip->p[2];
+    const six_link_real t46 = t40 + tip->p[3];
+    const six_link_real t47 = t41 + tip->p[4];
+    const six_link_real t48 = t42 + tip->p[5];
+    const six_link_real t49 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        - S_z * link->delta[4] + S_y * link->delta[5];
+    const six_link_real t50 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const six_link_real t51 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const six_link_real t52 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + c->sigma_y1 * etaddot[0];
+    const six_link_real t53 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + c->sigma_z2 * etaddot[1];
+    const six_link_real wrench_1 = t49 + (L_y2 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
+        + h_0_1 + (t43 + (link->r_T[0] * t48 - link->r_T[1] * t47));
+    const six_link_real wrench_2 = t50 - c->chi_2 * etaddot[1] + h_0_2
+        + (t44 + (link->r_T[1] * t46 - c->length * t48));
+    const six_link_real wrench_3 = t51 + c->chi_1 * etaddot[0] + h_0_3
+        + (t45 + (c->length * t47 - link->r_T[0] * t46));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_0_4
+        + t46;
+    const six_link_real wrench_5 = t52 + h_0_5 + t47;
+    const six_link_real wrench_6 = t53 + h_0_6 + t48;
+    const six_link_real t54 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+        + m_eta[0] * etaddot[0];
+    const six_link_real t55 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+        + m_eta[1] * etaddot[1];
+    const six_link_real t56 = t54 + h_eta_0_1 + f_eta[0]
+        + c->Psi_c_z1 * (link->J_l[2] * t43 + link->J_l[5] * t44 + link->J_l[8] * t45);
+    const six_link_real t57 = t55 + h_eta_0_2 + f_eta[1]
+        + c->Psi_c_y2 * (link->J_l[1] * t43 + link->J_l[4] * t44 + link->J_l[7] * t45);
+    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2] + h_eta_0_3
+        + f_eta[2] + (link->J_l[0] * t43 + link->J_l[3] * t44 + link->J_l[6] * t45) * REAL(1.4142135623730951);
+    const six_link_real force_eta_1 = t56 + t47 * 2;
+    const six_link_real force_eta_2 = t57 + t48 * 2;
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real t58 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
+    const six_link_real p_2 = wrench_2 + (link->lever[1] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t59 = wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t58 + link->R_P[2] * t59;
+    const six_link_real p_3 = link->R_P[6] * t58 + link->R_P[8] * t59;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force_eta[0] = force_eta_1;
+    force_eta[1] = force_eta_2;
+    force_eta[2] = force_eta_3;
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = wrench_5;
+    base->p[5] = p_6;
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like forearm: 393 operations */
+static six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
+    const six_link_real eta[2], const six_link_real etadot[2], const six_link_real w_ext[6],
+    const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real qdot[1],
+    six_link_real force_eta[2], six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* S: first moment */
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
+
+    /* Sdot: rate of the first moment */
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
+    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
+
+    /* Ldot: rate of L */
+    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+
+    /* J: second moment */
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
+    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
+    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    /* Omega: centripetal operator */
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real t3 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t3 + t2;
+    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
+    const six_link_real minus_Omega_zz = t3 + t1;
+
+    /* B: moment of the elastic velocity */
+    const six_link_real B_yx = c->chi_1 * etadot[0];
+    const six_link_real B_yy = L_y1 * etadot[0];
+    const six_link_real B_yz = L_z1 * etadot[0];
+    const six_link_real B_zx = c->chi_2 * etadot[1];
+    const six_link_real B_zy = L_y2 * etadot[1];
+    const six_link_real B_zz = L_z2 * etadot[1];
+
+    /* h_c: half of the Coriolis wrench */
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * link->alpha_0[5];
+    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
+    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t6 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t6 * link->omega[1];
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->m;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->m;
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->m;
+
+    /* h_V: bias of the twist rows */
+    const six_link_real h_V_1 = H_star_1 + h_c_1;
+    const six_link_real h_V_2 = H_star_2 + h_c_2;
+    const six_link_real h_V_3 = H_star_3 + h_c_3;
+    const six_link_real h_V_4 = H_star_4 + h_c_4;
+    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
+    const six_link_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes (88) */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = h_V_1
+        + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
+    const six_link_real h_0_2 = h_V_2
+        + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
+    const six_link_real h_0_3 = h_V_3
+        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
+    const six_link_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
+    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
+    const six_link_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - c->S_0_x * link->alpha_0[1]);
+    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
+    const six_link_real h_eta_0_2 = h_eta_2 + (L_y2 * link->alpha_0[0] - c->chi_2 * link->alpha_0[1]);
+
+    const six_link_real t8 = tip->p[0]
+        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real t9 = tip->p[1]
+        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+    const six_link_real t10 = tip->p[2]
+        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+    const six_link_real t11 = tip->p[3]
+        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real t12 = tip->p[4]
+        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const six_link_real t13 = tip->p[5]
+        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+    const six_link_real t14 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        - S_z * link->delta[4] + S_y * link->delta[5];
+    const six_link_real t15 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const six_link_real t16 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const six_link_real t17 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
+        + c->sigma_y1 * etaddot[0];
+    const six_link_real t18 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
+        + c->sigma_z2 * etaddot[1];
+    const six_link_real wrench_1 = t14 + (L_y2 * etaddot[1] - L_z1 * etaddot[0]) + h_0_1
+        + (t8 + (link->r_T[0] * t13 - link->r_T[1] * t12));
+    const six_link_real wrench_2 = t15 - c->chi_2 * etaddot[1] + h_0_2
+        + (t9 + (link->r_T[1] * t11 - c->length * t13));
+    const six_link_real wrench_3 = t16 + c->chi_1 * etaddot[0] + h_0_3
+        + (t10 + (c->length * t12 - link->r_T[0] * t11));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3] + h_0_4
+        + t11;
+    const six_link_real wrench_5 = t17 + h_0_5 + t12;
+    const six_link_real wrench_6 = t18 + h_0_6 + t13;
+    const six_link_real t19 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+        + m_eta[0] * etaddot[0];
+    const six_link_real t20 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+        + m_eta[1] * etaddot[1];
+    const six_link_real t21 = t19 + h_eta_0_1 + f_eta[0]
+        + c->Psi_c_z1 * (link->J_l[2] * t8 + link->J_l[4] * t9 + link->J_l[5] * t10);
+    const six_link_real t22 = t20 + h_eta_0_2 + f_eta[1]
+        + c->Psi_c_y2 * (link->J_l[3] * t9 - link->J_l[1] * t8 + link->J_l[4] * t10);
+    const six_link_real force_eta_1 = t21 + t12 * REAL(2.23606797749979);
+    const six_link_real force_eta_2 = t22 + t13 * REAL(2.23606797749979);
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real t23 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
+    const six_link_real t24 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t25 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t23 + link->R_P[1] * t24 + link->R_P[2] * t25;
+    const six_link_real p_2 = link->R_P[3] * t23 + link->R_P[4] * t24 + link->R_P[5] * t25;
+    const six_link_real p_3 = link->R_P[6] * t23 + link->R_P[7] * t24 + link->R_P[8] * t25;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
+    const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force_eta[0] = force_eta_1;
+    force_eta[1] = force_eta_2;
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like wrist_roll: 104 operations */
+static six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
+    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    const six_link_real t2 = tip->p[4] - w_ext[4];
+    const six_link_real t3 = tip->p[5] - w_ext[5];
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (tip->p[0] - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+        + (tip->p[1] - w_ext[1] - c->length * t3);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+        + (tip->p[2] - w_ext[2] + c->length * t2);
+    const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t2;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t3;
+    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * wrench_3;
+    const six_link_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
+    const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
+    const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like wrist_pitch: 86 operations */
+static six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
+    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    const six_link_real t2 = tip->p[4] - w_ext[4];
+    const six_link_real t3 = tip->p[5] - w_ext[5];
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (tip->p[0] - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+        + (tip->p[1] - w_ext[1] - c->length * t3);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+        + (tip->p[2] - w_ext[2] + c->length * t2);
+    const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t2;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t3;
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[2] * wrench_3;
+    const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[8] * wrench_3;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = wrench_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = wrench_5;
+    base->p[5] = p_6;
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like flange: 182 operations */
+static six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
+    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+{
+
+    /* Omega: centripetal operator */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight (29) */
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* h_0: bias at alpha_0, its angular part included */
+    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
+    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
+    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
+    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
+    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+
+    const six_link_real t2 = tip->alpha_0[0] + tip->delta[0];
+    const six_link_real t3 = tip->alpha_0[1] + tip->delta[1];
+    const six_link_real t4 = tip->alpha_0[2] + tip->delta[2];
+    const six_link_real t5 = tip->alpha_0[3] + tip->delta[3];
+    const six_link_real t6 = tip->alpha_0[4] + tip->delta[4];
+    const six_link_real t7 = tip->alpha_0[5] + tip->delta[5];
+    const six_link_real t8 = c->I_T_xx * tip->omega[0] - c->J_T_xy * tip->omega[1] - c->J_T_xz * tip->omega[2];
+    const six_link_real t9 = c->I_T_yy * tip->omega[1] - c->J_T_xy * tip->omega[0] - c->J_T_yz * tip->omega[2];
+    const six_link_real t10 = c->I_T_zz * tip->omega[2] - (c->J_T_xz * tip->omega[0] + c->J_T_yz * tip->omega[1]);
+    const six_link_real t11 = c->S_T_y * t7 - c->S_T_z * t6 + (c->I_T_xx * t2 - c->J_T_xy * t3 - c->J_T_xz * t4)
+        + (tip->omega[1] * t10 - tip->omega[2] * t9);
+    const six_link_real t12 = c->S_T_z * t5 - c->S_T_x * t7 + (c->I_T_yy * t3 - c->J_T_xy * t2 - c->J_T_yz * t4)
+        + (tip->omega[2] * t8 - tip->omega[0] * t10);
+    const six_link_real t13 = c->S_T_x * t6 - c->S_T_y * t5
+        + (c->I_T_zz * t4 - (c->J_T_xz * t2 + c->J_T_yz * t3)) + (tip->omega[0] * t9 - tip->omega[1] * t8);
+    const six_link_real t14 = tip->omega[1] * c->S_T_z - tip->omega[2] * c->S_T_y;
+    const six_link_real t15 = tip->omega[2] * c->S_T_x - tip->omega[0] * c->S_T_z;
+    const six_link_real t16 = tip->omega[0] * c->S_T_y - tip->omega[1] * c->S_T_x;
+    const six_link_real t17 = c->body0_mass * t5
+        + (t3 * c->S_T_z - t4 * c->S_T_y + (tip->omega[1] * t16 - tip->omega[2] * t15));
+    const six_link_real t18 = c->body0_mass * t6
+        + (t4 * c->S_T_x - t2 * c->S_T_z + (tip->omega[2] * t14 - tip->omega[0] * t16));
+    const six_link_real t19 = c->body0_mass * t7
+        + (t2 * c->S_T_y - t3 * c->S_T_x + (tip->omega[0] * t15 - tip->omega[1] * t14));
+    const six_link_real t20 = t18 - w_ext[4];
+    const six_link_real t21 = t19 - w_ext[5];
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (t11 - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+        + (t12 - w_ext[1] - c->length * t21);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+        + (t13 - w_ext[2] + c->length * t20);
+    const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (t17 - w_ext[3]);
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t20;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t21;
+    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real p_2 = link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
+    const six_link_real p_3 = link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
+    const six_link_real p_5 = link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = wrench_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = wrench_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+
+    if (wrench) {
+        /* outputs */
+        wrench[0] = wrench_1;
+        wrench[1] = wrench_2;
+        wrench[2] = wrench_3;
+        wrench[3] = wrench_4;
+        wrench[4] = wrench_5;
+        wrench[5] = wrench_6;
+    }
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like shoulder: 0 operations */
+static six_link_status kinematics_shoulder_3(void)
+{
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like upper_arm: 68 operations */
+static six_link_status kinematics_upper_arm_3(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+    const six_link_real q[1], const six_link_real eta[3])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * 2;
+    const six_link_real r_T_z = eta[1] * 2;
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t2 = theta_x * theta_x;
+    const six_link_real t3 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t2 + t3;
+    const six_link_real t4 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t4;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t3 + t4;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t2 + t4;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const six_link_real t5 = c3 * theta_hat2_12;
+    const six_link_real t6 = c2 * theta_z;
+    const six_link_real J_l_xy = t5 - t6;
+    const six_link_real t7 = c2 * theta_y;
+    const six_link_real t8 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t7 + t8;
+    const six_link_real J_l_yx = t6 + t5;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    const six_link_real t9 = c3 * theta_hat2_23;
+    const six_link_real t10 = c2 * theta_x;
+    const six_link_real J_l_yz = t9 - t10;
+    const six_link_real J_l_zx = t8 - t7;
+    const six_link_real J_l_zy = t10 + t9;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const six_link_real t11 = c2 * theta_hat2_12;
+    const six_link_real t12 = c1 * theta_z;
+    const six_link_real R_T_xy = t11 - t12;
+    const six_link_real t13 = c1 * theta_y;
+    const six_link_real t14 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t13 + t14;
+    const six_link_real R_T_yx = t12 + t11;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real t15 = c2 * theta_hat2_23;
+    const six_link_real t16 = c1 * theta_x;
+    const six_link_real R_T_yz = t15 - t16;
+    const six_link_real R_T_zx = t14 - t13;
+    const six_link_real R_T_zy = t16 + t15;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* outputs */
+    link->R_P[6] = t1;
+    link->R_P[8] = R_rel_xx;
+    link->lever[0] = lever_1;
+    link->lever[1] = lever_3;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
+    link->R_T[0] = R_T_xx;
+    link->R_T[1] = R_T_xy;
+    link->R_T[2] = R_T_xz;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
+    tip->R_T[0] = R_T_xx;
+    tip->R_T[1] = R_T_xy;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[3] = R_T_yx;
+    tip->R_T[4] = R_T_yy;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[6] = R_T_zx;
+    tip->R_T[7] = R_T_zy;
+    tip->R_T[8] = R_T_zz;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like forearm: 114 operations */
+static six_link_status kinematics_forearm_3(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real eta[2])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real t1 = six_link_cos(q[0]);
+    const six_link_real t2 = six_link_sin(q[0]);
+    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
+    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
+    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
+    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
+    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
+    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
+    const six_link_real R_P_12 = base->R_T[0] * c->R_m_xy + base->R_T[1] * c->R_m_yy + base->R_T[2] * c->R_m_zy;
+    const six_link_real R_P_13 = base->R_T[0] * R_rel_xz + base->R_T[1] * R_rel_yz + base->R_T[2] * R_rel_zz;
+    const six_link_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx + base->R_T[5] * R_rel_zx;
+    const six_link_real R_P_22 = base->R_T[3] * c->R_m_xy + base->R_T[4] * c->R_m_yy + base->R_T[5] * c->R_m_zy;
+    const six_link_real R_P_23 = base->R_T[3] * R_rel_xz + base->R_T[4] * R_rel_yz + base->R_T[5] * R_rel_zz;
+    const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
+    const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
+    const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
+    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
+        + R_rel_zx * c->mount_xyz_z;
+    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
+        + R_rel_zz * c->mount_xyz_z;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
+    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+
+    /* x: squared angle of the tip section */
+    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real minus_J_l_xy = c2 * theta_z;
+    const six_link_real J_l_xz = c2 * theta_y;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    const six_link_real J_l_yz = c3 * theta_hat2_23;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * x;
+    const six_link_real minus_R_T_xy = c1 * theta_z;
+    const six_link_real t3 = -minus_R_T_xy;
+    const six_link_real R_T_xz = c1 * theta_y;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real R_T_yz = c2 * theta_hat2_23;
+    const six_link_real t4 = -R_T_xz;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* outputs */
+    link->R_P[0] = R_P_11;
+    link->R_P[1] = R_P_12;
+    link->R_P[2] = R_P_13;
+    link->R_P[3] = R_P_21;
+    link->R_P[4] = R_P_22;
+    link->R_P[5] = R_P_23;
+    link->R_P[6] = R_P_31;
+    link->R_P[7] = R_P_32;
+    link->R_P[8] = R_P_33;
+    link->lever[0] = lever_1;
+    link->lever[1] = lever_2;
+    link->lever[2] = lever_3;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
+    link->J_l[1] = minus_J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yy;
+    link->J_l[4] = J_l_yz;
+    link->J_l[5] = J_l_zz;
+    tip->R_T[0] = R_T_xx;
+    tip->R_T[1] = t3;
+    tip->R_T[2] = R_T_xz;
+    tip->R_T[3] = minus_R_T_xy;
+    tip->R_T[4] = R_T_yy;
+    tip->R_T[5] = R_T_yz;
+    tip->R_T[6] = t4;
+    tip->R_T[7] = R_T_yz;
+    tip->R_T[8] = R_T_zz;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_roll: 20 operations */
+static six_link_status kinematics_wrist_roll_3(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
+    const six_link_real R_P_13 = base->R_T[2] * R_rel_yy - base->R_T[1] * minus_R_rel_yz;
+    const six_link_real R_P_22 = base->R_T[4] * R_rel_yy + base->R_T[5] * minus_R_rel_yz;
+    const six_link_real R_P_23 = base->R_T[5] * R_rel_yy - base->R_T[4] * minus_R_rel_yz;
+    const six_link_real R_P_32 = base->R_T[7] * R_rel_yy + base->R_T[8] * minus_R_rel_yz;
+    const six_link_real R_P_33 = base->R_T[8] * R_rel_yy - base->R_T[7] * minus_R_rel_yz;
+
+    /* outputs */
+    link->R_P[0] = base->R_T[0];
+    link->R_P[1] = R_P_12;
+    link->R_P[2] = R_P_13;
+    link->R_P[3] = base->R_T[3];
+    link->R_P[4] = R_P_22;
+    link->R_P[5] = R_P_23;
+    link->R_P[6] = base->R_T[6];
+    link->R_P[7] = R_P_32;
+    link->R_P[8] = R_P_33;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like wrist_pitch: 3 operations */
+static six_link_status kinematics_wrist_pitch_3(six_link_link_store *link, const six_link_real q[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_xx = six_link_cos(q[0]);
+    const six_link_real R_rel_xz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -R_rel_xz;
+
+    /* outputs */
+    link->R_P[0] = R_rel_xx;
+    link->R_P[2] = R_rel_xz;
+    link->R_P[6] = t1;
+    link->R_P[8] = R_rel_xx;
+    return SIX_LINK_OK;
+}
+
+/* kinematics, links like flange: 3 operations */
+static six_link_status kinematics_flange_3(six_link_link_store *link, const six_link_real q[1])
+{
+
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_real R_rel_yy = six_link_cos(q[0]);
+    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+
+    /* R: rotation of F_i relative to the parent's F_i (Ad) */
+    const six_link_real t1 = -minus_R_rel_yz;
+
+    /* outputs */
+    link->R_P[4] = R_rel_yy;
+    link->R_P[5] = t1;
+    link->R_P[7] = minus_R_rel_yz;
+    link->R_P[8] = R_rel_yy;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like shoulder: 14 operations */
+static six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+    const six_link_real qddot[1], six_link_real force[1])
+{
+
+    const six_link_real t1 = c->S_T_x * tip->delta[4] + c->I_T_zz * tip->delta[2] + tip->p[2]
+        + c->length * (c->body0_mass * tip->delta[4] + tip->delta[2] * c->S_T_x + tip->p[4]);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + t1;
+    const six_link_real force_1 = wrench_3 + c->armature_1 * qddot[0];
+
+    /* outputs */
+    force[0] = force_1;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like upper_arm: 282 operations */
+static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
+    const six_link_real eta[3], const six_link_real m_eta[3], six_link_real force_eta[3],
+    six_link_real force[1])
+{
+
+    /* S: first moment */
+    const six_link_real S_y = eta[0] * c->sigma_y1;
+    const six_link_real S_z = eta[1] * c->sigma_z2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
+    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
+
+    /* J: second moment */
+    const six_link_real J_xy = c->chi_1 * eta[0];
+    const six_link_real J_xz = c->chi_2 * eta[1];
+    const six_link_real J_yy = L_y1 * eta[0];
+    const six_link_real J_yz = L_z1 * eta[0];
+    const six_link_real J_zz = L_z2 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    const six_link_real t1 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
+    const six_link_real t2 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
+    const six_link_real t3 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
+    const six_link_real t4 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
+    const six_link_real t5 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
+    const six_link_real t6 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
+    const six_link_real t7 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
+    const six_link_real t8 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
+    const six_link_real t9 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
+    const six_link_real t10 = link->R_T[0]
+        * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
+        + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
+    const six_link_real t11 = link->R_T[2]
+        * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
+    const six_link_real t12 = link->R_T[0] * t4 + link->R_T[1] * t6 + link->R_T[2] * t8;
+    const six_link_real t13 = link->R_T[0] * t5 + link->R_T[1] * t7 + link->R_T[2] * t9;
+    const six_link_real t14 = link->R_T[3] * t5 + link->R_T[4] * t7 + link->R_T[5] * t9;
+    const six_link_real t15 = t12 * tip->delta[0]
+        + (link->R_T[3] * t4 + link->R_T[4] * t6 + link->R_T[5] * t8) * tip->delta[1];
+    const six_link_real t16 = t13 * tip->delta[0] + t14 * tip->delta[1]
+        + (link->R_T[6] * t5 + link->R_T[7] * t7 + link->R_T[8] * t9) * tip->delta[2];
+    const six_link_real t17 = t2 * tip->delta[5] - t3 * tip->delta[4]
+        + ((t10 + t11) * tip->delta[0] + t12 * tip->delta[1] + t13 * tip->delta[2]);
+    const six_link_real t18 = t17 + tip->p[0];
+    const six_link_real t19 = t3 * tip->delta[3] - t1 * tip->delta[5] + (t15 + t14 * tip->delta[2]) + tip->p[1];
+    const six_link_real t20 = t1 * tip->delta[4] - t2 * tip->delta[3] + t16 + tip->p[2];
+    const six_link_real t21 = c->body0_mass * tip->delta[3] + (tip->delta[1] * t3 - tip->delta[2] * t2)
+        + tip->p[3];
+    const six_link_real t22 = c->body0_mass * tip->delta[4] + (tip->delta[2] * t1 - tip->delta[0] * t3)
+        + tip->p[4];
+    const six_link_real t23 = c->body0_mass * tip->delta[5] + (tip->delta[0] * t2 - tip->delta[1] * t1)
+        + tip->p[5];
+    const six_link_real t24 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        - S_z * link->delta[4] + S_y * link->delta[5];
+    const six_link_real t25 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const six_link_real t26 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const six_link_real t27 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + c->sigma_y1 * etaddot[0];
+    const six_link_real t28 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + c->sigma_z2 * etaddot[1];
+    const six_link_real wrench_1 = t24 + (L_y2 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
+        + (t18 + (link->r_T[0] * t23 - link->r_T[1] * t22));
+    const six_link_real wrench_2 = t25 - c->chi_2 * etaddot[1] + (t19 + (link->r_T[1] * t21 - c->length * t23));
+    const six_link_real wrench_3 = t26 + c->chi_1 * etaddot[0] + (t20 + (c->length * t22 - link->r_T[0] * t21));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + t21;
+    const six_link_real wrench_5 = t27 + t22;
+    const six_link_real wrench_6 = t28 + t23;
+    const six_link_real t29 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+        + m_eta[0] * etaddot[0];
+    const six_link_real t30 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+        + m_eta[1] * etaddot[1];
+    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2]
+        + (link->J_l[0] * t18 + link->J_l[3] * t19 + link->J_l[6] * t20) * REAL(1.4142135623730951);
+    const six_link_real force_eta_1 = t29
+        + c->Psi_c_z1 * (link->J_l[2] * t18 + link->J_l[5] * t19 + link->J_l[8] * t20) + t22 * 2;
+    const six_link_real force_eta_2 = t30
+        + c->Psi_c_y2 * (link->J_l[1] * t18 + link->J_l[4] * t19 + link->J_l[7] * t20) + t23 * 2;
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
+    const six_link_real p_3 = link->R_P[6] * (wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5))
+        + link->R_P[8] * (wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4));
+
+    /* outputs */
+    force_eta[0] = force_eta_1;
+    force_eta[1] = force_eta_2;
+    force_eta[2] = force_eta_3;
+    force[0] = force_1;
+    base->p[2] = p_3;
+    base->p[4] = wrench_5;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like forearm: 170 operations */
+static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
+    const six_link_real eta[2], const six_link_real m_eta[2], six_link_real force_eta[2],
+    six_link_real force[1])
+{
+
+    /* S: first moment */
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
+    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
+
+    /* J: second moment */
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
+    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
+    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    const six_link_real t1 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        - S_z * link->delta[4] + S_y * link->delta[5];
+    const six_link_real t2 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const six_link_real t3 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const six_link_real t4 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
+        + c->sigma_y1 * etaddot[0];
+    const six_link_real t5 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
+        + c->sigma_z2 * etaddot[1];
+    const six_link_real wrench_1 = t1 + (L_y2 * etaddot[1] - L_z1 * etaddot[0])
+        + (tip->p[0] + (link->r_T[0] * tip->p[5] - link->r_T[1] * tip->p[4]));
+    const six_link_real wrench_2 = t2 - c->chi_2 * etaddot[1]
+        + (tip->p[1] + (link->r_T[1] * tip->p[3] - c->length * tip->p[5]));
+    const six_link_real wrench_3 = t3 + c->chi_1 * etaddot[0]
+        + (tip->p[2] + (c->length * tip->p[4] - link->r_T[0] * tip->p[3]));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3]
+        + tip->p[3];
+    const six_link_real wrench_5 = t4 + tip->p[4];
+    const six_link_real wrench_6 = t5 + tip->p[5];
+    const six_link_real t6 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+        + m_eta[0] * etaddot[0];
+    const six_link_real t7 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+        + m_eta[1] * etaddot[1];
+    const six_link_real t8 = t6
+        + c->Psi_c_z1 * (link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2]);
+    const six_link_real t9 = t7
+        + c->Psi_c_y2 * (link->J_l[3] * tip->p[1] - link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[2]);
+    const six_link_real force_eta_1 = t8 + tip->p[4] * REAL(2.23606797749979);
+    const six_link_real force_eta_2 = t9 + tip->p[5] * REAL(2.23606797749979);
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
+    const six_link_real t10 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
+    const six_link_real t11 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t12 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t10 + link->R_P[1] * t11 + link->R_P[2] * t12;
+    const six_link_real p_2 = link->R_P[3] * t10 + link->R_P[4] * t11 + link->R_P[5] * t12;
+    const six_link_real p_3 = link->R_P[6] * t10 + link->R_P[7] * t11 + link->R_P[8] * t12;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
+    const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force_eta[0] = force_eta_1;
+    force_eta[1] = force_eta_2;
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like wrist_roll: 56 operations */
+static six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+{
+
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
+        + (tip->p[1] - c->length * tip->p[5]);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4]
+        + (tip->p[2] + c->length * tip->p[4]);
+    const six_link_real wrench_4 = c->mu * link->delta[3] + tip->p[3];
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + tip->p[4];
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + tip->p[5];
+    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0];
+    const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * wrench_3;
+    const six_link_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
+    const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
+    const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like wrist_pitch: 38 operations */
+static six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+{
+
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
+        + (tip->p[1] - c->length * tip->p[5]);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4]
+        + (tip->p[2] + c->length * tip->p[4]);
+    const six_link_real wrench_4 = c->mu * link->delta[3] + tip->p[3];
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + tip->p[4];
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + tip->p[5];
+    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
+    const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[2] * wrench_3;
+    const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[8] * wrench_3;
+    const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
+    const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = p_1;
+    base->p[1] = wrench_2;
+    base->p[2] = p_3;
+    base->p[3] = p_4;
+    base->p[4] = wrench_5;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* inverse inward, links like flange: 80 operations */
+static six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+{
+
+    const six_link_real t1 = c->S_T_y * tip->delta[5] - c->S_T_z * tip->delta[4]
+        + (c->I_T_xx * tip->delta[0] - c->J_T_xy * tip->delta[1] - c->J_T_xz * tip->delta[2]);
+    const six_link_real t2 = c->S_T_z * tip->delta[3] - c->S_T_x * tip->delta[5]
+        + (c->I_T_yy * tip->delta[1] - c->J_T_xy * tip->delta[0] - c->J_T_yz * tip->delta[2]);
+    const six_link_real t3 = c->S_T_x * tip->delta[4] - c->S_T_y * tip->delta[3]
+        + (c->I_T_zz * tip->delta[2] - (c->J_T_xz * tip->delta[0] + c->J_T_yz * tip->delta[1]));
+    const six_link_real t4 = c->body0_mass * tip->delta[4]
+        + (tip->delta[2] * c->S_T_x - tip->delta[0] * c->S_T_z);
+    const six_link_real t5 = c->body0_mass * tip->delta[5]
+        + (tip->delta[0] * c->S_T_y - tip->delta[1] * c->S_T_x);
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + t1;
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + (t2 - c->length * t5);
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + (t3 + c->length * t4);
+    const six_link_real wrench_4 = c->mu * link->delta[3]
+        + (c->body0_mass * tip->delta[3] + (tip->delta[1] * c->S_T_z - tip->delta[2] * c->S_T_y));
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + t4;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + t5;
+    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0];
+    const six_link_real p_2 = link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
+    const six_link_real p_3 = link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
+    const six_link_real p_5 = link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
+    const six_link_real p_6 = link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+
+    /* outputs */
+    force[0] = force_1;
+    base->p[0] = wrench_1;
+    base->p[1] = p_2;
+    base->p[2] = p_3;
+    base->p[3] = wrench_4;
+    base->p[4] = p_5;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* joint rows, links like shoulder: 165 operations */
+static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+    const six_link_real twist[6], const six_link_real quaternion[4], const six_link_real gravity[3],
+    const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
+    six_link_real W[12])
+{
+
+    const six_link_real t1 = quaternion[1] * quaternion[1];
+    const six_link_real t2 = quaternion[2] * quaternion[2];
+    const six_link_real t3 = quaternion[3] * quaternion[3];
+    const six_link_real t4 = 2 / (quaternion[0] * quaternion[0] + t1 + t2 + t3);
+    const six_link_real t5 = t1 + t2 + t3;
+    const six_link_real t6 = quaternion[1] * quaternion[2];
+    const six_link_real t7 = quaternion[1] * quaternion[3];
+    const six_link_real t8 = quaternion[2] * quaternion[3];
+    const six_link_real t9 = quaternion[0] * quaternion[3];
+    const six_link_real t10 = quaternion[0] * quaternion[2];
+    const six_link_real t11 = quaternion[0] * quaternion[1];
+    const six_link_real t12 = (1 + t4 * (t1 - t5)) * gravity[0] + t4 * (t9 + t6) * gravity[1]
+        + t4 * (t7 - t10) * gravity[2];
+    const six_link_real t13 = t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1]
+        + t4 * (t11 + t8) * gravity[2];
+    const six_link_real t14 = t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1]
+        + (1 + t4 * (t3 - t5)) * gravity[2];
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t15 - twist[2] * twist[4];
-    const six_link_real t18 = twist[2] * twist[3] - t16;
-    const six_link_real a_0_y = t18 - twist[0] * twist[5];
-    const six_link_real t19 = twist[1] * twist[3];
-    const six_link_real a_0_z = twist[0] * twist[4] - t17 - t19;
+    const six_link_real a_0_x = twist[1] * twist[5] - t12 - twist[2] * twist[4];
+    const six_link_real t15 = twist[2] * twist[3] - t13;
+    const six_link_real a_0_y = t15 - twist[0] * twist[5];
+    const six_link_real t16 = twist[1] * twist[3];
+    const six_link_real a_0_z = twist[0] * twist[4] - t14 - t16;
 
     /* Omega: centripetal operator */
     const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
@@ -5085,9 +7950,9 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     const six_link_real Omega_xz = twist[0] * twist[2];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t20 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t20 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t20 * twist[1];
+    const six_link_real t17 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t17 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t17 * twist[1];
     const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
     const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
@@ -5097,50 +7962,31 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     const six_link_real v_T_z = twist[5] - c->length * twist[1];
 
     /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = twist[1] * v_T_z - t15 - twist[2] * v_T_y;
-    const six_link_real a_T_y = t18 - twist[0] * v_T_z;
-    const six_link_real a_T_z = twist[0] * v_T_y - t17 - t19;
+    const six_link_real a_T_x = twist[1] * v_T_z - t12 - twist[2] * v_T_y;
+    const six_link_real a_T_y = t15 - twist[0] * v_T_z;
+    const six_link_real a_T_z = twist[0] * v_T_y - t14 - t16;
 
     /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t21 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
-    const six_link_real t22 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t21 - c->S_T_z * a_T_y - twist[2] * t22;
-    const six_link_real t23 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t23 - c->S_T_x * a_T_z - twist[0] * t21;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t22 - c->S_T_y * a_T_x - twist[1] * t23;
+    const six_link_real t18 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
+    const six_link_real t19 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
+    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t18 - c->S_T_z * a_T_y - twist[2] * t19;
+    const six_link_real t20 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
+    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t20 - c->S_T_x * a_T_z - twist[0] * t18;
+    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t19 - c->S_T_y * a_T_x - twist[1] * t20;
 
     /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t24 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
-    const six_link_real t25 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t24 - twist[2] * t25;
-    const six_link_real t26 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t26 - twist[0] * t24;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t25 - twist[1] * t26;
-
-    /* X: twist of the joint point in F_i axes from the parent's tip twist (49) */
-    const six_link_real minus_X_41 = minus_R_rel_xy * c->mount_xyz_z;
-    const six_link_real t27 = -minus_X_41;
-    const six_link_real X_42 = R_rel_xx * c->mount_xyz_z;
-    const six_link_real X_43 = minus_R_rel_xy * c->mount_xyz_x - R_rel_xx * c->mount_xyz_y;
-    const six_link_real t28 = -X_42;
-    const six_link_real X_53 = R_rel_xx * c->mount_xyz_x + minus_R_rel_xy * c->mount_xyz_y;
-    const six_link_real t29 = -c->mount_xyz_x;
+    const six_link_real t21 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
+    const six_link_real t22 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
+    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t21 - twist[2] * t22;
+    const six_link_real t23 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
+    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t23 - twist[0] * t21;
+    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t22 - twist[1] * t23;
 
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_33 = 1 + c->armature_1 - 1;
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
-    const six_link_real minus_joint_H_1 = R_rel_xx * base->b[0] + minus_R_rel_xy * base->b[1] + beta_omega_x;
-    const six_link_real t30 = -minus_joint_H_1;
-    const six_link_real joint_H_2 = minus_R_rel_xy * base->b[0] - R_rel_xx * base->b[1] + minus_beta_omega_y;
-    const six_link_real joint_H_3 = c->joint_damping_1 * qdot_1 - P_c_33 * base->b[2];
-    const six_link_real t31 = minus_X_41 * base->b[0]
-        - (beta_v_x + R_rel_xx * base->b[3] + minus_R_rel_xy * base->b[4]) - X_42 * base->b[1];
-    const six_link_real joint_H_4 = t31 - X_43 * base->b[2];
-    const six_link_real t32 = minus_beta_v_y + minus_R_rel_xy * base->b[3] - R_rel_xx * base->b[4]
-        + X_42 * base->b[0] + minus_X_41 * base->b[1];
-    const six_link_real joint_H_5 = t32 - X_53 * base->b[2];
-    const six_link_real joint_H_6 = c->mount_xyz_x * base->b[1] - (base->b[5] + c->mount_xyz_y * base->b[0]);
+    const six_link_real joint_H_3 = c->joint_damping_1 * twist[2];
 
     /* outputs */
     link->h_V[0] = H_star_2;
@@ -5152,7 +7998,6 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     tip->omega[1] = twist[1];
     tip->omega[2] = twist[2];
     tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
     link->h_T[0] = h_T_tau_x;
     link->h_T[1] = h_T_tau_y;
@@ -5167,100 +8012,22 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     M[place[4]] = 1;
     M[place[5]] = 1;
     M[place[6]] = 1;
-    H[0] = t30;
-    H[1] = joint_H_2;
+    H[0] = 0;
+    H[1] = 0;
     H[2] = joint_H_3;
-    H[3] = joint_H_4;
-    H[4] = joint_H_5;
-    H[5] = joint_H_6;
+    H[3] = 0;
+    H[4] = 0;
+    H[5] = 0;
     W[0] = 0;
     W[1] = 0;
     W[2] = tau[0];
     W[3] = 0;
     W[4] = 0;
     W[5] = 0;
-    base->X[0] = R_rel_xx;
-    base->X[1] = minus_R_rel_xy;
-    base->X[2] = 0;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
-    base->X[6] = t1;
-    base->X[7] = R_rel_xx;
-    base->X[8] = 0;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
-    base->X[12] = 0;
-    base->X[13] = 0;
-    base->X[14] = 1;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
-    base->X[18] = t27;
-    base->X[19] = X_42;
-    base->X[20] = X_43;
-    base->X[21] = R_rel_xx;
-    base->X[22] = minus_R_rel_xy;
-    base->X[23] = 0;
-    base->X[24] = t28;
-    base->X[25] = t27;
-    base->X[26] = X_53;
-    base->X[27] = t1;
-    base->X[28] = R_rel_xx;
-    base->X[29] = 0;
-    base->X[30] = c->mount_xyz_y;
-    base->X[31] = t29;
-    base->X[32] = 0;
-    base->X[33] = 0;
-    base->X[34] = 0;
-    base->X[35] = 1;
-    base->PX[0] = R_rel_xx;
-    base->PX[1] = minus_R_rel_xy;
-    base->PX[2] = 0;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
-    base->PX[6] = t1;
-    base->PX[7] = R_rel_xx;
-    base->PX[8] = 0;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
-    base->PX[12] = 0;
-    base->PX[13] = 0;
-    base->PX[14] = P_c_33;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
-    base->PX[18] = t27;
-    base->PX[19] = X_42;
-    base->PX[20] = X_43;
-    base->PX[21] = R_rel_xx;
-    base->PX[22] = minus_R_rel_xy;
-    base->PX[23] = 0;
-    base->PX[24] = t28;
-    base->PX[25] = t27;
-    base->PX[26] = X_53;
-    base->PX[27] = t1;
-    base->PX[28] = R_rel_xx;
-    base->PX[29] = 0;
-    base->PX[30] = c->mount_xyz_y;
-    base->PX[31] = t29;
-    base->PX[32] = 0;
-    base->PX[33] = 0;
-    base->PX[34] = 0;
-    base->PX[35] = 1;
-    tip->b[0] = 0;
-    tip->b[1] = 0;
-    tip->b[2] = 0;
-    tip->b[3] = 0;
-    tip->b[4] = 0;
-    tip->b[5] = 0;
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like upper_arm: 625 operations */
+/* joint rows, links like upper_arm: 592 operations */
 static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[3], const six_link_real etadot[3],
@@ -5275,39 +8042,39 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
     const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    const six_link_real qdot_1 = twist[1] - base->omega[1];
+    const six_link_real t2 = twist[1] - base->omega[1];
 
     /* v_R: velocity of the joint point */
-    const six_link_real t2 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t3 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx * t2 - R_rel_xz * t3;
-    const six_link_real v_R_z = R_rel_xz * t2 + R_rel_xx * t3;
+    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
+    const six_link_real t4 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    const six_link_real v_R_x = R_rel_xx * t3 - R_rel_xz * t4;
+    const six_link_real v_R_z = R_rel_xz * t3 + R_rel_xx * t4;
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
+    const six_link_real minus_beta_omega_x = omega_R_z * t2;
+    const six_link_real beta_omega_z = omega_R_x * t2;
 
     /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
+    const six_link_real minus_beta_v_x = t2 * v_R_z;
+    const six_link_real beta_v_z = t2 * v_R_x;
 
-    const six_link_real t4 = quaternion[1] * quaternion[1];
-    const six_link_real t5 = quaternion[2] * quaternion[2];
-    const six_link_real t6 = quaternion[3] * quaternion[3];
-    const six_link_real t7 = 2 / (quaternion[0] * quaternion[0] + t4 + t5 + t6);
-    const six_link_real t8 = t4 + t5 + t6;
-    const six_link_real t9 = quaternion[1] * quaternion[2];
-    const six_link_real t10 = quaternion[1] * quaternion[3];
-    const six_link_real t11 = quaternion[2] * quaternion[3];
-    const six_link_real t12 = quaternion[0] * quaternion[3];
-    const six_link_real t13 = quaternion[0] * quaternion[2];
-    const six_link_real t14 = quaternion[0] * quaternion[1];
-    const six_link_real t15 = (1 + t7 * (t4 - t8)) * gravity[0] + t7 * (t12 + t9) * gravity[1]
-        + t7 * (t10 - t13) * gravity[2];
-    const six_link_real t16 = t7 * (t9 - t12) * gravity[0] + (1 + t7 * (t5 - t8)) * gravity[1]
-        + t7 * (t14 + t11) * gravity[2];
-    const six_link_real t17 = t7 * (t13 + t10) * gravity[0] + t7 * (t11 - t14) * gravity[1]
-        + (1 + t7 * (t6 - t8)) * gravity[2];
+    const six_link_real t5 = quaternion[1] * quaternion[1];
+    const six_link_real t6 = quaternion[2] * quaternion[2];
+    const six_link_real t7 = quaternion[3] * quaternion[3];
+    const six_link_real t8 = 2 / (quaternion[0] * quaternion[0] + t5 + t6 + t7);
+    const six_link_real t9 = t5 + t6 + t7;
+    const six_link_real t10 = quaternion[1] * quaternion[2];
+    const six_link_real t11 = quaternion[1] * quaternion[3];
+    const six_link_real t12 = quaternion[2] * quaternion[3];
+    const six_link_real t13 = quaternion[0] * quaternion[3];
+    const six_link_real t14 = quaternion[0] * quaternion[2];
+    const six_link_real t15 = quaternion[0] * quaternion[1];
+    const six_link_real t16 = (1 + t8 * (t5 - t9)) * gravity[0] + t8 * (t13 + t10) * gravity[1]
+        + t8 * (t11 - t14) * gravity[2];
+    const six_link_real t17 = t8 * (t10 - t13) * gravity[0] + (1 + t8 * (t6 - t9)) * gravity[1]
+        + t8 * (t15 + t12) * gravity[2];
+    const six_link_real t18 = t8 * (t14 + t11) * gravity[0] + t8 * (t12 - t15) * gravity[1]
+        + (1 + t8 * (t7 - t9)) * gravity[2];
 
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1;
@@ -5340,20 +8107,20 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t15 - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - t16 - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - t17 - twist[1] * twist[3];
+    const six_link_real a_0_x = twist[1] * twist[5] - t16 - twist[2] * twist[4];
+    const six_link_real a_0_y = twist[2] * twist[3] - t17 - twist[0] * twist[5];
+    const six_link_real a_0_z = twist[0] * twist[4] - t18 - twist[1] * twist[3];
 
     /* Omega: centripetal operator */
-    const six_link_real t18 = twist[1] * twist[1];
-    const six_link_real t19 = twist[2] * twist[2];
-    const six_link_real minus_Omega_xx = t18 + t19;
+    const six_link_real t19 = twist[1] * twist[1];
+    const six_link_real t20 = twist[2] * twist[2];
+    const six_link_real minus_Omega_xx = t19 + t20;
     const six_link_real Omega_xy = twist[0] * twist[1];
     const six_link_real Omega_xz = twist[0] * twist[2];
-    const six_link_real t20 = twist[0] * twist[0];
-    const six_link_real minus_Omega_yy = t20 + t19;
+    const six_link_real t21 = twist[0] * twist[0];
+    const six_link_real minus_Omega_yy = t21 + t20;
     const six_link_real Omega_yz = twist[1] * twist[2];
-    const six_link_real minus_Omega_zz = t20 + t18;
+    const six_link_real minus_Omega_zz = t21 + t19;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
@@ -5376,17 +8143,17 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     const six_link_real h_MD_3 = h_c_3 - etadot[2] * twist[1] * c->sigma_t_3;
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t21 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
+    const six_link_real t22 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
         + J_yz * (minus_Omega_yy - minus_Omega_zz) + S_y * a_0_z;
-    const six_link_real H_star_1 = t21 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t22 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
+    const six_link_real H_star_1 = t22 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
+    const six_link_real t23 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
         + J_zz * Omega_xz + S_z * a_0_x;
-    const six_link_real t23 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t22 + t23 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+    const six_link_real t24 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t23 + t24 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
         - c->S_0_x * a_0_z;
-    const six_link_real t24 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+    const six_link_real t25 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * a_0_y;
-    const six_link_real H_star_3 = t24 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t23 * twist[1];
+    const six_link_real H_star_3 = t25 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t24 * twist[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + a_0_x * c->mu;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
@@ -5418,60 +8185,60 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     const six_link_real theta_z = c->Psi_c_z1 * eta[0];
 
     /* x: squared angle of the tip section */
-    const six_link_real t25 = theta_x * theta_x;
-    const six_link_real t26 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t25 + t26;
-    const six_link_real t27 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t27;
+    const six_link_real t26 = theta_x * theta_x;
+    const six_link_real t27 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t26 + t27;
+    const six_link_real t28 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t28;
 
     /* c1: Stumpff function of order 1 */
-    const six_link_real t28 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t28;
+    const six_link_real t29 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t29;
     const six_link_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t29 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t29;
+    const six_link_real t30 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t30;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t26 + t27;
+    const six_link_real minus_theta_hat2_11 = t27 + t28;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t25 + t27;
+    const six_link_real minus_theta_hat2_22 = t26 + t28;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    const six_link_real t30 = c3 * theta_hat2_12;
-    const six_link_real t31 = c2 * theta_z;
-    const six_link_real J_l_xy = t30 - t31;
-    const six_link_real t32 = c2 * theta_y;
-    const six_link_real t33 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t32 + t33;
-    const six_link_real J_l_yx = t31 + t30;
+    const six_link_real t31 = c3 * theta_hat2_12;
+    const six_link_real t32 = c2 * theta_z;
+    const six_link_real J_l_xy = t31 - t32;
+    const six_link_real t33 = c2 * theta_y;
+    const six_link_real t34 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t33 + t34;
+    const six_link_real J_l_yx = t32 + t31;
     const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const six_link_real t34 = c3 * theta_hat2_23;
-    const six_link_real t35 = c2 * theta_x;
-    const six_link_real J_l_yz = t34 - t35;
-    const six_link_real J_l_zx = t33 - t32;
-    const six_link_real J_l_zy = t35 + t34;
+    const six_link_real t35 = c3 * theta_hat2_23;
+    const six_link_real t36 = c2 * theta_x;
+    const six_link_real J_l_yz = t35 - t36;
+    const six_link_real J_l_zx = t34 - t33;
+    const six_link_real J_l_zy = t36 + t35;
     const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const six_link_real t36 = c2 * theta_hat2_12;
-    const six_link_real t37 = c1 * theta_z;
-    const six_link_real R_T_xy = t36 - t37;
-    const six_link_real t38 = c1 * theta_y;
-    const six_link_real t39 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t38 + t39;
-    const six_link_real R_T_yx = t37 + t36;
+    const six_link_real t37 = c2 * theta_hat2_12;
+    const six_link_real t38 = c1 * theta_z;
+    const six_link_real R_T_xy = t37 - t38;
+    const six_link_real t39 = c1 * theta_y;
+    const six_link_real t40 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t39 + t40;
+    const six_link_real R_T_yx = t38 + t37;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const six_link_real t40 = c2 * theta_hat2_23;
-    const six_link_real t41 = c1 * theta_x;
-    const six_link_real R_T_yz = t40 - t41;
-    const six_link_real R_T_zx = t39 - t38;
-    const six_link_real R_T_zy = t41 + t40;
+    const six_link_real t41 = c2 * theta_hat2_23;
+    const six_link_real t42 = c1 * theta_x;
+    const six_link_real R_T_yz = t41 - t42;
+    const six_link_real R_T_zx = t40 - t39;
+    const six_link_real R_T_zy = t42 + t41;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
@@ -5484,112 +8251,104 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t42 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t43 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t44 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t45 = theta_y * t43 - theta_z * t44;
-    const six_link_real omega_s_x = thetadot_x + c2 * t42 + c3 * t45;
-    const six_link_real t46 = theta_z * t42 - theta_x * t43;
-    const six_link_real omega_s_y = thetadot_y + c2 * t44 + c3 * t46;
-    const six_link_real t47 = theta_x * t44 - theta_y * t42;
-    const six_link_real omega_s_z = thetadot_z + c2 * t43 + c3 * t47;
+    const six_link_real t43 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t44 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t45 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t46 = theta_y * t44 - theta_z * t45;
+    const six_link_real omega_s_x = thetadot_x + c2 * t43 + c3 * t46;
+    const six_link_real t47 = theta_z * t43 - theta_x * t44;
+    const six_link_real omega_s_y = thetadot_y + c2 * t45 + c3 * t47;
+    const six_link_real t48 = theta_x * t45 - theta_y * t43;
+    const six_link_real omega_s_z = thetadot_z + c2 * t44 + c3 * t48;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t29 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t30 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t28 * REAL(1.5) - t29 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t29 * REAL(1.5) - t30 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t42 + c3 * (thetadot_y * t43 - thetadot_z * t44) + c3dot * t45;
-    const six_link_real alpha_s_y = c2dot * t44 + c3 * (thetadot_z * t42 - thetadot_x * t43) + c3dot * t46;
-    const six_link_real alpha_s_z = c2dot * t43 + c3 * (thetadot_x * t44 - thetadot_y * t42) + c3dot * t47;
+    const six_link_real alpha_s_x = c2dot * t43 + c3 * (thetadot_y * t44 - thetadot_z * t45) + c3dot * t46;
+    const six_link_real alpha_s_y = c2dot * t45 + c3 * (thetadot_z * t43 - thetadot_x * t44) + c3dot * t47;
+    const six_link_real alpha_s_z = c2dot * t44 + c3 * (thetadot_x * t45 - thetadot_y * t43) + c3dot * t48;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t48 = omega_s_x + twist[0];
-    const six_link_real t49 = omega_s_y + twist[1];
-    const six_link_real t50 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t48 + R_T_yx * t49 + R_T_zx * t50;
-    const six_link_real omega_T_y = R_T_xy * t48 + R_T_yy * t49 + R_T_zy * t50;
-    const six_link_real omega_T_z = R_T_xz * t48 + R_T_yz * t49 + R_T_zz * t50;
+    const six_link_real t49 = omega_s_x + twist[0];
+    const six_link_real t50 = omega_s_y + twist[1];
+    const six_link_real t51 = omega_s_z + twist[2];
+    const six_link_real omega_T_x = R_T_xx * t49 + R_T_yx * t50 + R_T_zx * t51;
+    const six_link_real omega_T_y = R_T_xy * t49 + R_T_yy * t50 + R_T_zy * t51;
+    const six_link_real omega_T_z = R_T_xz * t49 + R_T_yz * t50 + R_T_zz * t51;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real t51 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const six_link_real t52 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
-    const six_link_real t53 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
-    const six_link_real v_T_x = R_T_xx * t51 + R_T_yx * t52 + R_T_zx * t53;
-    const six_link_real v_T_y = R_T_xy * t51 + R_T_yy * t52 + R_T_zy * t53;
-    const six_link_real v_T_z = R_T_xz * t51 + R_T_yz * t52 + R_T_zz * t53;
+    const six_link_real t52 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
+    const six_link_real t53 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
+    const six_link_real t54 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
+    const six_link_real v_T_x = R_T_xx * t52 + R_T_yx * t53 + R_T_zx * t54;
+    const six_link_real v_T_y = R_T_xy * t52 + R_T_yy * t53 + R_T_zy * t54;
+    const six_link_real v_T_z = R_T_xz * t52 + R_T_yz * t53 + R_T_zz * t54;
 
     /* b_omega: angular acceleration of the tip section that the velocities cause (accconst1b) */
-    const six_link_real t54 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
-    const six_link_real t55 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
-    const six_link_real t56 = alpha_s_z + omega_s_y * twist[0] - omega_s_x * twist[1];
-    const six_link_real b_omega_x = R_T_xx * t54 + R_T_yx * t55 + R_T_zx * t56;
-    const six_link_real b_omega_y = R_T_xy * t54 + R_T_yy * t55 + R_T_zy * t56;
-    const six_link_real b_omega_z = R_T_xz * t54 + R_T_yz * t55 + R_T_zz * t56;
+    const six_link_real t55 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
+    const six_link_real t56 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
+    const six_link_real t57 = alpha_s_z + omega_s_y * twist[0] - omega_s_x * twist[1];
+    const six_link_real b_omega_x = R_T_xx * t55 + R_T_yx * t56 + R_T_zx * t57;
+    const six_link_real b_omega_y = R_T_xy * t55 + R_T_yy * t56 + R_T_zy * t57;
+    const six_link_real b_omega_z = R_T_xz * t55 + R_T_yz * t56 + R_T_zz * t57;
 
     /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const six_link_real t57 = omega_s_z * t52 + twist[1] * udot_T_z - omega_s_y * t53 - twist[2] * udot_T_y;
-    const six_link_real t58 = omega_s_x * t53 - omega_s_z * t51 - twist[0] * udot_T_z;
-    const six_link_real t59 = omega_s_y * t51 + twist[0] * udot_T_y - omega_s_x * t52;
-    const six_link_real b_v_x = R_T_xx * t57 + R_T_yx * t58 + R_T_zx * t59;
-    const six_link_real b_v_y = R_T_xy * t57 + R_T_yy * t58 + R_T_zy * t59;
-    const six_link_real b_v_z = R_T_xz * t57 + R_T_yz * t58 + R_T_zz * t59;
+    const six_link_real t58 = omega_s_z * t53 + twist[1] * udot_T_z - omega_s_y * t54 - twist[2] * udot_T_y;
+    const six_link_real t59 = omega_s_x * t54 - omega_s_z * t52 - twist[0] * udot_T_z;
+    const six_link_real t60 = omega_s_y * t52 + twist[0] * udot_T_y - omega_s_x * t53;
+    const six_link_real b_v_x = R_T_xx * t58 + R_T_yx * t59 + R_T_zx * t60;
+    const six_link_real b_v_y = R_T_xy * t58 + R_T_yy * t59 + R_T_zy * t60;
+    const six_link_real b_v_z = R_T_xz * t58 + R_T_yz * t59 + R_T_zz * t60;
 
-    const six_link_real t60 = R_T_xx * t15 + R_T_yx * t16 + R_T_zx * t17;
-    const six_link_real t61 = R_T_xy * t15 + R_T_yy * t16 + R_T_zy * t17;
-    const six_link_real t62 = R_T_xz * t15 + R_T_yz * t16 + R_T_zz * t17;
+    const six_link_real t61 = R_T_xx * t16 + R_T_yx * t17 + R_T_zx * t18;
+    const six_link_real t62 = R_T_xy * t16 + R_T_yy * t17 + R_T_zy * t18;
+    const six_link_real t63 = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
 
     /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = omega_T_y * v_T_z - t60 - omega_T_z * v_T_y;
-    const six_link_real a_T_y = omega_T_z * v_T_x - t61 - omega_T_x * v_T_z;
-    const six_link_real a_T_z = omega_T_x * v_T_y - t62 - omega_T_y * v_T_x;
+    const six_link_real a_T_x = omega_T_y * v_T_z - t61 - omega_T_z * v_T_y;
+    const six_link_real a_T_y = omega_T_z * v_T_x - t62 - omega_T_x * v_T_z;
+    const six_link_real a_T_z = omega_T_x * v_T_y - t63 - omega_T_y * v_T_x;
 
     /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t63 = c->I_T_zz * omega_T_z - c->J_T_xz * omega_T_x - c->J_T_yz * omega_T_y;
-    const six_link_real t64 = c->I_T_yy * omega_T_y - c->J_T_xy * omega_T_x - c->J_T_yz * omega_T_z;
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + omega_T_y * t63 - c->S_T_z * a_T_y - omega_T_z * t64;
-    const six_link_real t65 = c->I_T_xx * omega_T_x - c->J_T_xy * omega_T_y - c->J_T_xz * omega_T_z;
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + omega_T_z * t65 - c->S_T_x * a_T_z - omega_T_x * t63;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + omega_T_x * t64 - c->S_T_y * a_T_x - omega_T_y * t65;
+    const six_link_real t64 = c->I_T_zz * omega_T_z - c->J_T_xz * omega_T_x - c->J_T_yz * omega_T_y;
+    const six_link_real t65 = c->I_T_yy * omega_T_y - c->J_T_xy * omega_T_x - c->J_T_yz * omega_T_z;
+    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + omega_T_y * t64 - c->S_T_z * a_T_y - omega_T_z * t65;
+    const six_link_real t66 = c->I_T_xx * omega_T_x - c->J_T_xy * omega_T_y - c->J_T_xz * omega_T_z;
+    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + omega_T_z * t66 - c->S_T_x * a_T_z - omega_T_x * t64;
+    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + omega_T_x * t65 - c->S_T_y * a_T_x - omega_T_y * t66;
 
     /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t66 = c->S_T_y * omega_T_x - c->S_T_x * omega_T_y;
-    const six_link_real t67 = c->S_T_x * omega_T_z - c->S_T_z * omega_T_x;
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + omega_T_y * t66 - omega_T_z * t67;
-    const six_link_real t68 = c->S_T_z * omega_T_y - c->S_T_y * omega_T_z;
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + omega_T_z * t68 - omega_T_x * t66;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + omega_T_x * t67 - omega_T_y * t68;
+    const six_link_real t67 = c->S_T_y * omega_T_x - c->S_T_x * omega_T_y;
+    const six_link_real t68 = c->S_T_x * omega_T_z - c->S_T_z * omega_T_x;
+    const six_link_real h_T_F_x = a_T_x * c->body0_mass + omega_T_y * t67 - omega_T_z * t68;
+    const six_link_real t69 = c->S_T_z * omega_T_y - c->S_T_y * omega_T_z;
+    const six_link_real h_T_F_y = a_T_y * c->body0_mass + omega_T_z * t69 - omega_T_x * t67;
+    const six_link_real h_T_F_z = a_T_z * c->body0_mass + omega_T_x * t68 - omega_T_y * t69;
 
     /* X: twist of the joint point in F_i axes from the parent's tip twist (49) */
     const six_link_real minus_X_41 = R_rel_xz * c->mount_xyz_y;
-    const six_link_real t69 = -minus_X_41;
+    const six_link_real t70 = -minus_X_41;
     const six_link_real X_42 = R_rel_xx * c->mount_xyz_z + R_rel_xz * c->mount_xyz_x;
     const six_link_real minus_X_43 = R_rel_xx * c->mount_xyz_y;
-    const six_link_real t70 = -minus_X_43;
-    const six_link_real t71 = -c->mount_xyz_z;
+    const six_link_real t71 = -minus_X_43;
+    const six_link_real t72 = -c->mount_xyz_z;
     const six_link_real X_62 = R_rel_xz * c->mount_xyz_z - R_rel_xx * c->mount_xyz_x;
 
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_22 = 1 + c->armature_1 - 1;
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
-    const six_link_real joint_H_1 = R_rel_xz * base->b[2] - R_rel_xx * base->b[0] + minus_beta_omega_x;
-    const six_link_real joint_H_2 = c->joint_damping_1 * qdot_1 - P_c_22 * base->b[1];
-    const six_link_real minus_joint_H_3 = R_rel_xz * base->b[0] + R_rel_xx * base->b[2] + beta_omega_z;
-    const six_link_real t72 = -minus_joint_H_3;
-    const six_link_real t73 = minus_beta_v_x - R_rel_xx * base->b[3] + R_rel_xz * base->b[5]
-        + minus_X_41 * base->b[0] - X_42 * base->b[1];
-    const six_link_real joint_H_4 = t73 + minus_X_43 * base->b[2];
-    const six_link_real joint_H_5 = c->mount_xyz_z * base->b[0] - base->b[4] - c->mount_xyz_x * base->b[2];
-    const six_link_real t74 = beta_v_z + R_rel_xz * base->b[3] + R_rel_xx * base->b[5] + minus_X_43 * base->b[0]
-        + X_62 * base->b[1];
-    const six_link_real joint_H_6 = minus_X_41 * base->b[2] - t74;
+    const six_link_real joint_H_2 = c->joint_damping_1 * t2;
+    const six_link_real t73 = -beta_omega_z;
+    const six_link_real t74 = -beta_v_z;
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -5610,8 +8369,6 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     link->h_V[5] = h_V_6;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
-    link->r_T[0] = r_T_y;
-    link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
     link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
@@ -5621,15 +8378,17 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     link->R_T[6] = R_T_zx;
     link->R_T[7] = R_T_zy;
     link->R_T[8] = R_T_zz;
-    link->G[0] = J_l_xx;
-    link->G[1] = J_l_xy;
-    link->G[2] = J_l_xz;
-    link->G[3] = J_l_yx;
-    link->G[4] = J_l_yy;
-    link->G[5] = J_l_yz;
-    link->G[6] = J_l_zx;
-    link->G[7] = J_l_zy;
-    link->G[8] = J_l_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     link->b_T[0] = b_omega_x;
     link->b_T[1] = b_omega_y;
     link->b_T[2] = b_omega_z;
@@ -5655,12 +8414,12 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     M[place[4]] = 1;
     M[place[5]] = 1;
     M[place[6]] = 1;
-    H[0] = joint_H_1;
+    H[0] = minus_beta_omega_x;
     H[1] = joint_H_2;
-    H[2] = t72;
-    H[3] = joint_H_4;
-    H[4] = joint_H_5;
-    H[5] = joint_H_6;
+    H[2] = t73;
+    H[3] = minus_beta_v_x;
+    H[4] = 0;
+    H[5] = t74;
     W[0] = 0;
     W[1] = tau[0];
     W[2] = 0;
@@ -5668,76 +8427,37 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     W[4] = 0;
     W[5] = 0;
     base->X[0] = R_rel_xx;
-    base->X[1] = 0;
     base->X[2] = t1;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
-    base->X[6] = 0;
-    base->X[7] = 1;
-    base->X[8] = 0;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
     base->X[12] = R_rel_xz;
-    base->X[13] = 0;
     base->X[14] = R_rel_xx;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
-    base->X[18] = t69;
+    base->X[18] = t70;
     base->X[19] = X_42;
-    base->X[20] = t70;
+    base->X[20] = t71;
     base->X[21] = R_rel_xx;
-    base->X[22] = 0;
     base->X[23] = t1;
-    base->X[24] = t71;
-    base->X[25] = 0;
+    base->X[24] = t72;
     base->X[26] = c->mount_xyz_x;
-    base->X[27] = 0;
-    base->X[28] = 1;
-    base->X[29] = 0;
     base->X[30] = minus_X_43;
     base->X[31] = X_62;
-    base->X[32] = t69;
+    base->X[32] = t70;
     base->X[33] = R_rel_xz;
-    base->X[34] = 0;
     base->X[35] = R_rel_xx;
     base->PX[0] = R_rel_xx;
-    base->PX[1] = 0;
     base->PX[2] = t1;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
-    base->PX[6] = 0;
     base->PX[7] = P_c_22;
-    base->PX[8] = 0;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
     base->PX[12] = R_rel_xz;
-    base->PX[13] = 0;
     base->PX[14] = R_rel_xx;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
-    base->PX[18] = t69;
+    base->PX[18] = t70;
     base->PX[19] = X_42;
-    base->PX[20] = t70;
+    base->PX[20] = t71;
     base->PX[21] = R_rel_xx;
-    base->PX[22] = 0;
     base->PX[23] = t1;
-    base->PX[24] = t71;
-    base->PX[25] = 0;
+    base->PX[24] = t72;
     base->PX[26] = c->mount_xyz_x;
-    base->PX[27] = 0;
-    base->PX[28] = 1;
-    base->PX[29] = 0;
     base->PX[30] = minus_X_43;
     base->PX[31] = X_62;
-    base->PX[32] = t69;
+    base->PX[32] = t70;
     base->PX[33] = R_rel_xz;
-    base->PX[34] = 0;
     base->PX[35] = R_rel_xx;
     tip->b[0] = b_omega_x;
     tip->b[1] = b_omega_y;
@@ -5748,7 +8468,7 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like forearm: 549 operations */
+/* joint rows, links like forearm: 544 operations */
 static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[2], const six_link_real etadot[2],
@@ -5772,40 +8492,40 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
         + c->R_m_zy * base->omega[2];
     const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
         + R_rel_zz * base->omega[2];
-    const six_link_real qdot_1 = twist[1] - omega_R_y;
+    const six_link_real t3 = twist[1] - omega_R_y;
 
     /* v_R: velocity of the joint point */
-    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t4 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t5 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
-    const six_link_real v_R_x = R_rel_xx * t3 + R_rel_yx * t4 + R_rel_zx * t5;
-    const six_link_real v_R_z = R_rel_xz * t3 + R_rel_yz * t4 + R_rel_zz * t5;
+    const six_link_real t4 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
+    const six_link_real t5 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
+    const six_link_real t6 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    const six_link_real v_R_x = R_rel_xx * t4 + R_rel_yx * t5 + R_rel_zx * t6;
+    const six_link_real v_R_z = R_rel_xz * t4 + R_rel_yz * t5 + R_rel_zz * t6;
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
+    const six_link_real minus_beta_omega_x = omega_R_z * t3;
+    const six_link_real beta_omega_z = omega_R_x * t3;
 
     /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
+    const six_link_real minus_beta_v_x = t3 * v_R_z;
+    const six_link_real beta_v_z = t3 * v_R_x;
 
-    const six_link_real t6 = quaternion[1] * quaternion[1];
-    const six_link_real t7 = quaternion[2] * quaternion[2];
-    const six_link_real t8 = quaternion[3] * quaternion[3];
-    const six_link_real t9 = 2 / (quaternion[0] * quaternion[0] + t6 + t7 + t8);
-    const six_link_real t10 = t6 + t7 + t8;
-    const six_link_real t11 = quaternion[1] * quaternion[2];
-    const six_link_real t12 = quaternion[1] * quaternion[3];
-    const six_link_real t13 = quaternion[2] * quaternion[3];
-    const six_link_real t14 = quaternion[0] * quaternion[3];
-    const six_link_real t15 = quaternion[0] * quaternion[2];
-    const six_link_real t16 = quaternion[0] * quaternion[1];
-    const six_link_real t17 = (1 + t9 * (t6 - t10)) * gravity[0] + t9 * (t14 + t11) * gravity[1]
-        + t9 * (t12 - t15) * gravity[2];
-    const six_link_real t18 = t9 * (t11 - t14) * gravity[0] + (1 + t9 * (t7 - t10)) * gravity[1]
-        + t9 * (t16 + t13) * gravity[2];
-    const six_link_real t19 = t9 * (t15 + t12) * gravity[0] + t9 * (t13 - t16) * gravity[1]
-        + (1 + t9 * (t8 - t10)) * gravity[2];
+    const six_link_real t7 = quaternion[1] * quaternion[1];
+    const six_link_real t8 = quaternion[2] * quaternion[2];
+    const six_link_real t9 = quaternion[3] * quaternion[3];
+    const six_link_real t10 = 2 / (quaternion[0] * quaternion[0] + t7 + t8 + t9);
+    const six_link_real t11 = t7 + t8 + t9;
+    const six_link_real t12 = quaternion[1] * quaternion[2];
+    const six_link_real t13 = quaternion[1] * quaternion[3];
+    const six_link_real t14 = quaternion[2] * quaternion[3];
+    const six_link_real t15 = quaternion[0] * quaternion[3];
+    const six_link_real t16 = quaternion[0] * quaternion[2];
+    const six_link_real t17 = quaternion[0] * quaternion[1];
+    const six_link_real t18 = (1 + t10 * (t7 - t11)) * gravity[0] + t10 * (t15 + t12) * gravity[1]
+        + t10 * (t13 - t16) * gravity[2];
+    const six_link_real t19 = t10 * (t12 - t15) * gravity[0] + (1 + t10 * (t8 - t11)) * gravity[1]
+        + t10 * (t17 + t14) * gravity[2];
+    const six_link_real t20 = t10 * (t16 + t13) * gravity[0] + t10 * (t14 - t17) * gravity[1]
+        + (1 + t10 * (t9 - t11)) * gravity[2];
 
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
@@ -5838,20 +8558,20 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t17 - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - t18 - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - t19 - twist[1] * twist[3];
+    const six_link_real a_0_x = twist[1] * twist[5] - t18 - twist[2] * twist[4];
+    const six_link_real a_0_y = twist[2] * twist[3] - t19 - twist[0] * twist[5];
+    const six_link_real a_0_z = twist[0] * twist[4] - t20 - twist[1] * twist[3];
 
     /* Omega: centripetal operator */
-    const six_link_real t20 = twist[1] * twist[1];
-    const six_link_real t21 = twist[2] * twist[2];
-    const six_link_real minus_Omega_xx = t20 + t21;
+    const six_link_real t21 = twist[1] * twist[1];
+    const six_link_real t22 = twist[2] * twist[2];
+    const six_link_real minus_Omega_xx = t21 + t22;
     const six_link_real Omega_xy = twist[0] * twist[1];
     const six_link_real Omega_xz = twist[0] * twist[2];
-    const six_link_real t22 = twist[0] * twist[0];
-    const six_link_real minus_Omega_yy = t22 + t21;
+    const six_link_real t23 = twist[0] * twist[0];
+    const six_link_real minus_Omega_yy = t23 + t22;
     const six_link_real Omega_yz = twist[1] * twist[2];
-    const six_link_real minus_Omega_zz = t22 + t20;
+    const six_link_real minus_Omega_zz = t23 + t21;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
@@ -5870,17 +8590,17 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     const six_link_real h_c_6 = Sdot_y * twist[0];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t23 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
+    const six_link_real t24 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
         + J_yz * (minus_Omega_yy - minus_Omega_zz) + S_y * a_0_z;
-    const six_link_real H_star_1 = t23 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t24 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
+    const six_link_real H_star_1 = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
+    const six_link_real t25 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
         + J_zz * Omega_xz + S_z * a_0_x;
-    const six_link_real t25 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t24 + t25 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+    const six_link_real t26 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
         - c->S_0_x * a_0_z;
-    const six_link_real t26 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+    const six_link_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * a_0_y;
-    const six_link_real H_star_3 = t26 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t25 * twist[1];
+    const six_link_real H_star_3 = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + a_0_x * c->m;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
@@ -5916,13 +8636,13 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
     /* c1: Stumpff function of order 1 */
-    const six_link_real t27 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t27;
+    const six_link_real t28 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t28;
     const six_link_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t28 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t28;
+    const six_link_real t29 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t29;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real theta_hat2_23 = theta_y * theta_z;
@@ -5951,56 +8671,55 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t29 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t29;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t29;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t29;
+    const six_link_real t30 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t30;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t30;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t30;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t28 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t29 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t27 * REAL(1.5) - t28 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t28 * REAL(1.5) - t29 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t29;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t29 + c3dot * theta_z * t29;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t29 + c3dot * theta_y * t29;
+    const six_link_real alpha_s_x = c2dot * t30;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t30 + c3dot * theta_z * t30;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t30 + c3dot * theta_y * t30;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const six_link_real t30 = omega_s_x + twist[0];
-    const six_link_real t31 = omega_s_y + twist[1];
-    const six_link_real t32 = omega_s_z + twist[2];
-    const six_link_real omega_T_x = R_T_xx * t30 + minus_R_T_xy * t31 - R_T_xz * t32;
-    const six_link_real omega_T_y = R_T_yy * t31 - minus_R_T_xy * t30 + R_T_yz * t32;
-    const six_link_real omega_T_z = R_T_xz * t30 + R_T_yz * t31 + R_T_zz * t32;
+    const six_link_real t31 = omega_s_x + twist[0];
+    const six_link_real t32 = omega_s_y + twist[1];
+    const six_link_real t33 = omega_s_z + twist[2];
+    const six_link_real omega_T_x = R_T_xx * t31 + minus_R_T_xy * t32 - R_T_xz * t33;
+    const six_link_real omega_T_y = R_T_yy * t32 - minus_R_T_xy * t31 + R_T_yz * t33;
+    const six_link_real omega_T_z = R_T_xz * t31 + R_T_yz * t32 + R_T_zz * t33;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real t33 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const six_link_real t34 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
-    const six_link_real t35 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
-    const six_link_real v_T_x = R_T_xx * t33 + minus_R_T_xy * t34 - R_T_xz * t35;
-    const six_link_real v_T_y = R_T_yy * t34 - minus_R_T_xy * t33 + R_T_yz * t35;
-    const six_link_real v_T_z = R_T_xz * t33 + R_T_yz * t34 + R_T_zz * t35;
+    const six_link_real t34 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
+    const six_link_real t35 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
+    const six_link_real t36 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
+    const six_link_real v_T_y = R_T_yy * t35 - minus_R_T_xy * t34 + R_T_yz * t36;
+    const six_link_real v_T_z = R_T_xz * t34 + R_T_yz * t35 + R_T_zz * t36;
 
     /* b_omega: angular acceleration of the tip section that the velocities cause (accconst1b) */
-    const six_link_real t36 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
-    const six_link_real t37 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
-    const six_link_real t38 = omega_s_y * twist[0] - minus_alpha_s_z - omega_s_x * twist[1];
-    const six_link_real b_omega_x = R_T_xx * t36 + minus_R_T_xy * t37 - R_T_xz * t38;
-    const six_link_real b_omega_y = R_T_yy * t37 - minus_R_T_xy * t36 + R_T_yz * t38;
-    const six_link_real b_omega_z = R_T_xz * t36 + R_T_yz * t37 + R_T_zz * t38;
+    const six_link_real t37 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
+    const six_link_real t38 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
+    const six_link_real t39 = omega_s_y * twist[0] - minus_alpha_s_z - omega_s_x * twist[1];
+    const six_link_real b_omega_x = R_T_xx * t37 + minus_R_T_xy * t38 - R_T_xz * t39;
+    const six_link_real b_omega_y = R_T_yy * t38 - minus_R_T_xy * t37 + R_T_yz * t39;
+    const six_link_real b_omega_z = R_T_xz * t37 + R_T_yz * t38 + R_T_zz * t39;
 
     /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const six_link_real t39 = omega_s_z * t34 + twist[1] * udot_T_z - omega_s_y * t35 - twist[2] * udot_T_y;
-    const six_link_real t40 = omega_s_x * t35 - omega_s_z * t33 - twist[0] * udot_T_z;
-    const six_link_real t41 = omega_s_y * t33 + twist[0] * udot_T_y - omega_s_x * t34;
-    const six_link_real b_v_x = R_T_xx * t39 + minus_R_T_xy * t40 - R_T_xz * t41;
-    const six_link_real b_v_y = R_T_yy * t40 - minus_R_T_xy * t39 + R_T_yz * t41;
-    const six_link_real b_v_z = R_T_xz * t39 + R_T_yz * t40 + R_T_zz * t41;
+    const six_link_real t40 = omega_s_z * t35 + twist[1] * udot_T_z - omega_s_y * t36 - twist[2] * udot_T_y;
+    const six_link_real t41 = omega_s_x * t36 - omega_s_z * t34 - twist[0] * udot_T_z;
+    const six_link_real t42 = omega_s_y * t34 + twist[0] * udot_T_y - omega_s_x * t35;
+    const six_link_real b_v_x = R_T_xx * t40 + minus_R_T_xy * t41 - R_T_xz * t42;
+    const six_link_real b_v_y = R_T_yy * t41 - minus_R_T_xy * t40 + R_T_yz * t42;
+    const six_link_real b_v_z = R_T_xz * t40 + R_T_yz * t41 + R_T_zz * t42;
 
     /* X: twist of the joint point in F_i axes from the parent's tip twist (49) */
     const six_link_real X_41 = R_rel_zx * c->mount_xyz_y - R_rel_yx * c->mount_xyz_z;
@@ -6024,22 +8743,22 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
     const six_link_real joint_H_1 = minus_beta_omega_x
         - (R_rel_xx * base->b[0] + R_rel_yx * base->b[1] + R_rel_zx * base->b[2]);
-    const six_link_real joint_H_2 = c->joint_damping_1 * qdot_1 - PX_21 * base->b[0] - PX_22 * base->b[1]
+    const six_link_real joint_H_2 = c->joint_damping_1 * t3 - PX_21 * base->b[0] - PX_22 * base->b[1]
         - PX_23 * base->b[2];
     const six_link_real minus_joint_H_3 = R_rel_xz * base->b[0] + R_rel_yz * base->b[1] + R_rel_zz * base->b[2]
         + beta_omega_z;
-    const six_link_real t42 = -minus_joint_H_3;
-    const six_link_real t43 = minus_beta_v_x - R_rel_xx * base->b[3] - R_rel_yx * base->b[4]
+    const six_link_real t43 = -minus_joint_H_3;
+    const six_link_real t44 = minus_beta_v_x - R_rel_xx * base->b[3] - R_rel_yx * base->b[4]
         - R_rel_zx * base->b[5] - X_41 * base->b[0];
-    const six_link_real joint_H_4 = t43 - X_42 * base->b[1] - X_43 * base->b[2];
-    const six_link_real t44 = c->R_m_xy * base->b[3] + c->R_m_yy * base->b[4] + c->R_m_zy * base->b[5]
+    const six_link_real joint_H_4 = t44 - X_42 * base->b[1] - X_43 * base->b[2];
+    const six_link_real t45 = c->R_m_xy * base->b[3] + c->R_m_yy * base->b[4] + c->R_m_zy * base->b[5]
         + X_51 * base->b[0] + X_52 * base->b[1];
-    const six_link_real minus_joint_H_5 = t44 + X_53 * base->b[2];
-    const six_link_real t45 = -minus_joint_H_5;
-    const six_link_real t46 = beta_v_z + R_rel_xz * base->b[3] + R_rel_yz * base->b[4] + R_rel_zz * base->b[5]
+    const six_link_real minus_joint_H_5 = t45 + X_53 * base->b[2];
+    const six_link_real t46 = -minus_joint_H_5;
+    const six_link_real t47 = beta_v_z + R_rel_xz * base->b[3] + R_rel_yz * base->b[4] + R_rel_zz * base->b[5]
         + X_61 * base->b[0];
-    const six_link_real minus_joint_H_6 = t46 + X_62 * base->b[1] + X_63 * base->b[2];
-    const six_link_real t47 = -minus_joint_H_6;
+    const six_link_real minus_joint_H_6 = t47 + X_62 * base->b[1] + X_63 * base->b[2];
+    const six_link_real t48 = -minus_joint_H_6;
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -6060,30 +8779,22 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     link->h_V[5] = h_V_6;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
-    link->r_T[0] = r_T_y;
-    link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
     link->R_T[1] = minus_R_T_xy;
     link->R_T[2] = R_T_xz;
     link->R_T[3] = R_T_yy;
     link->R_T[4] = R_T_yz;
     link->R_T[5] = R_T_zz;
-    link->G[0] = c1;
-    link->G[1] = minus_J_l_xy;
-    link->G[2] = J_l_xz;
-    link->G[3] = J_l_yy;
-    link->G[4] = J_l_yz;
-    link->G[5] = J_l_zz;
-    link->b_T[0] = b_omega_x;
-    link->b_T[1] = b_omega_y;
-    link->b_T[2] = b_omega_z;
-    link->b_T[3] = b_v_x;
-    link->b_T[4] = b_v_y;
-    link->b_T[5] = b_v_z;
+    link->J_l[1] = minus_J_l_xy;
+    link->J_l[2] = J_l_xz;
+    link->J_l[3] = J_l_yy;
+    link->J_l[4] = J_l_yz;
+    link->J_l[5] = J_l_zz;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     tip->omega[0] = omega_T_x;
     tip->omega[1] = omega_T_y;
     tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
     tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
     M[place[0]] = 1;
@@ -6095,10 +8806,10 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     M[place[6]] = 1;
     H[0] = joint_H_1;
     H[1] = joint_H_2;
-    H[2] = t42;
+    H[2] = t43;
     H[3] = joint_H_4;
-    H[4] = t45;
-    H[5] = t47;
+    H[4] = t46;
+    H[5] = t48;
     W[0] = 0;
     W[1] = tau[0];
     W[2] = 0;
@@ -6108,21 +8819,12 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     base->X[0] = R_rel_xx;
     base->X[1] = R_rel_yx;
     base->X[2] = R_rel_zx;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
     base->X[6] = c->R_m_xy;
     base->X[7] = c->R_m_yy;
     base->X[8] = c->R_m_zy;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
     base->X[12] = R_rel_xz;
     base->X[13] = R_rel_yz;
     base->X[14] = R_rel_zz;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
     base->X[18] = X_41;
     base->X[19] = X_42;
     base->X[20] = X_43;
@@ -6144,21 +8846,12 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     base->PX[0] = R_rel_xx;
     base->PX[1] = R_rel_yx;
     base->PX[2] = R_rel_zx;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
     base->PX[6] = PX_21;
     base->PX[7] = PX_22;
     base->PX[8] = PX_23;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
     base->PX[12] = R_rel_xz;
     base->PX[13] = R_rel_yz;
     base->PX[14] = R_rel_zz;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
     base->PX[18] = X_41;
     base->PX[19] = X_42;
     base->PX[20] = X_43;
@@ -6186,7 +8879,7 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like wrist_roll: 137 operations */
+/* joint rows, links like wrist_roll: 135 operations */
 static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
@@ -6200,42 +8893,42 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
     const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    const six_link_real qdot_1 = twist[0] - base->omega[0];
+    const six_link_real t2 = twist[0] - base->omega[0];
 
     /* v_R: velocity of the joint point */
     const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
     const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_y = omega_R_z * qdot_1;
-    const six_link_real minus_beta_omega_z = omega_R_y * qdot_1;
+    const six_link_real beta_omega_y = omega_R_z * t2;
+    const six_link_real minus_beta_omega_z = omega_R_y * t2;
 
     /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_y = qdot_1 * v_R_z;
-    const six_link_real minus_beta_v_z = qdot_1 * v_R_y;
+    const six_link_real beta_v_y = t2 * v_R_z;
+    const six_link_real minus_beta_v_z = t2 * v_R_y;
 
-    const six_link_real t2 = quaternion[1] * quaternion[1];
-    const six_link_real t3 = quaternion[2] * quaternion[2];
-    const six_link_real t4 = quaternion[3] * quaternion[3];
-    const six_link_real t5 = 2 / (quaternion[0] * quaternion[0] + t2 + t3 + t4);
-    const six_link_real t6 = t2 + t3 + t4;
-    const six_link_real t7 = quaternion[1] * quaternion[2];
-    const six_link_real t8 = quaternion[1] * quaternion[3];
-    const six_link_real t9 = quaternion[2] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[3];
-    const six_link_real t11 = quaternion[0] * quaternion[2];
-    const six_link_real t12 = quaternion[0] * quaternion[1];
-    const six_link_real t13 = (1 + t5 * (t2 - t6)) * gravity[0] + t5 * (t10 + t7) * gravity[1]
-        + t5 * (t8 - t11) * gravity[2];
-    const six_link_real t14 = t5 * (t7 - t10) * gravity[0] + (1 + t5 * (t3 - t6)) * gravity[1]
-        + t5 * (t12 + t9) * gravity[2];
-    const six_link_real t15 = t5 * (t11 + t8) * gravity[0] + t5 * (t9 - t12) * gravity[1]
-        + (1 + t5 * (t4 - t6)) * gravity[2];
+    const six_link_real t3 = quaternion[1] * quaternion[1];
+    const six_link_real t4 = quaternion[2] * quaternion[2];
+    const six_link_real t5 = quaternion[3] * quaternion[3];
+    const six_link_real t6 = 2 / (quaternion[0] * quaternion[0] + t3 + t4 + t5);
+    const six_link_real t7 = t3 + t4 + t5;
+    const six_link_real t8 = quaternion[1] * quaternion[2];
+    const six_link_real t9 = quaternion[1] * quaternion[3];
+    const six_link_real t10 = quaternion[2] * quaternion[3];
+    const six_link_real t11 = quaternion[0] * quaternion[3];
+    const six_link_real t12 = quaternion[0] * quaternion[2];
+    const six_link_real t13 = quaternion[0] * quaternion[1];
+    const six_link_real t14 = (1 + t6 * (t3 - t7)) * gravity[0] + t6 * (t11 + t8) * gravity[1]
+        + t6 * (t9 - t12) * gravity[2];
+    const six_link_real t15 = t6 * (t8 - t11) * gravity[0] + (1 + t6 * (t4 - t7)) * gravity[1]
+        + t6 * (t13 + t10) * gravity[2];
+    const six_link_real t16 = t6 * (t12 + t9) * gravity[0] + t6 * (t10 - t13) * gravity[1]
+        + (1 + t6 * (t5 - t7)) * gravity[2];
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t13 - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - t14 - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - t15 - twist[1] * twist[3];
+    const six_link_real a_0_x = twist[1] * twist[5] - t14 - twist[2] * twist[4];
+    const six_link_real a_0_y = twist[2] * twist[3] - t15 - twist[0] * twist[5];
+    const six_link_real a_0_z = twist[0] * twist[4] - t16 - twist[1] * twist[3];
 
     /* Omega: centripetal operator */
     const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
@@ -6243,28 +8936,27 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
     const six_link_real Omega_xz = twist[0] * twist[2];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t16 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t16 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t16 * twist[1];
+    const six_link_real t17 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t17 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t17 * twist[1];
     const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
     const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = twist[4] + c->length * twist[2];
     const six_link_real v_T_z = twist[5] - c->length * twist[1];
 
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_11 = 1 + c->armature_1 - 1;
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
-    const six_link_real joint_H_1 = c->joint_damping_1 * qdot_1 - P_c_11 * base->b[0];
+    const six_link_real joint_H_1 = c->joint_damping_1 * t2 - P_c_11 * base->b[0];
     const six_link_real minus_joint_H_2 = R_rel_yy * base->b[1] + minus_R_rel_yz * base->b[2] + beta_omega_y;
-    const six_link_real t17 = -minus_joint_H_2;
+    const six_link_real t18 = -minus_joint_H_2;
     const six_link_real joint_H_3 = minus_R_rel_yz * base->b[1] - R_rel_yy * base->b[2] + minus_beta_omega_z;
-    const six_link_real t18 = -base->b[3];
+    const six_link_real t19 = -base->b[3];
     const six_link_real minus_joint_H_5 = beta_v_y + R_rel_yy * base->b[4] + minus_R_rel_yz * base->b[5];
-    const six_link_real t19 = -minus_joint_H_5;
+    const six_link_real t20 = -minus_joint_H_5;
     const six_link_real joint_H_6 = minus_beta_v_z + minus_R_rel_yz * base->b[4] - R_rel_yy * base->b[5];
 
     /* outputs */
@@ -6277,7 +8969,6 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
     tip->omega[1] = twist[1];
     tip->omega[2] = twist[2];
     tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
     M[place[0]] = 1;
     M[place[1]] = P_c_11;
@@ -6287,10 +8978,10 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
     M[place[5]] = 1;
     M[place[6]] = 1;
     H[0] = joint_H_1;
-    H[1] = t17;
+    H[1] = t18;
     H[2] = joint_H_3;
-    H[3] = t18;
-    H[4] = t19;
+    H[3] = t19;
+    H[4] = t20;
     H[5] = joint_H_6;
     W[0] = tau[0];
     W[1] = 0;
@@ -6298,88 +8989,27 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
     W[3] = 0;
     W[4] = 0;
     W[5] = 0;
-    base->X[0] = 1;
-    base->X[1] = 0;
-    base->X[2] = 0;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
-    base->X[6] = 0;
     base->X[7] = R_rel_yy;
     base->X[8] = minus_R_rel_yz;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
-    base->X[12] = 0;
     base->X[13] = t1;
     base->X[14] = R_rel_yy;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
-    base->X[18] = 0;
-    base->X[19] = 0;
-    base->X[20] = 0;
-    base->X[21] = 1;
-    base->X[22] = 0;
-    base->X[23] = 0;
-    base->X[24] = 0;
-    base->X[25] = 0;
-    base->X[26] = 0;
-    base->X[27] = 0;
     base->X[28] = R_rel_yy;
     base->X[29] = minus_R_rel_yz;
-    base->X[30] = 0;
-    base->X[31] = 0;
-    base->X[32] = 0;
-    base->X[33] = 0;
     base->X[34] = t1;
     base->X[35] = R_rel_yy;
     base->PX[0] = P_c_11;
-    base->PX[1] = 0;
-    base->PX[2] = 0;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
-    base->PX[6] = 0;
     base->PX[7] = R_rel_yy;
     base->PX[8] = minus_R_rel_yz;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
-    base->PX[12] = 0;
     base->PX[13] = t1;
     base->PX[14] = R_rel_yy;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
-    base->PX[18] = 0;
-    base->PX[19] = 0;
-    base->PX[20] = 0;
-    base->PX[21] = 1;
-    base->PX[22] = 0;
-    base->PX[23] = 0;
-    base->PX[24] = 0;
-    base->PX[25] = 0;
-    base->PX[26] = 0;
-    base->PX[27] = 0;
     base->PX[28] = R_rel_yy;
     base->PX[29] = minus_R_rel_yz;
-    base->PX[30] = 0;
-    base->PX[31] = 0;
-    base->PX[32] = 0;
-    base->PX[33] = 0;
     base->PX[34] = t1;
     base->PX[35] = R_rel_yy;
-    tip->b[0] = 0;
-    tip->b[1] = 0;
-    tip->b[2] = 0;
-    tip->b[3] = 0;
-    tip->b[4] = 0;
-    tip->b[5] = 0;
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like wrist_pitch: 137 operations */
+/* joint rows, links like wrist_pitch: 118 operations */
 static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
@@ -6393,42 +9023,42 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
     const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    const six_link_real qdot_1 = twist[1] - base->omega[1];
+    const six_link_real t2 = twist[1] - base->omega[1];
 
     /* v_R: velocity of the joint point */
     const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
     const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_omega_x = omega_R_z * qdot_1;
-    const six_link_real beta_omega_z = omega_R_x * qdot_1;
+    const six_link_real minus_beta_omega_x = omega_R_z * t2;
+    const six_link_real beta_omega_z = omega_R_x * t2;
 
     /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real minus_beta_v_x = qdot_1 * v_R_z;
-    const six_link_real beta_v_z = qdot_1 * v_R_x;
+    const six_link_real minus_beta_v_x = t2 * v_R_z;
+    const six_link_real beta_v_z = t2 * v_R_x;
 
-    const six_link_real t2 = quaternion[1] * quaternion[1];
-    const six_link_real t3 = quaternion[2] * quaternion[2];
-    const six_link_real t4 = quaternion[3] * quaternion[3];
-    const six_link_real t5 = 2 / (quaternion[0] * quaternion[0] + t2 + t3 + t4);
-    const six_link_real t6 = t2 + t3 + t4;
-    const six_link_real t7 = quaternion[1] * quaternion[2];
-    const six_link_real t8 = quaternion[1] * quaternion[3];
-    const six_link_real t9 = quaternion[2] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[3];
-    const six_link_real t11 = quaternion[0] * quaternion[2];
-    const six_link_real t12 = quaternion[0] * quaternion[1];
-    const six_link_real t13 = (1 + t5 * (t2 - t6)) * gravity[0] + t5 * (t10 + t7) * gravity[1]
-        + t5 * (t8 - t11) * gravity[2];
-    const six_link_real t14 = t5 * (t7 - t10) * gravity[0] + (1 + t5 * (t3 - t6)) * gravity[1]
-        + t5 * (t12 + t9) * gravity[2];
-    const six_link_real t15 = t5 * (t11 + t8) * gravity[0] + t5 * (t9 - t12) * gravity[1]
-        + (1 + t5 * (t4 - t6)) * gravity[2];
+    const six_link_real t3 = quaternion[1] * quaternion[1];
+    const six_link_real t4 = quaternion[2] * quaternion[2];
+    const six_link_real t5 = quaternion[3] * quaternion[3];
+    const six_link_real t6 = 2 / (quaternion[0] * quaternion[0] + t3 + t4 + t5);
+    const six_link_real t7 = t3 + t4 + t5;
+    const six_link_real t8 = quaternion[1] * quaternion[2];
+    const six_link_real t9 = quaternion[1] * quaternion[3];
+    const six_link_real t10 = quaternion[2] * quaternion[3];
+    const six_link_real t11 = quaternion[0] * quaternion[3];
+    const six_link_real t12 = quaternion[0] * quaternion[2];
+    const six_link_real t13 = quaternion[0] * quaternion[1];
+    const six_link_real t14 = (1 + t6 * (t3 - t7)) * gravity[0] + t6 * (t11 + t8) * gravity[1]
+        + t6 * (t9 - t12) * gravity[2];
+    const six_link_real t15 = t6 * (t8 - t11) * gravity[0] + (1 + t6 * (t4 - t7)) * gravity[1]
+        + t6 * (t13 + t10) * gravity[2];
+    const six_link_real t16 = t6 * (t12 + t9) * gravity[0] + t6 * (t10 - t13) * gravity[1]
+        + (1 + t6 * (t5 - t7)) * gravity[2];
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t13 - twist[2] * twist[4];
-    const six_link_real a_0_y = twist[2] * twist[3] - t14 - twist[0] * twist[5];
-    const six_link_real a_0_z = twist[0] * twist[4] - t15 - twist[1] * twist[3];
+    const six_link_real a_0_x = twist[1] * twist[5] - t14 - twist[2] * twist[4];
+    const six_link_real a_0_y = twist[2] * twist[3] - t15 - twist[0] * twist[5];
+    const six_link_real a_0_z = twist[0] * twist[4] - t16 - twist[1] * twist[3];
 
     /* Omega: centripetal operator */
     const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
@@ -6436,9 +9066,9 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     const six_link_real Omega_xz = twist[0] * twist[2];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t16 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t16 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t16 * twist[1];
+    const six_link_real t17 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t17 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t17 * twist[1];
     const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
     const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
@@ -6451,14 +9081,9 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     const six_link_real P_c_22 = 1 + c->armature_1 - 1;
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
-    const six_link_real joint_H_1 = R_rel_xz * base->b[2] - R_rel_xx * base->b[0] + minus_beta_omega_x;
-    const six_link_real joint_H_2 = c->joint_damping_1 * qdot_1 - P_c_22 * base->b[1];
-    const six_link_real minus_joint_H_3 = R_rel_xz * base->b[0] + R_rel_xx * base->b[2] + beta_omega_z;
-    const six_link_real t17 = -minus_joint_H_3;
-    const six_link_real joint_H_4 = minus_beta_v_x - R_rel_xx * base->b[3] + R_rel_xz * base->b[5];
-    const six_link_real t18 = -base->b[4];
-    const six_link_real minus_joint_H_6 = beta_v_z + R_rel_xz * base->b[3] + R_rel_xx * base->b[5];
-    const six_link_real t19 = -minus_joint_H_6;
+    const six_link_real joint_H_2 = c->joint_damping_1 * t2;
+    const six_link_real t18 = -beta_omega_z;
+    const six_link_real t19 = -beta_v_z;
 
     /* outputs */
     link->h_V[0] = H_star_2;
@@ -6469,7 +9094,6 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     tip->omega[0] = twist[0];
     tip->omega[1] = twist[1];
     tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
     tip->v[1] = v_T_y;
     tip->v[2] = v_T_z;
     M[place[0]] = 1;
@@ -6479,11 +9103,11 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     M[place[4]] = 1;
     M[place[5]] = 1;
     M[place[6]] = 1;
-    H[0] = joint_H_1;
+    H[0] = minus_beta_omega_x;
     H[1] = joint_H_2;
-    H[2] = t17;
-    H[3] = joint_H_4;
-    H[4] = t18;
+    H[2] = t18;
+    H[3] = minus_beta_v_x;
+    H[4] = 0;
     H[5] = t19;
     W[0] = 0;
     W[1] = tau[0];
@@ -6492,88 +9116,27 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     W[4] = 0;
     W[5] = 0;
     base->X[0] = R_rel_xx;
-    base->X[1] = 0;
     base->X[2] = t1;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
-    base->X[6] = 0;
-    base->X[7] = 1;
-    base->X[8] = 0;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
     base->X[12] = R_rel_xz;
-    base->X[13] = 0;
     base->X[14] = R_rel_xx;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
-    base->X[18] = 0;
-    base->X[19] = 0;
-    base->X[20] = 0;
     base->X[21] = R_rel_xx;
-    base->X[22] = 0;
     base->X[23] = t1;
-    base->X[24] = 0;
-    base->X[25] = 0;
-    base->X[26] = 0;
-    base->X[27] = 0;
-    base->X[28] = 1;
-    base->X[29] = 0;
-    base->X[30] = 0;
-    base->X[31] = 0;
-    base->X[32] = 0;
     base->X[33] = R_rel_xz;
-    base->X[34] = 0;
     base->X[35] = R_rel_xx;
     base->PX[0] = R_rel_xx;
-    base->PX[1] = 0;
     base->PX[2] = t1;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
-    base->PX[6] = 0;
     base->PX[7] = P_c_22;
-    base->PX[8] = 0;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
     base->PX[12] = R_rel_xz;
-    base->PX[13] = 0;
     base->PX[14] = R_rel_xx;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
-    base->PX[18] = 0;
-    base->PX[19] = 0;
-    base->PX[20] = 0;
     base->PX[21] = R_rel_xx;
-    base->PX[22] = 0;
     base->PX[23] = t1;
-    base->PX[24] = 0;
-    base->PX[25] = 0;
-    base->PX[26] = 0;
-    base->PX[27] = 0;
-    base->PX[28] = 1;
-    base->PX[29] = 0;
-    base->PX[30] = 0;
-    base->PX[31] = 0;
-    base->PX[32] = 0;
     base->PX[33] = R_rel_xz;
-    base->PX[34] = 0;
     base->PX[35] = R_rel_xx;
-    tip->b[0] = 0;
-    tip->b[1] = 0;
-    tip->b[2] = 0;
-    tip->b[3] = 0;
-    tip->b[4] = 0;
-    tip->b[5] = 0;
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like flange: 206 operations */
-static six_link_status joint_rows_flange_last(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
+/* joint rows, links like flange: 187 operations */
+static six_link_status joint_rows_flange(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -6586,44 +9149,44 @@ static six_link_status joint_rows_flange_last(const six_link_link_constants *c, 
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
     const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    const six_link_real qdot_1 = twist[0] - base->omega[0];
+    const six_link_real t2 = twist[0] - base->omega[0];
 
     /* v_R: velocity of the joint point */
     const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
     const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_omega_y = omega_R_z * qdot_1;
-    const six_link_real minus_beta_omega_z = omega_R_y * qdot_1;
+    const six_link_real beta_omega_y = omega_R_z * t2;
+    const six_link_real minus_beta_omega_z = omega_R_y * t2;
 
     /* beta_v: acceleration that the velocities cause at the joint (accconst4) */
-    const six_link_real beta_v_y = qdot_1 * v_R_z;
-    const six_link_real minus_beta_v_z = qdot_1 * v_R_y;
+    const six_link_real beta_v_y = t2 * v_R_z;
+    const six_link_real minus_beta_v_z = t2 * v_R_y;
 
-    const six_link_real t2 = quaternion[1] * quaternion[1];
-    const six_link_real t3 = quaternion[2] * quaternion[2];
-    const six_link_real t4 = quaternion[3] * quaternion[3];
-    const six_link_real t5 = 2 / (quaternion[0] * quaternion[0] + t2 + t3 + t4);
-    const six_link_real t6 = t2 + t3 + t4;
-    const six_link_real t7 = quaternion[1] * quaternion[2];
-    const six_link_real t8 = quaternion[1] * quaternion[3];
-    const six_link_real t9 = quaternion[2] * quaternion[3];
-    const six_link_real t10 = quaternion[0] * quaternion[3];
-    const six_link_real t11 = quaternion[0] * quaternion[2];
-    const six_link_real t12 = quaternion[0] * quaternion[1];
-    const six_link_real t13 = (1 + t5 * (t2 - t6)) * gravity[0] + t5 * (t10 + t7) * gravity[1]
-        + t5 * (t8 - t11) * gravity[2];
-    const six_link_real t14 = t5 * (t7 - t10) * gravity[0] + (1 + t5 * (t3 - t6)) * gravity[1]
-        + t5 * (t12 + t9) * gravity[2];
-    const six_link_real t15 = t5 * (t11 + t8) * gravity[0] + t5 * (t9 - t12) * gravity[1]
-        + (1 + t5 * (t4 - t6)) * gravity[2];
+    const six_link_real t3 = quaternion[1] * quaternion[1];
+    const six_link_real t4 = quaternion[2] * quaternion[2];
+    const six_link_real t5 = quaternion[3] * quaternion[3];
+    const six_link_real t6 = 2 / (quaternion[0] * quaternion[0] + t3 + t4 + t5);
+    const six_link_real t7 = t3 + t4 + t5;
+    const six_link_real t8 = quaternion[1] * quaternion[2];
+    const six_link_real t9 = quaternion[1] * quaternion[3];
+    const six_link_real t10 = quaternion[2] * quaternion[3];
+    const six_link_real t11 = quaternion[0] * quaternion[3];
+    const six_link_real t12 = quaternion[0] * quaternion[2];
+    const six_link_real t13 = quaternion[0] * quaternion[1];
+    const six_link_real t14 = (1 + t6 * (t3 - t7)) * gravity[0] + t6 * (t11 + t8) * gravity[1]
+        + t6 * (t9 - t12) * gravity[2];
+    const six_link_real t15 = t6 * (t8 - t11) * gravity[0] + (1 + t6 * (t4 - t7)) * gravity[1]
+        + t6 * (t13 + t10) * gravity[2];
+    const six_link_real t16 = t6 * (t12 + t9) * gravity[0] + t6 * (t10 - t13) * gravity[1]
+        + (1 + t6 * (t5 - t7)) * gravity[2];
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
-    const six_link_real a_0_x = twist[1] * twist[5] - t13 - twist[2] * twist[4];
-    const six_link_real t16 = twist[2] * twist[3] - t14;
-    const six_link_real a_0_y = t16 - twist[0] * twist[5];
-    const six_link_real t17 = twist[1] * twist[3];
-    const six_link_real a_0_z = twist[0] * twist[4] - t15 - t17;
+    const six_link_real a_0_x = twist[1] * twist[5] - t14 - twist[2] * twist[4];
+    const six_link_real t17 = twist[2] * twist[3] - t15;
+    const six_link_real a_0_y = t17 - twist[0] * twist[5];
+    const six_link_real t18 = twist[1] * twist[3];
+    const six_link_real a_0_z = twist[0] * twist[4] - t16 - t18;
 
     /* Omega: centripetal operator */
     const six_link_real minus_Omega_xx = twist[1] * twist[1] + twist[2] * twist[2];
@@ -6631,9 +9194,9 @@ static six_link_status joint_rows_flange_last(const six_link_link_constants *c, 
     const six_link_real Omega_xz = twist[0] * twist[2];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t18 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t18 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t18 * twist[1];
+    const six_link_real t19 = c->I_s * twist[0];
+    const six_link_real H_star_2 = t19 * twist[2] - c->J_0_xx * Omega_xz - c->S_0_x * a_0_z;
+    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * a_0_y - t19 * twist[1];
     const six_link_real H_star_4 = a_0_x * c->mu - minus_Omega_xx * c->S_0_x;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x + a_0_y * c->mu;
     const six_link_real H_star_6 = Omega_xz * c->S_0_x + a_0_z * c->mu;
@@ -6643,38 +9206,33 @@ static six_link_status joint_rows_flange_last(const six_link_link_constants *c, 
     const six_link_real v_T_z = twist[5] - c->length * twist[1];
 
     /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const six_link_real a_T_x = twist[1] * v_T_z - t13 - twist[2] * v_T_y;
-    const six_link_real a_T_y = t16 - twist[0] * v_T_z;
-    const six_link_real a_T_z = twist[0] * v_T_y - t15 - t17;
+    const six_link_real a_T_x = twist[1] * v_T_z - t14 - twist[2] * v_T_y;
+    const six_link_real a_T_y = t17 - twist[0] * v_T_z;
+    const six_link_real a_T_z = twist[0] * v_T_y - t16 - t18;
 
     /* h_T_tau: moment that the bodies' velocities and weight need */
-    const six_link_real t19 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
-    const six_link_real t20 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
-    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t19 - c->S_T_z * a_T_y - twist[2] * t20;
-    const six_link_real t21 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
-    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t21 - c->S_T_x * a_T_z - twist[0] * t19;
-    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t20 - c->S_T_y * a_T_x - twist[1] * t21;
+    const six_link_real t20 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
+    const six_link_real t21 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
+    const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t20 - c->S_T_z * a_T_y - twist[2] * t21;
+    const six_link_real t22 = c->I_T_xx * twist[0] - c->J_T_xy * twist[1] - c->J_T_xz * twist[2];
+    const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t22 - c->S_T_x * a_T_z - twist[0] * t20;
+    const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t21 - c->S_T_y * a_T_x - twist[1] * t22;
 
     /* h_T_F: force that the bodies' velocities and weight need */
-    const six_link_real t22 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
-    const six_link_real t23 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
-    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t22 - twist[2] * t23;
-    const six_link_real t24 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
-    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t24 - twist[0] * t22;
-    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t23 - twist[1] * t24;
+    const six_link_real t23 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
+    const six_link_real t24 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
+    const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t23 - twist[2] * t24;
+    const six_link_real t25 = c->S_T_z * twist[1] - c->S_T_y * twist[2];
+    const six_link_real h_T_F_y = a_T_y * c->body0_mass + twist[2] * t25 - twist[0] * t23;
+    const six_link_real h_T_F_z = a_T_z * c->body0_mass + twist[0] * t24 - twist[1] * t25;
 
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_11 = 1 + c->armature_1 - 1;
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
-    const six_link_real joint_H_1 = c->joint_damping_1 * qdot_1 - P_c_11 * base->b[0];
-    const six_link_real minus_joint_H_2 = R_rel_yy * base->b[1] + minus_R_rel_yz * base->b[2] + beta_omega_y;
-    const six_link_real t25 = -minus_joint_H_2;
-    const six_link_real joint_H_3 = minus_R_rel_yz * base->b[1] - R_rel_yy * base->b[2] + minus_beta_omega_z;
-    const six_link_real t26 = -base->b[3];
-    const six_link_real minus_joint_H_5 = beta_v_y + R_rel_yy * base->b[4] + minus_R_rel_yz * base->b[5];
-    const six_link_real t27 = -minus_joint_H_5;
-    const six_link_real joint_H_6 = minus_beta_v_z + minus_R_rel_yz * base->b[4] - R_rel_yy * base->b[5];
+    const six_link_real joint_H_1 = c->joint_damping_1 * t2;
+    const six_link_real t26 = -beta_omega_y;
+    const six_link_real t27 = -beta_v_y;
 
     /* outputs */
     link->h_V[0] = H_star_2;
@@ -6682,12 +9240,6 @@ static six_link_status joint_rows_flange_last(const six_link_link_constants *c, 
     link->h_V[2] = H_star_4;
     link->h_V[3] = H_star_5;
     link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
     link->h_T[0] = h_T_tau_x;
     link->h_T[1] = h_T_tau_y;
     link->h_T[2] = h_T_tau_z;
@@ -6702,99 +9254,38 @@ static six_link_status joint_rows_flange_last(const six_link_link_constants *c, 
     M[place[5]] = 1;
     M[place[6]] = 1;
     H[0] = joint_H_1;
-    H[1] = t25;
-    H[2] = joint_H_3;
-    H[3] = t26;
+    H[1] = t26;
+    H[2] = minus_beta_omega_z;
+    H[3] = 0;
     H[4] = t27;
-    H[5] = joint_H_6;
+    H[5] = minus_beta_v_z;
     W[0] = tau[0];
     W[1] = 0;
     W[2] = 0;
     W[3] = 0;
     W[4] = 0;
     W[5] = 0;
-    base->X[0] = 1;
-    base->X[1] = 0;
-    base->X[2] = 0;
-    base->X[3] = 0;
-    base->X[4] = 0;
-    base->X[5] = 0;
-    base->X[6] = 0;
     base->X[7] = R_rel_yy;
     base->X[8] = minus_R_rel_yz;
-    base->X[9] = 0;
-    base->X[10] = 0;
-    base->X[11] = 0;
-    base->X[12] = 0;
     base->X[13] = t1;
     base->X[14] = R_rel_yy;
-    base->X[15] = 0;
-    base->X[16] = 0;
-    base->X[17] = 0;
-    base->X[18] = 0;
-    base->X[19] = 0;
-    base->X[20] = 0;
-    base->X[21] = 1;
-    base->X[22] = 0;
-    base->X[23] = 0;
-    base->X[24] = 0;
-    base->X[25] = 0;
-    base->X[26] = 0;
-    base->X[27] = 0;
     base->X[28] = R_rel_yy;
     base->X[29] = minus_R_rel_yz;
-    base->X[30] = 0;
-    base->X[31] = 0;
-    base->X[32] = 0;
-    base->X[33] = 0;
     base->X[34] = t1;
     base->X[35] = R_rel_yy;
     base->PX[0] = P_c_11;
-    base->PX[1] = 0;
-    base->PX[2] = 0;
-    base->PX[3] = 0;
-    base->PX[4] = 0;
-    base->PX[5] = 0;
-    base->PX[6] = 0;
     base->PX[7] = R_rel_yy;
     base->PX[8] = minus_R_rel_yz;
-    base->PX[9] = 0;
-    base->PX[10] = 0;
-    base->PX[11] = 0;
-    base->PX[12] = 0;
     base->PX[13] = t1;
     base->PX[14] = R_rel_yy;
-    base->PX[15] = 0;
-    base->PX[16] = 0;
-    base->PX[17] = 0;
-    base->PX[18] = 0;
-    base->PX[19] = 0;
-    base->PX[20] = 0;
-    base->PX[21] = 1;
-    base->PX[22] = 0;
-    base->PX[23] = 0;
-    base->PX[24] = 0;
-    base->PX[25] = 0;
-    base->PX[26] = 0;
-    base->PX[27] = 0;
     base->PX[28] = R_rel_yy;
     base->PX[29] = minus_R_rel_yz;
-    base->PX[30] = 0;
-    base->PX[31] = 0;
-    base->PX[32] = 0;
-    base->PX[33] = 0;
     base->PX[34] = t1;
     base->PX[35] = R_rel_yy;
-    tip->b[0] = 0;
-    tip->b[1] = 0;
-    tip->b[2] = 0;
-    tip->b[3] = 0;
-    tip->b[4] = 0;
-    tip->b[5] = 0;
     return SIX_LINK_OK;
 }
 
-/* link rows, links like shoulder: 113 operations */
+/* link rows, links like shoulder: 60 operations */
 static six_link_status link_rows_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
@@ -6820,62 +9311,29 @@ static six_link_status link_rows_shoulder(const six_link_link_constants *c, cons
     const six_link_real V_V_44 = c->mu + c->body0_mass;
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real V_next_21 = tip->X[1] - c->length * tip->X[5];
-    const six_link_real V_next_22 = tip->X[7] - c->length * tip->X[11];
-    const six_link_real V_next_23 = tip->X[13] - c->length * tip->X[17];
     const six_link_real V_next_24 = tip->X[19] - c->length * tip->X[23];
-    const six_link_real V_next_25 = tip->X[25] - c->length * tip->X[29];
     const six_link_real V_next_26 = tip->X[31] - c->length * tip->X[35];
-    const six_link_real V_next_31 = c->length * tip->X[4] + tip->X[2];
-    const six_link_real V_next_32 = c->length * tip->X[10] + tip->X[8];
-    const six_link_real V_next_33 = c->length * tip->X[16] + tip->X[14];
-    const six_link_real V_next_34 = c->length * tip->X[22] + tip->X[20];
-    const six_link_real V_next_35 = c->length * tip->X[28] + tip->X[26];
-    const six_link_real V_next_36 = c->length * tip->X[34] + tip->X[32];
+    const six_link_real V_next_35 = c->length + tip->X[26];
 
     /* next_V: next joint's rows, twist columns (100) */
     const six_link_real t10 = -tip->PX[0];
-    const six_link_real next_V_12 = c->length * tip->PX[5] - tip->PX[1];
-    const six_link_real minus_next_V_13 = c->length * tip->PX[4] + tip->PX[2];
-    const six_link_real t11 = -minus_next_V_13;
-    const six_link_real t12 = -tip->PX[3];
-    const six_link_real t13 = -tip->PX[4];
-    const six_link_real t14 = -tip->PX[5];
-    const six_link_real t15 = -tip->PX[6];
-    const six_link_real next_V_22 = c->length * tip->PX[11] - tip->PX[7];
-    const six_link_real minus_next_V_23 = c->length * tip->PX[10] + tip->PX[8];
-    const six_link_real t16 = -minus_next_V_23;
-    const six_link_real t17 = -tip->PX[9];
-    const six_link_real t18 = -tip->PX[10];
-    const six_link_real t19 = -tip->PX[11];
-    const six_link_real t20 = -tip->PX[12];
-    const six_link_real next_V_32 = c->length * tip->PX[17] - tip->PX[13];
-    const six_link_real minus_next_V_33 = c->length * tip->PX[16] + tip->PX[14];
-    const six_link_real t21 = -minus_next_V_33;
-    const six_link_real t22 = -tip->PX[15];
-    const six_link_real t23 = -tip->PX[16];
-    const six_link_real t24 = -tip->PX[17];
-    const six_link_real t25 = -tip->PX[18];
+    const six_link_real t11 = -tip->PX[2];
+    const six_link_real t12 = -tip->PX[7];
+    const six_link_real t13 = -tip->PX[12];
+    const six_link_real t14 = -tip->PX[14];
+    const six_link_real t15 = -tip->PX[18];
     const six_link_real next_V_42 = c->length * tip->PX[23] - tip->PX[19];
-    const six_link_real minus_next_V_43 = c->length * tip->PX[22] + tip->PX[20];
-    const six_link_real t26 = -minus_next_V_43;
-    const six_link_real t27 = -tip->PX[21];
-    const six_link_real t28 = -tip->PX[22];
-    const six_link_real t29 = -tip->PX[23];
-    const six_link_real t30 = -tip->PX[24];
-    const six_link_real next_V_52 = c->length * tip->PX[29] - tip->PX[25];
-    const six_link_real minus_next_V_53 = c->length * tip->PX[28] + tip->PX[26];
-    const six_link_real t31 = -minus_next_V_53;
-    const six_link_real t32 = -tip->PX[27];
-    const six_link_real t33 = -tip->PX[28];
-    const six_link_real t34 = -tip->PX[29];
-    const six_link_real t35 = -tip->PX[30];
+    const six_link_real t16 = -tip->PX[20];
+    const six_link_real t17 = -tip->PX[21];
+    const six_link_real t18 = -tip->PX[23];
+    const six_link_real t19 = -tip->PX[24];
+    const six_link_real minus_next_V_53 = c->length + tip->PX[26];
+    const six_link_real t20 = -minus_next_V_53;
+    const six_link_real t21 = -tip->PX[30];
     const six_link_real next_V_62 = c->length * tip->PX[35] - tip->PX[31];
-    const six_link_real minus_next_V_63 = c->length * tip->PX[34] + tip->PX[32];
-    const six_link_real t36 = -minus_next_V_63;
-    const six_link_real t37 = -tip->PX[33];
-    const six_link_real t38 = -tip->PX[34];
-    const six_link_real t39 = -tip->PX[35];
+    const six_link_real t22 = -tip->PX[32];
+    const six_link_real t23 = -tip->PX[33];
+    const six_link_real t24 = -tip->PX[35];
 
     /* V_H: bias of the twist rows (100) */
     const six_link_real V_H_2 = link->h_V[0] - c->length * link->h_T[5] + link->h_T[1];
@@ -6890,107 +9348,71 @@ static six_link_status link_rows_shoulder(const six_link_link_constants *c, cons
 
     /* outputs */
     M[place[7]] = t10;
-    M[place[8]] = next_V_12;
-    M[place[9]] = t11;
-    M[place[10]] = t12;
-    M[place[11]] = t13;
-    M[place[12]] = t14;
-    M[place[13]] = t15;
-    M[place[14]] = next_V_22;
-    M[place[15]] = t16;
-    M[place[16]] = t17;
-    M[place[17]] = t18;
-    M[place[18]] = t19;
-    M[place[19]] = t20;
-    M[place[20]] = next_V_32;
-    M[place[21]] = t21;
+    M[place[8]] = t11;
+    M[place[9]] = t12;
+    M[place[10]] = t13;
+    M[place[11]] = t14;
+    M[place[12]] = t15;
+    M[place[13]] = next_V_42;
+    M[place[14]] = t16;
+    M[place[15]] = t17;
+    M[place[16]] = t18;
+    M[place[17]] = t19;
+    M[place[18]] = t20;
+    M[place[19]] = -1;
+    M[place[20]] = t21;
+    M[place[21]] = next_V_62;
     M[place[22]] = t22;
     M[place[23]] = t23;
     M[place[24]] = t24;
-    M[place[25]] = t25;
-    M[place[26]] = next_V_42;
-    M[place[27]] = t26;
-    M[place[28]] = t27;
-    M[place[29]] = t28;
-    M[place[30]] = t29;
-    M[place[31]] = t30;
-    M[place[32]] = next_V_52;
-    M[place[33]] = t31;
-    M[place[34]] = t32;
-    M[place[35]] = t33;
-    M[place[36]] = t34;
-    M[place[37]] = t35;
-    M[place[38]] = next_V_62;
-    M[place[39]] = t36;
-    M[place[40]] = t37;
-    M[place[41]] = t38;
-    M[place[42]] = t39;
-    M[place[43]] = -1;
-    M[place[44]] = -1;
-    M[place[45]] = -1;
-    M[place[46]] = -1;
-    M[place[47]] = -1;
-    M[place[48]] = -1;
-    M[place[49]] = V_V_11;
-    M[place[50]] = t4;
-    M[place[51]] = t5;
-    M[place[52]] = t1;
-    M[place[53]] = c->S_T_y;
-    M[place[54]] = t4;
-    M[place[55]] = V_V_22;
-    M[place[56]] = t2;
-    M[place[57]] = c->S_T_z;
-    M[place[58]] = t9;
-    M[place[59]] = t5;
-    M[place[60]] = t2;
-    M[place[61]] = V_V_33;
-    M[place[62]] = t3;
-    M[place[63]] = minus_V_V_26;
-    M[place[64]] = c->S_T_z;
-    M[place[65]] = t3;
-    M[place[66]] = V_V_44;
-    M[place[67]] = t1;
-    M[place[68]] = minus_V_V_26;
-    M[place[69]] = V_V_44;
-    M[place[70]] = c->S_T_y;
-    M[place[71]] = t9;
-    M[place[72]] = V_V_44;
-    M[place[73]] = tip->X[0];
-    M[place[74]] = tip->X[6];
-    M[place[75]] = tip->X[12];
-    M[place[76]] = tip->X[18];
-    M[place[77]] = tip->X[24];
-    M[place[78]] = tip->X[30];
-    M[place[79]] = V_next_21;
-    M[place[80]] = V_next_22;
-    M[place[81]] = V_next_23;
-    M[place[82]] = V_next_24;
-    M[place[83]] = V_next_25;
-    M[place[84]] = V_next_26;
-    M[place[85]] = V_next_31;
-    M[place[86]] = V_next_32;
-    M[place[87]] = V_next_33;
-    M[place[88]] = V_next_34;
-    M[place[89]] = V_next_35;
-    M[place[90]] = V_next_36;
-    M[place[91]] = tip->X[3];
-    M[place[92]] = tip->X[9];
-    M[place[93]] = tip->X[15];
-    M[place[94]] = tip->X[21];
-    M[place[95]] = tip->X[27];
-    M[place[96]] = tip->X[33];
-    M[place[97]] = tip->X[4];
-    M[place[98]] = tip->X[10];
-    M[place[99]] = tip->X[16];
-    M[place[100]] = tip->X[22];
-    M[place[101]] = tip->X[28];
-    M[place[102]] = tip->X[34];
-    M[place[103]] = tip->X[5];
-    M[place[104]] = tip->X[11];
-    M[place[105]] = tip->X[17];
-    M[place[106]] = tip->X[23];
-    M[place[107]] = tip->X[29];
-    M[place[108]] = tip->X[35];
+    M[place[25]] = -1;
+    M[place[26]] = -1;
+    M[place[27]] = -1;
+    M[place[28]] = -1;
+    M[place[29]] = -1;
+    M[place[30]] = -1;
+    M[place[31]] = V_V_11;
+    M[place[32]] = t4;
+    M[place[33]] = t5;
+    M[place[34]] = t1;
+    M[place[35]] = c->S_T_y;
+    M[place[36]] = t4;
+    M[place[37]] = V_V_22;
+    M[place[38]] = t2;
+    M[place[39]] = c->S_T_z;
+    M[place[40]] = t9;
+    M[place[41]] = t5;
+    M[place[42]] = t2;
+    M[place[43]] = V_V_33;
+    M[place[44]] = t3;
+    M[place[45]] = minus_V_V_26;
+    M[place[46]] = c->S_T_z;
+    M[place[47]] = t3;
+    M[place[48]] = V_V_44;
+    M[place[49]] = t1;
+    M[place[50]] = minus_V_V_26;
+    M[place[51]] = V_V_44;
+    M[place[52]] = c->S_T_y;
+    M[place[53]] = t9;
+    M[place[54]] = V_V_44;
+    M[place[55]] = tip->X[0];
+    M[place[56]] = tip->X[12];
+    M[place[57]] = tip->X[18];
+    M[place[58]] = tip->X[24];
+    M[place[59]] = tip->X[30];
+    M[place[60]] = 1;
+    M[place[61]] = V_next_24;
+    M[place[62]] = V_next_26;
+    M[place[63]] = tip->X[2];
+    M[place[64]] = tip->X[14];
+    M[place[65]] = tip->X[20];
+    M[place[66]] = V_next_35;
+    M[place[67]] = tip->X[32];
+    M[place[68]] = tip->X[21];
+    M[place[69]] = tip->X[33];
+    M[place[70]] = 1;
+    M[place[71]] = tip->X[23];
+    M[place[72]] = tip->X[35];
     H[6] = link->h_T[0];
     H[7] = V_H_2;
     H[8] = V_H_3;
@@ -7006,7 +9428,7 @@ static six_link_status link_rows_shoulder(const six_link_link_constants *c, cons
     return SIX_LINK_OK;
 }
 
-/* link rows, links like upper_arm: 1869 operations */
+/* link rows, links like upper_arm: 1590 operations */
 static six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real w_ext[6],
     six_link_real eta_H[3], six_link_real eta_W[3], const int *place, six_link_real *M,
@@ -7028,17 +9450,17 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     const six_link_real J_TV_63 = link->R_T[5] * c->length - link->R_T[2] * link->r_T[0];
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const six_link_real t3 = link->G[2] * c->Psi_c_z1;
-    const six_link_real t4 = link->G[5] * c->Psi_c_z1;
-    const six_link_real t5 = link->G[8] * c->Psi_c_z1;
+    const six_link_real t3 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real t4 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real t5 = link->J_l[8] * c->Psi_c_z1;
     const six_link_real J_Teta_11 = link->R_T[0] * t3 + link->R_T[3] * t4 + link->R_T[6] * t5;
-    const six_link_real t6 = link->G[1] * c->Psi_c_y2;
-    const six_link_real t7 = link->G[4] * c->Psi_c_y2;
-    const six_link_real t8 = link->G[7] * c->Psi_c_y2;
+    const six_link_real t6 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real t7 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real t8 = link->J_l[7] * c->Psi_c_y2;
     const six_link_real J_Teta_12 = link->R_T[0] * t6 + link->R_T[3] * t7 + link->R_T[6] * t8;
-    const six_link_real t9 = link->G[0] * REAL(1.4142135623730951);
-    const six_link_real t10 = link->G[3] * REAL(1.4142135623730951);
-    const six_link_real t11 = link->G[6] * REAL(1.4142135623730951);
+    const six_link_real t9 = link->J_l[0] * REAL(1.4142135623730951);
+    const six_link_real t10 = link->J_l[3] * REAL(1.4142135623730951);
+    const six_link_real t11 = link->J_l[6] * REAL(1.4142135623730951);
     const six_link_real J_Teta_13 = link->R_T[0] * t9 + link->R_T[3] * t10 + link->R_T[6] * t11;
     const six_link_real J_Teta_21 = link->R_T[1] * t3 + link->R_T[4] * t4 + link->R_T[7] * t5;
     const six_link_real J_Teta_22 = link->R_T[1] * t6 + link->R_T[4] * t7 + link->R_T[7] * t8;
@@ -7224,90 +9646,63 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
         + J_Teta_33 * (J_Teta_33 * c->I_T_zz - (J_Teta_13 * c->J_T_xz + J_Teta_23 * c->J_T_yz));
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real t90 = J_TV_41 * tip->X[3] + J_TV_51 * tip->X[4] + J_TV_61 * tip->X[5]
-        + link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1];
-    const six_link_real V_next_11 = t90 + link->R_T[2] * tip->X[2];
-    const six_link_real t91 = J_TV_41 * tip->X[9] + J_TV_51 * tip->X[10] + J_TV_61 * tip->X[11]
-        + link->R_T[0] * tip->X[6] + link->R_T[1] * tip->X[7];
-    const six_link_real V_next_12 = t91 + link->R_T[2] * tip->X[8];
-    const six_link_real t92 = J_TV_41 * tip->X[15] + J_TV_51 * tip->X[16] + J_TV_61 * tip->X[17]
-        + link->R_T[0] * tip->X[12] + link->R_T[1] * tip->X[13];
-    const six_link_real V_next_13 = t92 + link->R_T[2] * tip->X[14];
-    const six_link_real t93 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22] + J_TV_61 * tip->X[23]
+    const six_link_real V_next_11 = link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1]
+        + link->R_T[2] * tip->X[2];
+    const six_link_real V_next_12 = link->R_T[0] * tip->X[6] + link->R_T[1] * tip->X[7]
+        + link->R_T[2] * tip->X[8];
+    const six_link_real V_next_13 = link->R_T[0] * tip->X[12] + link->R_T[1] * tip->X[13]
+        + link->R_T[2] * tip->X[14];
+    const six_link_real t90 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22] + J_TV_61 * tip->X[23]
         + link->R_T[0] * tip->X[18] + link->R_T[1] * tip->X[19];
-    const six_link_real V_next_14 = t93 + link->R_T[2] * tip->X[20];
-    const six_link_real t94 = J_TV_41 * tip->X[27] + J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29]
+    const six_link_real V_next_14 = t90 + link->R_T[2] * tip->X[20];
+    const six_link_real t91 = J_TV_41 * tip->X[27] + J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29]
         + link->R_T[0] * tip->X[24] + link->R_T[1] * tip->X[25];
-    const six_link_real V_next_15 = t94 + link->R_T[2] * tip->X[26];
-    const six_link_real t95 = J_TV_41 * tip->X[33] + J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35]
+    const six_link_real V_next_15 = t91 + link->R_T[2] * tip->X[26];
+    const six_link_real t92 = J_TV_41 * tip->X[33] + J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35]
         + link->R_T[0] * tip->X[30] + link->R_T[1] * tip->X[31];
-    const six_link_real V_next_16 = t95 + link->R_T[2] * tip->X[32];
-    const six_link_real t96 = J_TV_42 * tip->X[3] + J_TV_52 * tip->X[4] + J_TV_62 * tip->X[5]
-        + link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1];
-    const six_link_real V_next_21 = t96 + link->R_T[5] * tip->X[2];
-    const six_link_real t97 = J_TV_42 * tip->X[9] + J_TV_52 * tip->X[10] + J_TV_62 * tip->X[11]
-        + link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7];
-    const six_link_real V_next_22 = t97 + link->R_T[5] * tip->X[8];
-    const six_link_real t98 = J_TV_42 * tip->X[15] + J_TV_52 * tip->X[16] + J_TV_62 * tip->X[17]
-        + link->R_T[3] * tip->X[12] + link->R_T[4] * tip->X[13];
-    const six_link_real V_next_23 = t98 + link->R_T[5] * tip->X[14];
-    const six_link_real t99 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
+    const six_link_real V_next_16 = t92 + link->R_T[2] * tip->X[32];
+    const six_link_real V_next_21 = link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1]
+        + link->R_T[5] * tip->X[2];
+    const six_link_real V_next_22 = link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7]
+        + link->R_T[5] * tip->X[8];
+    const six_link_real V_next_23 = link->R_T[3] * tip->X[12] + link->R_T[4] * tip->X[13]
+        + link->R_T[5] * tip->X[14];
+    const six_link_real t93 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
         + link->R_T[3] * tip->X[18] + link->R_T[4] * tip->X[19];
-    const six_link_real V_next_24 = t99 + link->R_T[5] * tip->X[20];
-    const six_link_real t100 = J_TV_42 * tip->X[27] + J_TV_52 * tip->X[28] + J_TV_62 * tip->X[29]
+    const six_link_real V_next_24 = t93 + link->R_T[5] * tip->X[20];
+    const six_link_real t94 = J_TV_42 * tip->X[27] + J_TV_52 * tip->X[28] + J_TV_62 * tip->X[29]
         + link->R_T[3] * tip->X[24] + link->R_T[4] * tip->X[25];
-    const six_link_real V_next_25 = t100 + link->R_T[5] * tip->X[26];
-    const six_link_real t101 = J_TV_42 * tip->X[33] + J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
+    const six_link_real V_next_25 = t94 + link->R_T[5] * tip->X[26];
+    const six_link_real t95 = J_TV_42 * tip->X[33] + J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
         + link->R_T[3] * tip->X[30] + link->R_T[4] * tip->X[31];
-    const six_link_real V_next_26 = t101 + link->R_T[5] * tip->X[32];
-    const six_link_real t102 = J_TV_43 * tip->X[3] + J_TV_53 * tip->X[4] + J_TV_63 * tip->X[5]
-        + link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1];
-    const six_link_real V_next_31 = t102 + link->R_T[8] * tip->X[2];
-    const six_link_real t103 = J_TV_43 * tip->X[9] + J_TV_53 * tip->X[10] + J_TV_63 * tip->X[11]
-        + link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7];
-    const six_link_real V_next_32 = t103 + link->R_T[8] * tip->X[8];
-    const six_link_real t104 = J_TV_43 * tip->X[15] + J_TV_53 * tip->X[16] + J_TV_63 * tip->X[17]
-        + link->R_T[6] * tip->X[12] + link->R_T[7] * tip->X[13];
-    const six_link_real V_next_33 = t104 + link->R_T[8] * tip->X[14];
-    const six_link_real t105 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
+    const six_link_real V_next_26 = t95 + link->R_T[5] * tip->X[32];
+    const six_link_real V_next_31 = link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1]
+        + link->R_T[8] * tip->X[2];
+    const six_link_real V_next_32 = link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7]
+        + link->R_T[8] * tip->X[8];
+    const six_link_real V_next_33 = link->R_T[6] * tip->X[12] + link->R_T[7] * tip->X[13]
+        + link->R_T[8] * tip->X[14];
+    const six_link_real t96 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
         + link->R_T[6] * tip->X[18] + link->R_T[7] * tip->X[19];
-    const six_link_real V_next_34 = t105 + link->R_T[8] * tip->X[20];
-    const six_link_real t106 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29]
+    const six_link_real V_next_34 = t96 + link->R_T[8] * tip->X[20];
+    const six_link_real t97 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29]
         + link->R_T[6] * tip->X[24] + link->R_T[7] * tip->X[25];
-    const six_link_real V_next_35 = t106 + link->R_T[8] * tip->X[26];
-    const six_link_real t107 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
+    const six_link_real V_next_35 = t97 + link->R_T[8] * tip->X[26];
+    const six_link_real t98 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
         + link->R_T[6] * tip->X[30] + link->R_T[7] * tip->X[31];
-    const six_link_real V_next_36 = t107 + link->R_T[8] * tip->X[32];
-    const six_link_real V_next_41 = link->R_T[0] * tip->X[3] + link->R_T[1] * tip->X[4]
-        + link->R_T[2] * tip->X[5];
-    const six_link_real V_next_42 = link->R_T[0] * tip->X[9] + link->R_T[1] * tip->X[10]
-        + link->R_T[2] * tip->X[11];
-    const six_link_real V_next_43 = link->R_T[0] * tip->X[15] + link->R_T[1] * tip->X[16]
-        + link->R_T[2] * tip->X[17];
+    const six_link_real V_next_36 = t98 + link->R_T[8] * tip->X[32];
     const six_link_real V_next_44 = link->R_T[0] * tip->X[21] + link->R_T[1] * tip->X[22]
         + link->R_T[2] * tip->X[23];
     const six_link_real V_next_45 = link->R_T[0] * tip->X[27] + link->R_T[1] * tip->X[28]
         + link->R_T[2] * tip->X[29];
     const six_link_real V_next_46 = link->R_T[0] * tip->X[33] + link->R_T[1] * tip->X[34]
         + link->R_T[2] * tip->X[35];
-    const six_link_real V_next_51 = link->R_T[3] * tip->X[3] + link->R_T[4] * tip->X[4]
-        + link->R_T[5] * tip->X[5];
-    const six_link_real V_next_52 = link->R_T[3] * tip->X[9] + link->R_T[4] * tip->X[10]
-        + link->R_T[5] * tip->X[11];
-    const six_link_real V_next_53 = link->R_T[3] * tip->X[15] + link->R_T[4] * tip->X[16]
-        + link->R_T[5] * tip->X[17];
     const six_link_real V_next_54 = link->R_T[3] * tip->X[21] + link->R_T[4] * tip->X[22]
         + link->R_T[5] * tip->X[23];
     const six_link_real V_next_55 = link->R_T[3] * tip->X[27] + link->R_T[4] * tip->X[28]
         + link->R_T[5] * tip->X[29];
     const six_link_real V_next_56 = link->R_T[3] * tip->X[33] + link->R_T[4] * tip->X[34]
         + link->R_T[5] * tip->X[35];
-    const six_link_real V_next_61 = link->R_T[6] * tip->X[3] + link->R_T[7] * tip->X[4]
-        + link->R_T[8] * tip->X[5];
-    const six_link_real V_next_62 = link->R_T[6] * tip->X[9] + link->R_T[7] * tip->X[10]
-        + link->R_T[8] * tip->X[11];
-    const six_link_real V_next_63 = link->R_T[6] * tip->X[15] + link->R_T[7] * tip->X[16]
-        + link->R_T[8] * tip->X[17];
     const six_link_real V_next_64 = link->R_T[6] * tip->X[21] + link->R_T[7] * tip->X[22]
         + link->R_T[8] * tip->X[23];
     const six_link_real V_next_65 = link->R_T[6] * tip->X[27] + link->R_T[7] * tip->X[28]
@@ -7316,42 +9711,30 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
         + link->R_T[8] * tip->X[35];
 
     /* eta_next: modal rows, columns of the next joint's wrench (100) */
-    const six_link_real t108 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1] + J_Teta_31 * tip->X[2]
-        + J_Teta_41 * tip->X[3] + J_Teta_51 * tip->X[4];
-    const six_link_real eta_next_11 = t108 + J_Teta_61 * tip->X[5];
-    const six_link_real t109 = J_Teta_11 * tip->X[6] + J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8]
-        + J_Teta_41 * tip->X[9] + J_Teta_51 * tip->X[10];
-    const six_link_real eta_next_12 = t109 + J_Teta_61 * tip->X[11];
-    const six_link_real t110 = J_Teta_11 * tip->X[12] + J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14]
-        + J_Teta_41 * tip->X[15];
-    const six_link_real eta_next_13 = t110 + J_Teta_51 * tip->X[16] + J_Teta_61 * tip->X[17];
-    const six_link_real t111 = J_Teta_11 * tip->X[18] + J_Teta_21 * tip->X[19] + J_Teta_31 * tip->X[20]
+    const six_link_real eta_next_11 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1] + J_Teta_31 * tip->X[2];
+    const six_link_real eta_next_12 = J_Teta_11 * tip->X[6] + J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8];
+    const six_link_real eta_next_13 = J_Teta_11 * tip->X[12] + J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14];
+    const six_link_real t99 = J_Teta_11 * tip->X[18] + J_Teta_21 * tip->X[19] + J_Teta_31 * tip->X[20]
         + J_Teta_41 * tip->X[21];
-    const six_link_real eta_next_14 = t111 + J_Teta_51 * tip->X[22] + J_Teta_61 * tip->X[23];
-    const six_link_real t112 = J_Teta_11 * tip->X[24] + J_Teta_21 * tip->X[25] + J_Teta_31 * tip->X[26]
+    const six_link_real eta_next_14 = t99 + J_Teta_51 * tip->X[22] + J_Teta_61 * tip->X[23];
+    const six_link_real t100 = J_Teta_11 * tip->X[24] + J_Teta_21 * tip->X[25] + J_Teta_31 * tip->X[26]
         + J_Teta_41 * tip->X[27];
-    const six_link_real eta_next_15 = t112 + J_Teta_51 * tip->X[28] + J_Teta_61 * tip->X[29];
-    const six_link_real t113 = J_Teta_11 * tip->X[30] + J_Teta_21 * tip->X[31] + J_Teta_31 * tip->X[32]
+    const six_link_real eta_next_15 = t100 + J_Teta_51 * tip->X[28] + J_Teta_61 * tip->X[29];
+    const six_link_real t101 = J_Teta_11 * tip->X[30] + J_Teta_21 * tip->X[31] + J_Teta_31 * tip->X[32]
         + J_Teta_41 * tip->X[33];
-    const six_link_real eta_next_16 = t113 + J_Teta_51 * tip->X[34] + J_Teta_61 * tip->X[35];
-    const six_link_real t114 = J_Teta_12 * tip->X[0] + J_Teta_22 * tip->X[1] + J_Teta_32 * tip->X[2]
-        + J_Teta_42 * tip->X[3] + J_Teta_52 * tip->X[4];
-    const six_link_real eta_next_21 = t114 + J_Teta_62 * tip->X[5];
-    const six_link_real t115 = J_Teta_12 * tip->X[6] + J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8]
-        + J_Teta_42 * tip->X[9] + J_Teta_52 * tip->X[10];
-    const six_link_real eta_next_22 = t115 + J_Teta_62 * tip->X[11];
-    const six_link_real t116 = J_Teta_12 * tip->X[12] + J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14]
-        + J_Teta_42 * tip->X[15];
-    const six_link_real eta_next_23 = t116 + J_Teta_52 * tip->X[16] + J_Teta_62 * tip->X[17];
-    const six_link_real t117 = J_Teta_12 * tip->X[18] + J_Teta_22 * tip->X[19] + J_Teta_32 * tip->X[20]
+    const six_link_real eta_next_16 = t101 + J_Teta_51 * tip->X[34] + J_Teta_61 * tip->X[35];
+    const six_link_real eta_next_21 = J_Teta_12 * tip->X[0] + J_Teta_22 * tip->X[1] + J_Teta_32 * tip->X[2];
+    const six_link_real eta_next_22 = J_Teta_12 * tip->X[6] + J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8];
+    const six_link_real eta_next_23 = J_Teta_12 * tip->X[12] + J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14];
+    const six_link_real t102 = J_Teta_12 * tip->X[18] + J_Teta_22 * tip->X[19] + J_Teta_32 * tip->X[20]
         + J_Teta_42 * tip->X[21];
-    const six_link_real eta_next_24 = t117 + J_Teta_52 * tip->X[22] + J_Teta_62 * tip->X[23];
-    const six_link_real t118 = J_Teta_12 * tip->X[24] + J_Teta_22 * tip->X[25] + J_Teta_32 * tip->X[26]
+    const six_link_real eta_next_24 = t102 + J_Teta_52 * tip->X[22] + J_Teta_62 * tip->X[23];
+    const six_link_real t103 = J_Teta_12 * tip->X[24] + J_Teta_22 * tip->X[25] + J_Teta_32 * tip->X[26]
         + J_Teta_42 * tip->X[27];
-    const six_link_real eta_next_25 = t118 + J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
-    const six_link_real t119 = J_Teta_12 * tip->X[30] + J_Teta_22 * tip->X[31] + J_Teta_32 * tip->X[32]
+    const six_link_real eta_next_25 = t103 + J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
+    const six_link_real t104 = J_Teta_12 * tip->X[30] + J_Teta_22 * tip->X[31] + J_Teta_32 * tip->X[32]
         + J_Teta_42 * tip->X[33];
-    const six_link_real eta_next_26 = t119 + J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
+    const six_link_real eta_next_26 = t104 + J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
     const six_link_real eta_next_31 = J_Teta_13 * tip->X[0] + J_Teta_23 * tip->X[1] + J_Teta_33 * tip->X[2];
     const six_link_real eta_next_32 = J_Teta_13 * tip->X[6] + J_Teta_23 * tip->X[7] + J_Teta_33 * tip->X[8];
     const six_link_real eta_next_33 = J_Teta_13 * tip->X[12] + J_Teta_23 * tip->X[13] + J_Teta_33 * tip->X[14];
@@ -7360,211 +9743,169 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     const six_link_real eta_next_36 = J_Teta_13 * tip->X[30] + J_Teta_23 * tip->X[31] + J_Teta_33 * tip->X[32];
 
     /* next_V: next joint's rows, twist columns (100) */
-    const six_link_real t120 = J_TV_41 * tip->PX[3] + J_TV_51 * tip->PX[4] + J_TV_61 * tip->PX[5]
-        + tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1];
-    const six_link_real minus_next_V_11 = t120 + tip->PX[2] * link->R_T[2];
-    const six_link_real t121 = -minus_next_V_11;
-    const six_link_real t122 = J_TV_42 * tip->PX[3] + J_TV_52 * tip->PX[4] + J_TV_62 * tip->PX[5]
-        + tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4];
-    const six_link_real minus_next_V_12 = t122 + tip->PX[2] * link->R_T[5];
-    const six_link_real t123 = -minus_next_V_12;
-    const six_link_real t124 = J_TV_43 * tip->PX[3] + J_TV_53 * tip->PX[4] + J_TV_63 * tip->PX[5]
-        + tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7];
-    const six_link_real minus_next_V_13 = t124 + tip->PX[2] * link->R_T[8];
-    const six_link_real t125 = -minus_next_V_13;
-    const six_link_real minus_next_V_14 = tip->PX[3] * link->R_T[0] + tip->PX[4] * link->R_T[1]
-        + tip->PX[5] * link->R_T[2];
-    const six_link_real t126 = -minus_next_V_14;
-    const six_link_real minus_next_V_15 = tip->PX[3] * link->R_T[3] + tip->PX[4] * link->R_T[4]
-        + tip->PX[5] * link->R_T[5];
-    const six_link_real t127 = -minus_next_V_15;
-    const six_link_real minus_next_V_16 = tip->PX[3] * link->R_T[6] + tip->PX[4] * link->R_T[7]
-        + tip->PX[5] * link->R_T[8];
-    const six_link_real t128 = -minus_next_V_16;
-    const six_link_real t129 = J_TV_41 * tip->PX[9] + J_TV_51 * tip->PX[10] + J_TV_61 * tip->PX[11]
-        + tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1];
-    const six_link_real minus_next_V_21 = t129 + tip->PX[8] * link->R_T[2];
-    const six_link_real t130 = -minus_next_V_21;
-    const six_link_real t131 = J_TV_42 * tip->PX[9] + J_TV_52 * tip->PX[10] + J_TV_62 * tip->PX[11]
-        + tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4];
-    const six_link_real minus_next_V_22 = t131 + tip->PX[8] * link->R_T[5];
-    const six_link_real t132 = -minus_next_V_22;
-    const six_link_real t133 = J_TV_43 * tip->PX[9] + J_TV_53 * tip->PX[10] + J_TV_63 * tip->PX[11]
-        + tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7];
-    const six_link_real minus_next_V_23 = t133 + tip->PX[8] * link->R_T[8];
-    const six_link_real t134 = -minus_next_V_23;
-    const six_link_real minus_next_V_24 = tip->PX[9] * link->R_T[0] + tip->PX[10] * link->R_T[1]
-        + tip->PX[11] * link->R_T[2];
-    const six_link_real t135 = -minus_next_V_24;
-    const six_link_real minus_next_V_25 = tip->PX[9] * link->R_T[3] + tip->PX[10] * link->R_T[4]
-        + tip->PX[11] * link->R_T[5];
-    const six_link_real t136 = -minus_next_V_25;
-    const six_link_real minus_next_V_26 = tip->PX[9] * link->R_T[6] + tip->PX[10] * link->R_T[7]
-        + tip->PX[11] * link->R_T[8];
-    const six_link_real t137 = -minus_next_V_26;
-    const six_link_real t138 = J_TV_41 * tip->PX[15] + J_TV_51 * tip->PX[16] + J_TV_61 * tip->PX[17]
-        + tip->PX[12] * link->R_T[0];
-    const six_link_real minus_next_V_31 = t138 + tip->PX[13] * link->R_T[1] + tip->PX[14] * link->R_T[2];
-    const six_link_real t139 = -minus_next_V_31;
-    const six_link_real t140 = J_TV_42 * tip->PX[15] + J_TV_52 * tip->PX[16] + J_TV_62 * tip->PX[17]
-        + tip->PX[12] * link->R_T[3];
-    const six_link_real minus_next_V_32 = t140 + tip->PX[13] * link->R_T[4] + tip->PX[14] * link->R_T[5];
-    const six_link_real t141 = -minus_next_V_32;
-    const six_link_real t142 = J_TV_43 * tip->PX[15] + J_TV_53 * tip->PX[16] + J_TV_63 * tip->PX[17]
-        + tip->PX[12] * link->R_T[6];
-    const six_link_real minus_next_V_33 = t142 + tip->PX[13] * link->R_T[7] + tip->PX[14] * link->R_T[8];
-    const six_link_real t143 = -minus_next_V_33;
-    const six_link_real minus_next_V_34 = tip->PX[15] * link->R_T[0] + tip->PX[16] * link->R_T[1]
-        + tip->PX[17] * link->R_T[2];
-    const six_link_real t144 = -minus_next_V_34;
-    const six_link_real minus_next_V_35 = tip->PX[15] * link->R_T[3] + tip->PX[16] * link->R_T[4]
-        + tip->PX[17] * link->R_T[5];
-    const six_link_real t145 = -minus_next_V_35;
-    const six_link_real minus_next_V_36 = tip->PX[15] * link->R_T[6] + tip->PX[16] * link->R_T[7]
-        + tip->PX[17] * link->R_T[8];
-    const six_link_real t146 = -minus_next_V_36;
-    const six_link_real t147 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22] + J_TV_61 * tip->PX[23]
+    const six_link_real minus_next_V_11 = tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1]
+        + tip->PX[2] * link->R_T[2];
+    const six_link_real t105 = -minus_next_V_11;
+    const six_link_real minus_next_V_12 = tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4]
+        + tip->PX[2] * link->R_T[5];
+    const six_link_real t106 = -minus_next_V_12;
+    const six_link_real minus_next_V_13 = tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7]
+        + tip->PX[2] * link->R_T[8];
+    const six_link_real t107 = -minus_next_V_13;
+    const six_link_real minus_next_V_21 = tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1]
+        + tip->PX[8] * link->R_T[2];
+    const six_link_real t108 = -minus_next_V_21;
+    const six_link_real minus_next_V_22 = tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4]
+        + tip->PX[8] * link->R_T[5];
+    const six_link_real t109 = -minus_next_V_22;
+    const six_link_real minus_next_V_23 = tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7]
+        + tip->PX[8] * link->R_T[8];
+    const six_link_real t110 = -minus_next_V_23;
+    const six_link_real minus_next_V_31 = tip->PX[12] * link->R_T[0] + tip->PX[13] * link->R_T[1]
+        + tip->PX[14] * link->R_T[2];
+    const six_link_real t111 = -minus_next_V_31;
+    const six_link_real minus_next_V_32 = tip->PX[12] * link->R_T[3] + tip->PX[13] * link->R_T[4]
+        + tip->PX[14] * link->R_T[5];
+    const six_link_real t112 = -minus_next_V_32;
+    const six_link_real minus_next_V_33 = tip->PX[12] * link->R_T[6] + tip->PX[13] * link->R_T[7]
+        + tip->PX[14] * link->R_T[8];
+    const six_link_real t113 = -minus_next_V_33;
+    const six_link_real t114 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22] + J_TV_61 * tip->PX[23]
         + tip->PX[18] * link->R_T[0];
-    const six_link_real minus_next_V_41 = t147 + tip->PX[19] * link->R_T[1] + tip->PX[20] * link->R_T[2];
-    const six_link_real t148 = -minus_next_V_41;
-    const six_link_real t149 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22] + J_TV_62 * tip->PX[23]
+    const six_link_real minus_next_V_41 = t114 + tip->PX[19] * link->R_T[1] + tip->PX[20] * link->R_T[2];
+    const six_link_real t115 = -minus_next_V_41;
+    const six_link_real t116 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22] + J_TV_62 * tip->PX[23]
         + tip->PX[18] * link->R_T[3];
-    const six_link_real minus_next_V_42 = t149 + tip->PX[19] * link->R_T[4] + tip->PX[20] * link->R_T[5];
-    const six_link_real t150 = -minus_next_V_42;
-    const six_link_real t151 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22] + J_TV_63 * tip->PX[23]
+    const six_link_real minus_next_V_42 = t116 + tip->PX[19] * link->R_T[4] + tip->PX[20] * link->R_T[5];
+    const six_link_real t117 = -minus_next_V_42;
+    const six_link_real t118 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22] + J_TV_63 * tip->PX[23]
         + tip->PX[18] * link->R_T[6];
-    const six_link_real minus_next_V_43 = t151 + tip->PX[19] * link->R_T[7] + tip->PX[20] * link->R_T[8];
-    const six_link_real t152 = -minus_next_V_43;
+    const six_link_real minus_next_V_43 = t118 + tip->PX[19] * link->R_T[7] + tip->PX[20] * link->R_T[8];
+    const six_link_real t119 = -minus_next_V_43;
     const six_link_real minus_next_V_44 = tip->PX[21] * link->R_T[0] + tip->PX[22] * link->R_T[1]
         + tip->PX[23] * link->R_T[2];
-    const six_link_real t153 = -minus_next_V_44;
+    const six_link_real t120 = -minus_next_V_44;
     const six_link_real minus_next_V_45 = tip->PX[21] * link->R_T[3] + tip->PX[22] * link->R_T[4]
         + tip->PX[23] * link->R_T[5];
-    const six_link_real t154 = -minus_next_V_45;
+    const six_link_real t121 = -minus_next_V_45;
     const six_link_real minus_next_V_46 = tip->PX[21] * link->R_T[6] + tip->PX[22] * link->R_T[7]
         + tip->PX[23] * link->R_T[8];
-    const six_link_real t155 = -minus_next_V_46;
-    const six_link_real t156 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29]
+    const six_link_real t122 = -minus_next_V_46;
+    const six_link_real t123 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29]
         + tip->PX[24] * link->R_T[0];
-    const six_link_real minus_next_V_51 = t156 + tip->PX[25] * link->R_T[1] + tip->PX[26] * link->R_T[2];
-    const six_link_real t157 = -minus_next_V_51;
-    const six_link_real t158 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28] + J_TV_62 * tip->PX[29]
+    const six_link_real minus_next_V_51 = t123 + tip->PX[25] * link->R_T[1] + tip->PX[26] * link->R_T[2];
+    const six_link_real t124 = -minus_next_V_51;
+    const six_link_real t125 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28] + J_TV_62 * tip->PX[29]
         + tip->PX[24] * link->R_T[3];
-    const six_link_real minus_next_V_52 = t158 + tip->PX[25] * link->R_T[4] + tip->PX[26] * link->R_T[5];
-    const six_link_real t159 = -minus_next_V_52;
-    const six_link_real t160 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29]
+    const six_link_real minus_next_V_52 = t125 + tip->PX[25] * link->R_T[4] + tip->PX[26] * link->R_T[5];
+    const six_link_real t126 = -minus_next_V_52;
+    const six_link_real t127 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29]
         + tip->PX[24] * link->R_T[6];
-    const six_link_real minus_next_V_53 = t160 + tip->PX[25] * link->R_T[7] + tip->PX[26] * link->R_T[8];
-    const six_link_real t161 = -minus_next_V_53;
+    const six_link_real minus_next_V_53 = t127 + tip->PX[25] * link->R_T[7] + tip->PX[26] * link->R_T[8];
+    const six_link_real t128 = -minus_next_V_53;
     const six_link_real minus_next_V_54 = tip->PX[27] * link->R_T[0] + tip->PX[28] * link->R_T[1]
         + tip->PX[29] * link->R_T[2];
-    const six_link_real t162 = -minus_next_V_54;
+    const six_link_real t129 = -minus_next_V_54;
     const six_link_real minus_next_V_55 = tip->PX[27] * link->R_T[3] + tip->PX[28] * link->R_T[4]
         + tip->PX[29] * link->R_T[5];
-    const six_link_real t163 = -minus_next_V_55;
+    const six_link_real t130 = -minus_next_V_55;
     const six_link_real minus_next_V_56 = tip->PX[27] * link->R_T[6] + tip->PX[28] * link->R_T[7]
         + tip->PX[29] * link->R_T[8];
-    const six_link_real t164 = -minus_next_V_56;
-    const six_link_real t165 = J_TV_41 * tip->PX[33] + J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35]
+    const six_link_real t131 = -minus_next_V_56;
+    const six_link_real t132 = J_TV_41 * tip->PX[33] + J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35]
         + tip->PX[30] * link->R_T[0];
-    const six_link_real minus_next_V_61 = t165 + tip->PX[31] * link->R_T[1] + tip->PX[32] * link->R_T[2];
-    const six_link_real t166 = -minus_next_V_61;
-    const six_link_real t167 = J_TV_42 * tip->PX[33] + J_TV_52 * tip->PX[34] + J_TV_62 * tip->PX[35]
+    const six_link_real minus_next_V_61 = t132 + tip->PX[31] * link->R_T[1] + tip->PX[32] * link->R_T[2];
+    const six_link_real t133 = -minus_next_V_61;
+    const six_link_real t134 = J_TV_42 * tip->PX[33] + J_TV_52 * tip->PX[34] + J_TV_62 * tip->PX[35]
         + tip->PX[30] * link->R_T[3];
-    const six_link_real minus_next_V_62 = t167 + tip->PX[31] * link->R_T[4] + tip->PX[32] * link->R_T[5];
-    const six_link_real t168 = -minus_next_V_62;
-    const six_link_real t169 = J_TV_43 * tip->PX[33] + J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35]
+    const six_link_real minus_next_V_62 = t134 + tip->PX[31] * link->R_T[4] + tip->PX[32] * link->R_T[5];
+    const six_link_real t135 = -minus_next_V_62;
+    const six_link_real t136 = J_TV_43 * tip->PX[33] + J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35]
         + tip->PX[30] * link->R_T[6];
-    const six_link_real minus_next_V_63 = t169 + tip->PX[31] * link->R_T[7] + tip->PX[32] * link->R_T[8];
-    const six_link_real t170 = -minus_next_V_63;
+    const six_link_real minus_next_V_63 = t136 + tip->PX[31] * link->R_T[7] + tip->PX[32] * link->R_T[8];
+    const six_link_real t137 = -minus_next_V_63;
     const six_link_real minus_next_V_64 = tip->PX[33] * link->R_T[0] + tip->PX[34] * link->R_T[1]
         + tip->PX[35] * link->R_T[2];
-    const six_link_real t171 = -minus_next_V_64;
+    const six_link_real t138 = -minus_next_V_64;
     const six_link_real minus_next_V_65 = tip->PX[33] * link->R_T[3] + tip->PX[34] * link->R_T[4]
         + tip->PX[35] * link->R_T[5];
-    const six_link_real t172 = -minus_next_V_65;
+    const six_link_real t139 = -minus_next_V_65;
     const six_link_real minus_next_V_66 = tip->PX[33] * link->R_T[6] + tip->PX[34] * link->R_T[7]
         + tip->PX[35] * link->R_T[8];
-    const six_link_real t173 = -minus_next_V_66;
+    const six_link_real t140 = -minus_next_V_66;
 
     /* next_eta: next joint's rows, modal columns (100) */
-    const six_link_real t174 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1] + J_Teta_31 * tip->PX[2]
-        + J_Teta_41 * tip->PX[3];
-    const six_link_real minus_next_eta_11 = t174 + J_Teta_51 * tip->PX[4] + J_Teta_61 * tip->PX[5];
-    const six_link_real t175 = -minus_next_eta_11;
-    const six_link_real t176 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1] + J_Teta_32 * tip->PX[2]
-        + J_Teta_42 * tip->PX[3];
-    const six_link_real minus_next_eta_12 = t176 + J_Teta_52 * tip->PX[4] + J_Teta_62 * tip->PX[5];
-    const six_link_real t177 = -minus_next_eta_12;
+    const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1]
+        + J_Teta_31 * tip->PX[2];
+    const six_link_real t141 = -minus_next_eta_11;
+    const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1]
+        + J_Teta_32 * tip->PX[2];
+    const six_link_real t142 = -minus_next_eta_12;
     const six_link_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1]
         + J_Teta_33 * tip->PX[2];
-    const six_link_real t178 = -minus_next_eta_13;
-    const six_link_real t179 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7] + J_Teta_31 * tip->PX[8]
-        + J_Teta_41 * tip->PX[9];
-    const six_link_real minus_next_eta_21 = t179 + J_Teta_51 * tip->PX[10] + J_Teta_61 * tip->PX[11];
-    const six_link_real t180 = -minus_next_eta_21;
-    const six_link_real t181 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7] + J_Teta_32 * tip->PX[8]
-        + J_Teta_42 * tip->PX[9];
-    const six_link_real minus_next_eta_22 = t181 + J_Teta_52 * tip->PX[10] + J_Teta_62 * tip->PX[11];
-    const six_link_real t182 = -minus_next_eta_22;
+    const six_link_real t143 = -minus_next_eta_13;
+    const six_link_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7]
+        + J_Teta_31 * tip->PX[8];
+    const six_link_real t144 = -minus_next_eta_21;
+    const six_link_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7]
+        + J_Teta_32 * tip->PX[8];
+    const six_link_real t145 = -minus_next_eta_22;
     const six_link_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7]
         + J_Teta_33 * tip->PX[8];
-    const six_link_real t183 = -minus_next_eta_23;
-    const six_link_real t184 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13] + J_Teta_31 * tip->PX[14]
-        + J_Teta_41 * tip->PX[15];
-    const six_link_real minus_next_eta_31 = t184 + J_Teta_51 * tip->PX[16] + J_Teta_61 * tip->PX[17];
-    const six_link_real t185 = -minus_next_eta_31;
-    const six_link_real t186 = J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13] + J_Teta_32 * tip->PX[14]
-        + J_Teta_42 * tip->PX[15];
-    const six_link_real minus_next_eta_32 = t186 + J_Teta_52 * tip->PX[16] + J_Teta_62 * tip->PX[17];
-    const six_link_real t187 = -minus_next_eta_32;
+    const six_link_real t146 = -minus_next_eta_23;
+    const six_link_real minus_next_eta_31 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13]
+        + J_Teta_31 * tip->PX[14];
+    const six_link_real t147 = -minus_next_eta_31;
+    const six_link_real minus_next_eta_32 = J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13]
+        + J_Teta_32 * tip->PX[14];
+    const six_link_real t148 = -minus_next_eta_32;
     const six_link_real minus_next_eta_33 = J_Teta_13 * tip->PX[12] + J_Teta_23 * tip->PX[13]
         + J_Teta_33 * tip->PX[14];
-    const six_link_real t188 = -minus_next_eta_33;
-    const six_link_real t189 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
+    const six_link_real t149 = -minus_next_eta_33;
+    const six_link_real t150 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
         + J_Teta_41 * tip->PX[21];
-    const six_link_real minus_next_eta_41 = t189 + J_Teta_51 * tip->PX[22] + J_Teta_61 * tip->PX[23];
-    const six_link_real t190 = -minus_next_eta_41;
-    const six_link_real t191 = J_Teta_12 * tip->PX[18] + J_Teta_22 * tip->PX[19] + J_Teta_32 * tip->PX[20]
+    const six_link_real minus_next_eta_41 = t150 + J_Teta_51 * tip->PX[22] + J_Teta_61 * tip->PX[23];
+    const six_link_real t151 = -minus_next_eta_41;
+    const six_link_real t152 = J_Teta_12 * tip->PX[18] + J_Teta_22 * tip->PX[19] + J_Teta_32 * tip->PX[20]
         + J_Teta_42 * tip->PX[21];
-    const six_link_real minus_next_eta_42 = t191 + J_Teta_52 * tip->PX[22] + J_Teta_62 * tip->PX[23];
-    const six_link_real t192 = -minus_next_eta_42;
+    const six_link_real minus_next_eta_42 = t152 + J_Teta_52 * tip->PX[22] + J_Teta_62 * tip->PX[23];
+    const six_link_real t153 = -minus_next_eta_42;
     const six_link_real minus_next_eta_43 = J_Teta_13 * tip->PX[18] + J_Teta_23 * tip->PX[19]
         + J_Teta_33 * tip->PX[20];
-    const six_link_real t193 = -minus_next_eta_43;
-    const six_link_real t194 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
+    const six_link_real t154 = -minus_next_eta_43;
+    const six_link_real t155 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
         + J_Teta_41 * tip->PX[27];
-    const six_link_real minus_next_eta_51 = t194 + J_Teta_51 * tip->PX[28] + J_Teta_61 * tip->PX[29];
-    const six_link_real t195 = -minus_next_eta_51;
-    const six_link_real t196 = J_Teta_12 * tip->PX[24] + J_Teta_22 * tip->PX[25] + J_Teta_32 * tip->PX[26]
+    const six_link_real minus_next_eta_51 = t155 + J_Teta_51 * tip->PX[28] + J_Teta_61 * tip->PX[29];
+    const six_link_real t156 = -minus_next_eta_51;
+    const six_link_real t157 = J_Teta_12 * tip->PX[24] + J_Teta_22 * tip->PX[25] + J_Teta_32 * tip->PX[26]
         + J_Teta_42 * tip->PX[27];
-    const six_link_real minus_next_eta_52 = t196 + J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
-    const six_link_real t197 = -minus_next_eta_52;
+    const six_link_real minus_next_eta_52 = t157 + J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
+    const six_link_real t158 = -minus_next_eta_52;
     const six_link_real minus_next_eta_53 = J_Teta_13 * tip->PX[24] + J_Teta_23 * tip->PX[25]
         + J_Teta_33 * tip->PX[26];
-    const six_link_real t198 = -minus_next_eta_53;
-    const six_link_real t199 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
+    const six_link_real t159 = -minus_next_eta_53;
+    const six_link_real t160 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
         + J_Teta_41 * tip->PX[33];
-    const six_link_real minus_next_eta_61 = t199 + J_Teta_51 * tip->PX[34] + J_Teta_61 * tip->PX[35];
-    const six_link_real t200 = -minus_next_eta_61;
-    const six_link_real t201 = J_Teta_12 * tip->PX[30] + J_Teta_22 * tip->PX[31] + J_Teta_32 * tip->PX[32]
+    const six_link_real minus_next_eta_61 = t160 + J_Teta_51 * tip->PX[34] + J_Teta_61 * tip->PX[35];
+    const six_link_real t161 = -minus_next_eta_61;
+    const six_link_real t162 = J_Teta_12 * tip->PX[30] + J_Teta_22 * tip->PX[31] + J_Teta_32 * tip->PX[32]
         + J_Teta_42 * tip->PX[33];
-    const six_link_real minus_next_eta_62 = t201 + J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
-    const six_link_real t202 = -minus_next_eta_62;
+    const six_link_real minus_next_eta_62 = t162 + J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
+    const six_link_real t163 = -minus_next_eta_62;
     const six_link_real minus_next_eta_63 = J_Teta_13 * tip->PX[30] + J_Teta_23 * tip->PX[31]
         + J_Teta_33 * tip->PX[32];
-    const six_link_real t203 = -minus_next_eta_63;
+    const six_link_real t164 = -minus_next_eta_63;
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
-    const six_link_real t204 = link->h_T[0] + c->I_T_xx * link->b_T[0] - c->J_T_xy * link->b_T[1]
+    const six_link_real t165 = link->h_T[0] + c->I_T_xx * link->b_T[0] - c->J_T_xy * link->b_T[1]
         - c->J_T_xz * link->b_T[2] - c->S_T_z * link->b_T[4];
-    const six_link_real h_carried_1 = t204 + c->S_T_y * link->b_T[5];
-    const six_link_real t205 = link->h_T[1] - c->J_T_xy * link->b_T[0] + c->I_T_yy * link->b_T[1]
+    const six_link_real h_carried_1 = t165 + c->S_T_y * link->b_T[5];
+    const six_link_real t166 = link->h_T[1] - c->J_T_xy * link->b_T[0] + c->I_T_yy * link->b_T[1]
         - c->J_T_yz * link->b_T[2] + c->S_T_z * link->b_T[3];
-    const six_link_real h_carried_2 = t205 - c->S_T_x * link->b_T[5];
-    const six_link_real t206 = link->h_T[2] - c->J_T_xz * link->b_T[0] - c->J_T_yz * link->b_T[1]
+    const six_link_real h_carried_2 = t166 - c->S_T_x * link->b_T[5];
+    const six_link_real t167 = link->h_T[2] - c->J_T_xz * link->b_T[0] - c->J_T_yz * link->b_T[1]
         + c->I_T_zz * link->b_T[2] - c->S_T_y * link->b_T[3];
-    const six_link_real h_carried_3 = t206 + c->S_T_x * link->b_T[4];
+    const six_link_real h_carried_3 = t167 + c->S_T_x * link->b_T[4];
     const six_link_real h_carried_4 = link->h_T[3] + c->S_T_z * link->b_T[1] - c->S_T_y * link->b_T[2]
         + c->body0_mass * link->b_T[3];
     const six_link_real h_carried_5 = link->h_T[4] - c->S_T_z * link->b_T[0] + c->S_T_x * link->b_T[2]
@@ -7573,15 +9914,15 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
         + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const six_link_real t207 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
+    const six_link_real t168 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
         + J_TV_61 * h_carried_6 + link->R_T[0] * h_carried_1;
-    const six_link_real V_H_1 = t207 + link->R_T[1] * h_carried_2 + link->R_T[2] * h_carried_3;
-    const six_link_real t208 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5
+    const six_link_real V_H_1 = t168 + link->R_T[1] * h_carried_2 + link->R_T[2] * h_carried_3;
+    const six_link_real t169 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5
         + J_TV_62 * h_carried_6 + link->R_T[3] * h_carried_1;
-    const six_link_real V_H_2 = t208 + link->R_T[4] * h_carried_2 + link->R_T[5] * h_carried_3;
-    const six_link_real t209 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5
+    const six_link_real V_H_2 = t169 + link->R_T[4] * h_carried_2 + link->R_T[5] * h_carried_3;
+    const six_link_real t170 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5
         + J_TV_63 * h_carried_6 + link->R_T[6] * h_carried_1;
-    const six_link_real V_H_3 = t209 + link->R_T[7] * h_carried_2 + link->R_T[8] * h_carried_3;
+    const six_link_real V_H_3 = t170 + link->R_T[7] * h_carried_2 + link->R_T[8] * h_carried_3;
     const six_link_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
         + link->R_T[2] * h_carried_6;
     const six_link_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
@@ -7590,234 +9931,216 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
         + link->R_T[8] * h_carried_6;
 
     /* eta_H: bias of the modal rows (100) */
-    const six_link_real t210 = t1 + J_Teta_11 * h_carried_1 + J_Teta_21 * h_carried_2 + J_Teta_31 * h_carried_3
+    const six_link_real t171 = t1 + J_Teta_11 * h_carried_1 + J_Teta_21 * h_carried_2 + J_Teta_31 * h_carried_3
         + J_Teta_41 * h_carried_4;
-    const six_link_real eta_H_1 = t210 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
-    const six_link_real t211 = t2 + J_Teta_12 * h_carried_1 + J_Teta_22 * h_carried_2 + J_Teta_32 * h_carried_3
+    const six_link_real eta_H_1 = t171 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
+    const six_link_real t172 = t2 + J_Teta_12 * h_carried_1 + J_Teta_22 * h_carried_2 + J_Teta_32 * h_carried_3
         + J_Teta_42 * h_carried_4;
-    const six_link_real eta_H_2 = t211 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
+    const six_link_real eta_H_2 = t172 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
     const six_link_real eta_H_3 = f_eta[2] + J_Teta_13 * h_carried_1 + J_Teta_23 * h_carried_2
         + J_Teta_33 * h_carried_3;
 
     /* V_W: external wrench in the twist rows (100) */
-    const six_link_real t212 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5]
+    const six_link_real t173 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5]
         + link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1];
-    const six_link_real V_W_1 = t212 + link->R_T[2] * w_ext[2];
-    const six_link_real t213 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
+    const six_link_real V_W_1 = t173 + link->R_T[2] * w_ext[2];
+    const six_link_real t174 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
         + link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1];
-    const six_link_real V_W_2 = t213 + link->R_T[5] * w_ext[2];
-    const six_link_real t214 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
+    const six_link_real V_W_2 = t174 + link->R_T[5] * w_ext[2];
+    const six_link_real t175 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
         + link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1];
-    const six_link_real V_W_3 = t214 + link->R_T[8] * w_ext[2];
+    const six_link_real V_W_3 = t175 + link->R_T[8] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
     const six_link_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const six_link_real t215 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+    const six_link_real t176 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
         + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
-    const six_link_real eta_W_1 = t215 + J_Teta_61 * w_ext[5];
-    const six_link_real t216 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+    const six_link_real eta_W_1 = t176 + J_Teta_61 * w_ext[5];
+    const six_link_real t177 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
         + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const six_link_real eta_W_2 = t216 + J_Teta_62 * w_ext[5];
+    const six_link_real eta_W_2 = t177 + J_Teta_62 * w_ext[5];
     const six_link_real eta_W_3 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2];
 
     /* outputs */
-    M[place[7]] = t121;
-    M[place[8]] = t123;
-    M[place[9]] = t125;
-    M[place[10]] = t126;
-    M[place[11]] = t127;
-    M[place[12]] = t128;
-    M[place[13]] = t130;
-    M[place[14]] = t132;
-    M[place[15]] = t134;
-    M[place[16]] = t135;
-    M[place[17]] = t136;
-    M[place[18]] = t137;
-    M[place[19]] = t139;
-    M[place[20]] = t141;
-    M[place[21]] = t143;
-    M[place[22]] = t144;
-    M[place[23]] = t145;
-    M[place[24]] = t146;
-    M[place[25]] = t148;
-    M[place[26]] = t150;
-    M[place[27]] = t152;
-    M[place[28]] = t153;
-    M[place[29]] = t154;
-    M[place[30]] = t155;
-    M[place[31]] = t157;
-    M[place[32]] = t159;
-    M[place[33]] = t161;
-    M[place[34]] = t162;
-    M[place[35]] = t163;
-    M[place[36]] = t164;
-    M[place[37]] = t166;
-    M[place[38]] = t168;
-    M[place[39]] = t170;
-    M[place[40]] = t171;
-    M[place[41]] = t172;
-    M[place[42]] = t173;
-    M[place[43]] = t175;
-    M[place[44]] = t177;
-    M[place[45]] = t178;
-    M[place[46]] = t180;
-    M[place[47]] = t182;
-    M[place[48]] = t183;
-    M[place[49]] = t185;
-    M[place[50]] = t187;
-    M[place[51]] = t188;
-    M[place[52]] = t190;
-    M[place[53]] = t192;
-    M[place[54]] = t193;
-    M[place[55]] = t195;
-    M[place[56]] = t197;
-    M[place[57]] = t198;
-    M[place[58]] = t200;
-    M[place[59]] = t202;
-    M[place[60]] = t203;
-    M[place[61]] = -1;
-    M[place[62]] = -1;
-    M[place[63]] = -1;
-    M[place[64]] = -1;
-    M[place[65]] = -1;
-    M[place[66]] = -1;
-    M[place[67]] = V_V_11;
-    M[place[68]] = V_V_12;
-    M[place[69]] = V_V_13;
-    M[place[70]] = V_V_14;
-    M[place[71]] = V_V_15;
-    M[place[72]] = V_V_16;
-    M[place[73]] = V_V_12;
-    M[place[74]] = V_V_22;
-    M[place[75]] = V_V_23;
-    M[place[76]] = V_V_24;
-    M[place[77]] = V_V_25;
-    M[place[78]] = V_V_26;
-    M[place[79]] = V_V_13;
-    M[place[80]] = V_V_23;
-    M[place[81]] = V_V_33;
-    M[place[82]] = V_V_34;
-    M[place[83]] = V_V_35;
-    M[place[84]] = V_V_36;
-    M[place[85]] = V_V_14;
-    M[place[86]] = V_V_24;
-    M[place[87]] = V_V_34;
-    M[place[88]] = V_V_44;
-    M[place[89]] = V_V_45;
-    M[place[90]] = V_V_46;
-    M[place[91]] = V_V_15;
-    M[place[92]] = V_V_25;
-    M[place[93]] = V_V_35;
-    M[place[94]] = V_V_45;
-    M[place[95]] = V_V_55;
-    M[place[96]] = V_V_56;
-    M[place[97]] = V_V_16;
-    M[place[98]] = V_V_26;
-    M[place[99]] = V_V_36;
-    M[place[100]] = V_V_46;
-    M[place[101]] = V_V_56;
-    M[place[102]] = V_V_66;
-    M[place[103]] = V_eta_11;
-    M[place[104]] = V_eta_12;
-    M[place[105]] = V_eta_13;
-    M[place[106]] = V_eta_21;
-    M[place[107]] = V_eta_22;
-    M[place[108]] = V_eta_23;
-    M[place[109]] = V_eta_31;
-    M[place[110]] = V_eta_32;
-    M[place[111]] = V_eta_33;
-    M[place[112]] = V_eta_41;
-    M[place[113]] = V_eta_42;
-    M[place[114]] = V_eta_43;
-    M[place[115]] = V_eta_51;
-    M[place[116]] = V_eta_52;
-    M[place[117]] = V_eta_53;
-    M[place[118]] = V_eta_61;
-    M[place[119]] = V_eta_62;
-    M[place[120]] = V_eta_63;
-    M[place[121]] = V_next_11;
-    M[place[122]] = V_next_12;
-    M[place[123]] = V_next_13;
-    M[place[124]] = V_next_14;
-    M[place[125]] = V_next_15;
-    M[place[126]] = V_next_16;
-    M[place[127]] = V_next_21;
-    M[place[128]] = V_next_22;
-    M[place[129]] = V_next_23;
-    M[place[130]] = V_next_24;
-    M[place[131]] = V_next_25;
-    M[place[132]] = V_next_26;
-    M[place[133]] = V_next_31;
-    M[place[134]] = V_next_32;
-    M[place[135]] = V_next_33;
-    M[place[136]] = V_next_34;
-    M[place[137]] = V_next_35;
-    M[place[138]] = V_next_36;
-    M[place[139]] = V_next_41;
-    M[place[140]] = V_next_42;
-    M[place[141]] = V_next_43;
-    M[place[142]] = V_next_44;
-    M[place[143]] = V_next_45;
-    M[place[144]] = V_next_46;
-    M[place[145]] = V_next_51;
-    M[place[146]] = V_next_52;
-    M[place[147]] = V_next_53;
-    M[place[148]] = V_next_54;
-    M[place[149]] = V_next_55;
-    M[place[150]] = V_next_56;
-    M[place[151]] = V_next_61;
-    M[place[152]] = V_next_62;
-    M[place[153]] = V_next_63;
-    M[place[154]] = V_next_64;
-    M[place[155]] = V_next_65;
-    M[place[156]] = V_next_66;
-    M[place[157]] = V_eta_11;
-    M[place[158]] = V_eta_21;
-    M[place[159]] = V_eta_31;
-    M[place[160]] = V_eta_41;
-    M[place[161]] = V_eta_51;
-    M[place[162]] = V_eta_61;
-    M[place[163]] = V_eta_12;
-    M[place[164]] = V_eta_22;
-    M[place[165]] = V_eta_32;
-    M[place[166]] = V_eta_42;
-    M[place[167]] = V_eta_52;
-    M[place[168]] = V_eta_62;
-    M[place[169]] = V_eta_13;
-    M[place[170]] = V_eta_23;
-    M[place[171]] = V_eta_33;
-    M[place[172]] = V_eta_43;
-    M[place[173]] = V_eta_53;
-    M[place[174]] = V_eta_63;
-    M[place[175]] = eta_eta_11;
-    M[place[176]] = eta_eta_12;
-    M[place[177]] = eta_eta_13;
-    M[place[178]] = eta_eta_12;
-    M[place[179]] = eta_eta_22;
-    M[place[180]] = eta_eta_23;
-    M[place[181]] = eta_eta_13;
-    M[place[182]] = eta_eta_23;
-    M[place[183]] = eta_eta_33;
-    M[place[184]] = eta_next_11;
-    M[place[185]] = eta_next_12;
-    M[place[186]] = eta_next_13;
-    M[place[187]] = eta_next_14;
-    M[place[188]] = eta_next_15;
-    M[place[189]] = eta_next_16;
-    M[place[190]] = eta_next_21;
-    M[place[191]] = eta_next_22;
-    M[place[192]] = eta_next_23;
-    M[place[193]] = eta_next_24;
-    M[place[194]] = eta_next_25;
-    M[place[195]] = eta_next_26;
-    M[place[196]] = eta_next_31;
-    M[place[197]] = eta_next_32;
-    M[place[198]] = eta_next_33;
-    M[place[199]] = eta_next_34;
-    M[place[200]] = eta_next_35;
-    M[place[201]] = eta_next_36;
+    M[place[7]] = t105;
+    M[place[8]] = t106;
+    M[place[9]] = t107;
+    M[place[10]] = t108;
+    M[place[11]] = t109;
+    M[place[12]] = t110;
+    M[place[13]] = t111;
+    M[place[14]] = t112;
+    M[place[15]] = t113;
+    M[place[16]] = t115;
+    M[place[17]] = t117;
+    M[place[18]] = t119;
+    M[place[19]] = t120;
+    M[place[20]] = t121;
+    M[place[21]] = t122;
+    M[place[22]] = t124;
+    M[place[23]] = t126;
+    M[place[24]] = t128;
+    M[place[25]] = t129;
+    M[place[26]] = t130;
+    M[place[27]] = t131;
+    M[place[28]] = t133;
+    M[place[29]] = t135;
+    M[place[30]] = t137;
+    M[place[31]] = t138;
+    M[place[32]] = t139;
+    M[place[33]] = t140;
+    M[place[34]] = t141;
+    M[place[35]] = t142;
+    M[place[36]] = t143;
+    M[place[37]] = t144;
+    M[place[38]] = t145;
+    M[place[39]] = t146;
+    M[place[40]] = t147;
+    M[place[41]] = t148;
+    M[place[42]] = t149;
+    M[place[43]] = t151;
+    M[place[44]] = t153;
+    M[place[45]] = t154;
+    M[place[46]] = t156;
+    M[place[47]] = t158;
+    M[place[48]] = t159;
+    M[place[49]] = t161;
+    M[place[50]] = t163;
+    M[place[51]] = t164;
+    M[place[52]] = -1;
+    M[place[53]] = -1;
+    M[place[54]] = -1;
+    M[place[55]] = -1;
+    M[place[56]] = -1;
+    M[place[57]] = -1;
+    M[place[58]] = V_V_11;
+    M[place[59]] = V_V_12;
+    M[place[60]] = V_V_13;
+    M[place[61]] = V_V_14;
+    M[place[62]] = V_V_15;
+    M[place[63]] = V_V_16;
+    M[place[64]] = V_V_12;
+    M[place[65]] = V_V_22;
+    M[place[66]] = V_V_23;
+    M[place[67]] = V_V_24;
+    M[place[68]] = V_V_25;
+    M[place[69]] = V_V_26;
+    M[place[70]] = V_V_13;
+    M[place[71]] = V_V_23;
+    M[place[72]] = V_V_33;
+    M[place[73]] = V_V_34;
+    M[place[74]] = V_V_35;
+    M[place[75]] = V_V_36;
+    M[place[76]] = V_V_14;
+    M[place[77]] = V_V_24;
+    M[place[78]] = V_V_34;
+    M[place[79]] = V_V_44;
+    M[place[80]] = V_V_45;
+    M[place[81]] = V_V_46;
+    M[place[82]] = V_V_15;
+    M[place[83]] = V_V_25;
+    M[place[84]] = V_V_35;
+    M[place[85]] = V_V_45;
+    M[place[86]] = V_V_55;
+    M[place[87]] = V_V_56;
+    M[place[88]] = V_V_16;
+    M[place[89]] = V_V_26;
+    M[place[90]] = V_V_36;
+    M[place[91]] = V_V_46;
+    M[place[92]] = V_V_56;
+    M[place[93]] = V_V_66;
+    M[place[94]] = V_eta_11;
+    M[place[95]] = V_eta_12;
+    M[place[96]] = V_eta_13;
+    M[place[97]] = V_eta_21;
+    M[place[98]] = V_eta_22;
+    M[place[99]] = V_eta_23;
+    M[place[100]] = V_eta_31;
+    M[place[101]] = V_eta_32;
+    M[place[102]] = V_eta_33;
+    M[place[103]] = V_eta_41;
+    M[place[104]] = V_eta_42;
+    M[place[105]] = V_eta_43;
+    M[place[106]] = V_eta_51;
+    M[place[107]] = V_eta_52;
+    M[place[108]] = V_eta_53;
+    M[place[109]] = V_eta_61;
+    M[place[110]] = V_eta_62;
+    M[place[111]] = V_eta_63;
+    M[place[112]] = V_next_11;
+    M[place[113]] = V_next_12;
+    M[place[114]] = V_next_13;
+    M[place[115]] = V_next_14;
+    M[place[116]] = V_next_15;
+    M[place[117]] = V_next_16;
+    M[place[118]] = V_next_21;
+    M[place[119]] = V_next_22;
+    M[place[120]] = V_next_23;
+    M[place[121]] = V_next_24;
+    M[place[122]] = V_next_25;
+    M[place[123]] = V_next_26;
+    M[place[124]] = V_next_31;
+    M[place[125]] = V_next_32;
+    M[place[126]] = V_next_33;
+    M[place[127]] = V_next_34;
+    M[place[128]] = V_next_35;
+    M[place[129]] = V_next_36;
+    M[place[130]] = V_next_44;
+    M[place[131]] = V_next_45;
+    M[place[132]] = V_next_46;
+    M[place[133]] = V_next_54;
+    M[place[134]] = V_next_55;
+    M[place[135]] = V_next_56;
+    M[place[136]] = V_next_64;
+    M[place[137]] = V_next_65;
+    M[place[138]] = V_next_66;
+    M[place[139]] = V_eta_11;
+    M[place[140]] = V_eta_21;
+    M[place[141]] = V_eta_31;
+    M[place[142]] = V_eta_41;
+    M[place[143]] = V_eta_51;
+    M[place[144]] = V_eta_61;
+    M[place[145]] = V_eta_12;
+    M[place[146]] = V_eta_22;
+    M[place[147]] = V_eta_32;
+    M[place[148]] = V_eta_42;
+    M[place[149]] = V_eta_52;
+    M[place[150]] = V_eta_62;
+    M[place[151]] = V_eta_13;
+    M[place[152]] = V_eta_23;
+    M[place[153]] = V_eta_33;
+    M[place[154]] = V_eta_43;
+    M[place[155]] = V_eta_53;
+    M[place[156]] = V_eta_63;
+    M[place[157]] = eta_eta_11;
+    M[place[158]] = eta_eta_12;
+    M[place[159]] = eta_eta_13;
+    M[place[160]] = eta_eta_12;
+    M[place[161]] = eta_eta_22;
+    M[place[162]] = eta_eta_23;
+    M[place[163]] = eta_eta_13;
+    M[place[164]] = eta_eta_23;
+    M[place[165]] = eta_eta_33;
+    M[place[166]] = eta_next_11;
+    M[place[167]] = eta_next_12;
+    M[place[168]] = eta_next_13;
+    M[place[169]] = eta_next_14;
+    M[place[170]] = eta_next_15;
+    M[place[171]] = eta_next_16;
+    M[place[172]] = eta_next_21;
+    M[place[173]] = eta_next_22;
+    M[place[174]] = eta_next_23;
+    M[place[175]] = eta_next_24;
+    M[place[176]] = eta_next_25;
+    M[place[177]] = eta_next_26;
+    M[place[178]] = eta_next_31;
+    M[place[179]] = eta_next_32;
+    M[place[180]] = eta_next_33;
+    M[place[181]] = eta_next_34;
+    M[place[182]] = eta_next_35;
+    M[place[183]] = eta_next_36;
     H[6] = V_H_1;
     H[7] = V_H_2;
     H[8] = V_H_3;
@@ -7839,7 +10162,7 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     return SIX_LINK_OK;
 }
 
-/* link rows, links like forearm: 997 operations */
+/* link rows, links like forearm: 338 operations */
 static six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real w_ext[6],
     six_link_real eta_H[2], six_link_real eta_W[2], const int *place, six_link_real *M,
@@ -7872,13 +10195,13 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     const six_link_real J_TV_63 = t11 - t9;
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const six_link_real t12 = link->G[2] * c->Psi_c_z1;
-    const six_link_real t13 = link->G[4] * c->Psi_c_z1;
-    const six_link_real t14 = link->G[5] * c->Psi_c_z1;
+    const six_link_real t12 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real t13 = link->J_l[4] * c->Psi_c_z1;
+    const six_link_real t14 = link->J_l[5] * c->Psi_c_z1;
     const six_link_real J_Teta_11 = link->R_T[0] * t12 + link->R_T[1] * t13 - link->R_T[2] * t14;
-    const six_link_real t15 = link->G[1] * c->Psi_c_y2;
-    const six_link_real t16 = link->G[3] * c->Psi_c_y2;
-    const six_link_real t17 = link->G[4] * c->Psi_c_y2;
+    const six_link_real t15 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real t16 = link->J_l[3] * c->Psi_c_y2;
+    const six_link_real t17 = link->J_l[4] * c->Psi_c_y2;
     const six_link_real J_Teta_12 = link->R_T[1] * t16 - link->R_T[0] * t15 - link->R_T[2] * t17;
     const six_link_real J_Teta_21 = link->R_T[3] * t13 - link->R_T[1] * t12 + link->R_T[4] * t14;
     const six_link_real J_Teta_22 = link->R_T[1] * t15 + link->R_T[3] * t16 + link->R_T[4] * t17;
@@ -7891,440 +10214,247 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     const six_link_real J_Teta_62 = link->R_T[5] * REAL(2.23606797749979);
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real t18 = J_TV_51 * tip->X[4] - minus_J_TV_41 * tip->X[3] + J_TV_61 * tip->X[5]
-        + link->R_T[0] * tip->X[0] - link->R_T[1] * tip->X[1];
-    const six_link_real V_next_11 = t18 + link->R_T[2] * tip->X[2];
-    const six_link_real t19 = J_TV_51 * tip->X[10] - minus_J_TV_41 * tip->X[9] + J_TV_61 * tip->X[11]
-        + link->R_T[0] * tip->X[6];
-    const six_link_real V_next_12 = t19 - link->R_T[1] * tip->X[7] + link->R_T[2] * tip->X[8];
-    const six_link_real t20 = J_TV_51 * tip->X[16] - minus_J_TV_41 * tip->X[15] + J_TV_61 * tip->X[17]
-        + link->R_T[0] * tip->X[12];
-    const six_link_real V_next_13 = t20 - link->R_T[1] * tip->X[13] + link->R_T[2] * tip->X[14];
-    const six_link_real t21 = J_TV_51 * tip->X[22] - minus_J_TV_41 * tip->X[21] + J_TV_61 * tip->X[23]
-        + link->R_T[0] * tip->X[18];
-    const six_link_real V_next_14 = t21 - link->R_T[1] * tip->X[19] + link->R_T[2] * tip->X[20];
-    const six_link_real t22 = J_TV_51 * tip->X[28] - minus_J_TV_41 * tip->X[27] + J_TV_61 * tip->X[29]
-        + link->R_T[0] * tip->X[24];
-    const six_link_real V_next_15 = t22 - link->R_T[1] * tip->X[25] + link->R_T[2] * tip->X[26];
-    const six_link_real t23 = J_TV_51 * tip->X[34] - minus_J_TV_41 * tip->X[33] + J_TV_61 * tip->X[35]
-        + link->R_T[0] * tip->X[30];
-    const six_link_real V_next_16 = t23 - link->R_T[1] * tip->X[31] + link->R_T[2] * tip->X[32];
-    const six_link_real t24 = J_TV_42 * tip->X[3] - minus_J_TV_52 * tip->X[4] + J_TV_62 * tip->X[5]
-        + link->R_T[1] * tip->X[0] + link->R_T[3] * tip->X[1];
-    const six_link_real V_next_21 = t24 + link->R_T[4] * tip->X[2];
-    const six_link_real t25 = J_TV_42 * tip->X[9] - minus_J_TV_52 * tip->X[10] + J_TV_62 * tip->X[11]
-        + link->R_T[1] * tip->X[6];
-    const six_link_real V_next_22 = t25 + link->R_T[3] * tip->X[7] + link->R_T[4] * tip->X[8];
-    const six_link_real t26 = J_TV_42 * tip->X[15] - minus_J_TV_52 * tip->X[16] + J_TV_62 * tip->X[17]
-        + link->R_T[1] * tip->X[12];
-    const six_link_real V_next_23 = t26 + link->R_T[3] * tip->X[13] + link->R_T[4] * tip->X[14];
-    const six_link_real t27 = J_TV_42 * tip->X[21] - minus_J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
-        + link->R_T[1] * tip->X[18];
-    const six_link_real V_next_24 = t27 + link->R_T[3] * tip->X[19] + link->R_T[4] * tip->X[20];
-    const six_link_real t28 = J_TV_42 * tip->X[27] - minus_J_TV_52 * tip->X[28] + J_TV_62 * tip->X[29]
-        + link->R_T[1] * tip->X[24];
-    const six_link_real V_next_25 = t28 + link->R_T[3] * tip->X[25] + link->R_T[4] * tip->X[26];
-    const six_link_real t29 = J_TV_42 * tip->X[33] - minus_J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
-        + link->R_T[1] * tip->X[30];
-    const six_link_real V_next_26 = t29 + link->R_T[3] * tip->X[31] + link->R_T[4] * tip->X[32];
-    const six_link_real t30 = J_TV_43 * tip->X[3] + J_TV_53 * tip->X[4] + J_TV_63 * tip->X[5]
-        - link->R_T[2] * tip->X[0] + link->R_T[4] * tip->X[1];
-    const six_link_real V_next_31 = t30 + link->R_T[5] * tip->X[2];
-    const six_link_real t31 = J_TV_43 * tip->X[9] + J_TV_53 * tip->X[10] + J_TV_63 * tip->X[11]
-        - link->R_T[2] * tip->X[6] + link->R_T[4] * tip->X[7];
-    const six_link_real V_next_32 = t31 + link->R_T[5] * tip->X[8];
-    const six_link_real t32 = J_TV_43 * tip->X[15] + J_TV_53 * tip->X[16] + J_TV_63 * tip->X[17]
-        - link->R_T[2] * tip->X[12] + link->R_T[4] * tip->X[13];
-    const six_link_real V_next_33 = t32 + link->R_T[5] * tip->X[14];
-    const six_link_real t33 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
-        - link->R_T[2] * tip->X[18] + link->R_T[4] * tip->X[19];
-    const six_link_real V_next_34 = t33 + link->R_T[5] * tip->X[20];
-    const six_link_real t34 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29]
-        - link->R_T[2] * tip->X[24] + link->R_T[4] * tip->X[25];
-    const six_link_real V_next_35 = t34 + link->R_T[5] * tip->X[26];
-    const six_link_real t35 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
-        - link->R_T[2] * tip->X[30] + link->R_T[4] * tip->X[31];
-    const six_link_real V_next_36 = t35 + link->R_T[5] * tip->X[32];
-    const six_link_real V_next_41 = link->R_T[0] * tip->X[3] - link->R_T[1] * tip->X[4]
-        + link->R_T[2] * tip->X[5];
-    const six_link_real V_next_42 = link->R_T[0] * tip->X[9] - link->R_T[1] * tip->X[10]
-        + link->R_T[2] * tip->X[11];
-    const six_link_real V_next_43 = link->R_T[0] * tip->X[15] - link->R_T[1] * tip->X[16]
-        + link->R_T[2] * tip->X[17];
-    const six_link_real V_next_44 = link->R_T[0] * tip->X[21] - link->R_T[1] * tip->X[22]
-        + link->R_T[2] * tip->X[23];
-    const six_link_real V_next_45 = link->R_T[0] * tip->X[27] - link->R_T[1] * tip->X[28]
-        + link->R_T[2] * tip->X[29];
-    const six_link_real V_next_46 = link->R_T[0] * tip->X[33] - link->R_T[1] * tip->X[34]
-        + link->R_T[2] * tip->X[35];
-    const six_link_real V_next_51 = link->R_T[1] * tip->X[3] + link->R_T[3] * tip->X[4]
-        + link->R_T[4] * tip->X[5];
-    const six_link_real V_next_52 = link->R_T[1] * tip->X[9] + link->R_T[3] * tip->X[10]
-        + link->R_T[4] * tip->X[11];
-    const six_link_real V_next_53 = link->R_T[1] * tip->X[15] + link->R_T[3] * tip->X[16]
-        + link->R_T[4] * tip->X[17];
-    const six_link_real V_next_54 = link->R_T[1] * tip->X[21] + link->R_T[3] * tip->X[22]
-        + link->R_T[4] * tip->X[23];
-    const six_link_real V_next_55 = link->R_T[1] * tip->X[27] + link->R_T[3] * tip->X[28]
-        + link->R_T[4] * tip->X[29];
-    const six_link_real V_next_56 = link->R_T[1] * tip->X[33] + link->R_T[3] * tip->X[34]
-        + link->R_T[4] * tip->X[35];
-    const six_link_real V_next_61 = link->R_T[4] * tip->X[4] - link->R_T[2] * tip->X[3]
-        + link->R_T[5] * tip->X[5];
-    const six_link_real V_next_62 = link->R_T[4] * tip->X[10] - link->R_T[2] * tip->X[9]
-        + link->R_T[5] * tip->X[11];
-    const six_link_real V_next_63 = link->R_T[4] * tip->X[16] - link->R_T[2] * tip->X[15]
-        + link->R_T[5] * tip->X[17];
-    const six_link_real V_next_64 = link->R_T[4] * tip->X[22] - link->R_T[2] * tip->X[21]
-        + link->R_T[5] * tip->X[23];
-    const six_link_real V_next_65 = link->R_T[4] * tip->X[28] - link->R_T[2] * tip->X[27]
-        + link->R_T[5] * tip->X[29];
-    const six_link_real V_next_66 = link->R_T[4] * tip->X[34] - link->R_T[2] * tip->X[33]
-        + link->R_T[5] * tip->X[35];
+    const six_link_real V_next_12 = link->R_T[2] * tip->X[8] - link->R_T[1] * tip->X[7];
+    const six_link_real V_next_13 = link->R_T[2] * tip->X[14] - link->R_T[1] * tip->X[13];
+    const six_link_real t18 = -minus_J_TV_41;
+    const six_link_real V_next_15 = J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29];
+    const six_link_real V_next_16 = J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35];
+    const six_link_real V_next_22 = link->R_T[3] * tip->X[7] + link->R_T[4] * tip->X[8];
+    const six_link_real V_next_23 = link->R_T[3] * tip->X[13] + link->R_T[4] * tip->X[14];
+    const six_link_real V_next_25 = J_TV_62 * tip->X[29] - minus_J_TV_52 * tip->X[28];
+    const six_link_real V_next_26 = J_TV_62 * tip->X[35] - minus_J_TV_52 * tip->X[34];
+    const six_link_real t19 = -link->R_T[2];
+    const six_link_real V_next_32 = link->R_T[4] * tip->X[7] + link->R_T[5] * tip->X[8];
+    const six_link_real V_next_33 = link->R_T[4] * tip->X[13] + link->R_T[5] * tip->X[14];
+    const six_link_real V_next_35 = J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29];
+    const six_link_real V_next_36 = J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35];
+    const six_link_real V_next_45 = link->R_T[2] * tip->X[29] - link->R_T[1] * tip->X[28];
+    const six_link_real V_next_46 = link->R_T[2] * tip->X[35] - link->R_T[1] * tip->X[34];
+    const six_link_real V_next_55 = link->R_T[3] * tip->X[28] + link->R_T[4] * tip->X[29];
+    const six_link_real V_next_56 = link->R_T[3] * tip->X[34] + link->R_T[4] * tip->X[35];
+    const six_link_real V_next_65 = link->R_T[4] * tip->X[28] + link->R_T[5] * tip->X[29];
+    const six_link_real V_next_66 = link->R_T[4] * tip->X[34] + link->R_T[5] * tip->X[35];
 
     /* eta_next: modal rows, columns of the next joint's wrench (100) */
-    const six_link_real t36 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1] + J_Teta_31 * tip->X[2]
-        + J_Teta_41 * tip->X[3] + J_Teta_51 * tip->X[4];
-    const six_link_real eta_next_11 = t36 + J_Teta_52 * tip->X[5];
-    const six_link_real t37 = J_Teta_11 * tip->X[6] + J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8]
-        + J_Teta_41 * tip->X[9] + J_Teta_51 * tip->X[10];
-    const six_link_real eta_next_12 = t37 + J_Teta_52 * tip->X[11];
-    const six_link_real t38 = J_Teta_11 * tip->X[12] + J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14]
-        + J_Teta_41 * tip->X[15];
-    const six_link_real eta_next_13 = t38 + J_Teta_51 * tip->X[16] + J_Teta_52 * tip->X[17];
-    const six_link_real t39 = J_Teta_11 * tip->X[18] + J_Teta_21 * tip->X[19] + J_Teta_31 * tip->X[20]
-        + J_Teta_41 * tip->X[21];
-    const six_link_real eta_next_14 = t39 + J_Teta_51 * tip->X[22] + J_Teta_52 * tip->X[23];
-    const six_link_real t40 = J_Teta_11 * tip->X[24] + J_Teta_21 * tip->X[25] + J_Teta_31 * tip->X[26]
-        + J_Teta_41 * tip->X[27];
-    const six_link_real eta_next_15 = t40 + J_Teta_51 * tip->X[28] + J_Teta_52 * tip->X[29];
-    const six_link_real t41 = J_Teta_11 * tip->X[30] + J_Teta_21 * tip->X[31] + J_Teta_31 * tip->X[32]
-        + J_Teta_41 * tip->X[33];
-    const six_link_real eta_next_16 = t41 + J_Teta_51 * tip->X[34] + J_Teta_52 * tip->X[35];
-    const six_link_real t42 = J_Teta_12 * tip->X[0] + J_Teta_22 * tip->X[1] + J_Teta_32 * tip->X[2]
-        - minus_J_Teta_42 * tip->X[3];
-    const six_link_real eta_next_21 = t42 + J_Teta_52 * tip->X[4] + J_Teta_62 * tip->X[5];
-    const six_link_real t43 = J_Teta_12 * tip->X[6] + J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8]
-        - minus_J_Teta_42 * tip->X[9];
-    const six_link_real eta_next_22 = t43 + J_Teta_52 * tip->X[10] + J_Teta_62 * tip->X[11];
-    const six_link_real t44 = J_Teta_12 * tip->X[12] + J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14]
-        - minus_J_Teta_42 * tip->X[15];
-    const six_link_real eta_next_23 = t44 + J_Teta_52 * tip->X[16] + J_Teta_62 * tip->X[17];
-    const six_link_real t45 = J_Teta_12 * tip->X[18] + J_Teta_22 * tip->X[19] + J_Teta_32 * tip->X[20]
-        - minus_J_Teta_42 * tip->X[21];
-    const six_link_real eta_next_24 = t45 + J_Teta_52 * tip->X[22] + J_Teta_62 * tip->X[23];
-    const six_link_real t46 = J_Teta_12 * tip->X[24] + J_Teta_22 * tip->X[25] + J_Teta_32 * tip->X[26]
-        - minus_J_Teta_42 * tip->X[27];
-    const six_link_real eta_next_25 = t46 + J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
-    const six_link_real t47 = J_Teta_12 * tip->X[30] + J_Teta_22 * tip->X[31] + J_Teta_32 * tip->X[32]
-        - minus_J_Teta_42 * tip->X[33];
-    const six_link_real eta_next_26 = t47 + J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
+    const six_link_real eta_next_12 = J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8];
+    const six_link_real eta_next_13 = J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14];
+    const six_link_real eta_next_15 = J_Teta_51 * tip->X[28] + J_Teta_52 * tip->X[29];
+    const six_link_real eta_next_16 = J_Teta_51 * tip->X[34] + J_Teta_52 * tip->X[35];
+    const six_link_real eta_next_22 = J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8];
+    const six_link_real eta_next_23 = J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14];
+    const six_link_real t20 = -minus_J_Teta_42;
+    const six_link_real eta_next_25 = J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
+    const six_link_real eta_next_26 = J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
 
     /* next_V: next joint's rows, twist columns (100) */
-    const six_link_real t48 = minus_J_TV_41 * tip->PX[3] - J_TV_51 * tip->PX[4] - J_TV_61 * tip->PX[5]
-        - tip->PX[0] * link->R_T[0];
-    const six_link_real next_V_11 = t48 + tip->PX[1] * link->R_T[1] - tip->PX[2] * link->R_T[2];
-    const six_link_real t49 = minus_J_TV_52 * tip->PX[4] - J_TV_42 * tip->PX[3] - J_TV_62 * tip->PX[5]
-        - tip->PX[0] * link->R_T[1];
-    const six_link_real next_V_12 = t49 - tip->PX[1] * link->R_T[3] - tip->PX[2] * link->R_T[4];
-    const six_link_real t50 = tip->PX[0] * link->R_T[2]
-        - (J_TV_43 * tip->PX[3] + J_TV_53 * tip->PX[4] + J_TV_63 * tip->PX[5]) - tip->PX[1] * link->R_T[4];
-    const six_link_real next_V_13 = t50 - tip->PX[2] * link->R_T[5];
-    const six_link_real next_V_14 = tip->PX[4] * link->R_T[1] - tip->PX[3] * link->R_T[0]
-        - tip->PX[5] * link->R_T[2];
-    const six_link_real minus_next_V_15 = tip->PX[3] * link->R_T[1] + tip->PX[4] * link->R_T[3]
-        + tip->PX[5] * link->R_T[4];
-    const six_link_real t51 = -minus_next_V_15;
-    const six_link_real next_V_16 = tip->PX[3] * link->R_T[2] - tip->PX[4] * link->R_T[4]
-        - tip->PX[5] * link->R_T[5];
-    const six_link_real t52 = minus_J_TV_41 * tip->PX[9] - J_TV_51 * tip->PX[10] - J_TV_61 * tip->PX[11]
-        - tip->PX[6] * link->R_T[0];
-    const six_link_real next_V_21 = t52 + tip->PX[7] * link->R_T[1] - tip->PX[8] * link->R_T[2];
-    const six_link_real t53 = minus_J_TV_52 * tip->PX[10] - J_TV_42 * tip->PX[9] - J_TV_62 * tip->PX[11]
-        - tip->PX[6] * link->R_T[1];
-    const six_link_real next_V_22 = t53 - tip->PX[7] * link->R_T[3] - tip->PX[8] * link->R_T[4];
-    const six_link_real t54 = tip->PX[6] * link->R_T[2]
-        - (J_TV_43 * tip->PX[9] + J_TV_53 * tip->PX[10] + J_TV_63 * tip->PX[11]);
-    const six_link_real next_V_23 = t54 - tip->PX[7] * link->R_T[4] - tip->PX[8] * link->R_T[5];
-    const six_link_real next_V_24 = tip->PX[10] * link->R_T[1] - tip->PX[9] * link->R_T[0]
-        - tip->PX[11] * link->R_T[2];
-    const six_link_real minus_next_V_25 = tip->PX[9] * link->R_T[1] + tip->PX[10] * link->R_T[3]
-        + tip->PX[11] * link->R_T[4];
-    const six_link_real t55 = -minus_next_V_25;
-    const six_link_real next_V_26 = tip->PX[9] * link->R_T[2] - tip->PX[10] * link->R_T[4]
-        - tip->PX[11] * link->R_T[5];
-    const six_link_real t56 = minus_J_TV_41 * tip->PX[15] - J_TV_51 * tip->PX[16] - J_TV_61 * tip->PX[17]
-        - tip->PX[12] * link->R_T[0];
-    const six_link_real next_V_31 = t56 + tip->PX[13] * link->R_T[1] - tip->PX[14] * link->R_T[2];
-    const six_link_real t57 = minus_J_TV_52 * tip->PX[16] - J_TV_42 * tip->PX[15] - J_TV_62 * tip->PX[17]
-        - tip->PX[12] * link->R_T[1];
-    const six_link_real next_V_32 = t57 - tip->PX[13] * link->R_T[3] - tip->PX[14] * link->R_T[4];
-    const six_link_real t58 = tip->PX[12] * link->R_T[2]
-        - (J_TV_43 * tip->PX[15] + J_TV_53 * tip->PX[16] + J_TV_63 * tip->PX[17]);
-    const six_link_real next_V_33 = t58 - tip->PX[13] * link->R_T[4] - tip->PX[14] * link->R_T[5];
-    const six_link_real next_V_34 = tip->PX[16] * link->R_T[1] - tip->PX[15] * link->R_T[0]
-        - tip->PX[17] * link->R_T[2];
-    const six_link_real minus_next_V_35 = tip->PX[15] * link->R_T[1] + tip->PX[16] * link->R_T[3]
-        + tip->PX[17] * link->R_T[4];
-    const six_link_real t59 = -minus_next_V_35;
-    const six_link_real next_V_36 = tip->PX[15] * link->R_T[2] - tip->PX[16] * link->R_T[4]
-        - tip->PX[17] * link->R_T[5];
-    const six_link_real t60 = minus_J_TV_41 * tip->PX[21] - J_TV_51 * tip->PX[22] - J_TV_61 * tip->PX[23]
-        - tip->PX[18] * link->R_T[0];
-    const six_link_real next_V_41 = t60 + tip->PX[19] * link->R_T[1] - tip->PX[20] * link->R_T[2];
-    const six_link_real t61 = minus_J_TV_52 * tip->PX[22] - J_TV_42 * tip->PX[21] - J_TV_62 * tip->PX[23]
-        - tip->PX[18] * link->R_T[1];
-    const six_link_real next_V_42 = t61 - tip->PX[19] * link->R_T[3] - tip->PX[20] * link->R_T[4];
-    const six_link_real t62 = tip->PX[18] * link->R_T[2]
-        - (J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22] + J_TV_63 * tip->PX[23]);
-    const six_link_real next_V_43 = t62 - tip->PX[19] * link->R_T[4] - tip->PX[20] * link->R_T[5];
-    const six_link_real next_V_44 = tip->PX[22] * link->R_T[1] - tip->PX[21] * link->R_T[0]
-        - tip->PX[23] * link->R_T[2];
-    const six_link_real minus_next_V_45 = tip->PX[21] * link->R_T[1] + tip->PX[22] * link->R_T[3]
-        + tip->PX[23] * link->R_T[4];
-    const six_link_real t63 = -minus_next_V_45;
-    const six_link_real next_V_46 = tip->PX[21] * link->R_T[2] - tip->PX[22] * link->R_T[4]
-        - tip->PX[23] * link->R_T[5];
-    const six_link_real t64 = minus_J_TV_41 * tip->PX[27] - J_TV_51 * tip->PX[28] - J_TV_61 * tip->PX[29]
-        - tip->PX[24] * link->R_T[0];
-    const six_link_real next_V_51 = t64 + tip->PX[25] * link->R_T[1] - tip->PX[26] * link->R_T[2];
-    const six_link_real t65 = minus_J_TV_52 * tip->PX[28] - J_TV_42 * tip->PX[27] - J_TV_62 * tip->PX[29]
-        - tip->PX[24] * link->R_T[1];
-    const six_link_real next_V_52 = t65 - tip->PX[25] * link->R_T[3] - tip->PX[26] * link->R_T[4];
-    const six_link_real t66 = tip->PX[24] * link->R_T[2]
-        - (J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29]);
-    const six_link_real next_V_53 = t66 - tip->PX[25] * link->R_T[4] - tip->PX[26] * link->R_T[5];
-    const six_link_real next_V_54 = tip->PX[28] * link->R_T[1] - tip->PX[27] * link->R_T[0]
-        - tip->PX[29] * link->R_T[2];
-    const six_link_real minus_next_V_55 = tip->PX[27] * link->R_T[1] + tip->PX[28] * link->R_T[3]
-        + tip->PX[29] * link->R_T[4];
-    const six_link_real t67 = -minus_next_V_55;
-    const six_link_real next_V_56 = tip->PX[27] * link->R_T[2] - tip->PX[28] * link->R_T[4]
-        - tip->PX[29] * link->R_T[5];
-    const six_link_real t68 = minus_J_TV_41 * tip->PX[33] - J_TV_51 * tip->PX[34] - J_TV_61 * tip->PX[35]
-        - tip->PX[30] * link->R_T[0];
-    const six_link_real next_V_61 = t68 + tip->PX[31] * link->R_T[1] - tip->PX[32] * link->R_T[2];
-    const six_link_real t69 = minus_J_TV_52 * tip->PX[34] - J_TV_42 * tip->PX[33] - J_TV_62 * tip->PX[35]
-        - tip->PX[30] * link->R_T[1];
-    const six_link_real next_V_62 = t69 - tip->PX[31] * link->R_T[3] - tip->PX[32] * link->R_T[4];
-    const six_link_real t70 = tip->PX[30] * link->R_T[2]
-        - (J_TV_43 * tip->PX[33] + J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35]);
-    const six_link_real next_V_63 = t70 - tip->PX[31] * link->R_T[4] - tip->PX[32] * link->R_T[5];
-    const six_link_real next_V_64 = tip->PX[34] * link->R_T[1] - tip->PX[33] * link->R_T[0]
-        - tip->PX[35] * link->R_T[2];
-    const six_link_real minus_next_V_65 = tip->PX[33] * link->R_T[1] + tip->PX[34] * link->R_T[3]
-        + tip->PX[35] * link->R_T[4];
-    const six_link_real t71 = -minus_next_V_65;
-    const six_link_real next_V_66 = tip->PX[33] * link->R_T[2] - tip->PX[34] * link->R_T[4]
-        - tip->PX[35] * link->R_T[5];
+    const six_link_real minus_next_V_11 = tip->PX[0] * link->R_T[0];
+    const six_link_real t21 = -minus_next_V_11;
+    const six_link_real minus_next_V_12 = tip->PX[0] * link->R_T[1];
+    const six_link_real t22 = -minus_next_V_12;
+    const six_link_real next_V_13 = tip->PX[0] * link->R_T[2];
+    const six_link_real next_V_21 = tip->PX[7] * link->R_T[1] - tip->PX[8] * link->R_T[2];
+    const six_link_real minus_next_V_22 = tip->PX[7] * link->R_T[3] + tip->PX[8] * link->R_T[4];
+    const six_link_real t23 = -minus_next_V_22;
+    const six_link_real minus_next_V_23 = tip->PX[7] * link->R_T[4] + tip->PX[8] * link->R_T[5];
+    const six_link_real t24 = -minus_next_V_23;
+    const six_link_real next_V_31 = tip->PX[13] * link->R_T[1] - tip->PX[14] * link->R_T[2];
+    const six_link_real minus_next_V_32 = tip->PX[13] * link->R_T[3] + tip->PX[14] * link->R_T[4];
+    const six_link_real t25 = -minus_next_V_32;
+    const six_link_real minus_next_V_33 = tip->PX[13] * link->R_T[4] + tip->PX[14] * link->R_T[5];
+    const six_link_real t26 = -minus_next_V_33;
+    const six_link_real t27 = -J_TV_42;
+    const six_link_real t28 = -J_TV_43;
+    const six_link_real t29 = -link->R_T[0];
+    const six_link_real t30 = -link->R_T[1];
+    const six_link_real minus_next_V_51 = J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29];
+    const six_link_real t31 = -minus_next_V_51;
+    const six_link_real next_V_52 = minus_J_TV_52 * tip->PX[28] - J_TV_62 * tip->PX[29];
+    const six_link_real minus_next_V_53 = J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29];
+    const six_link_real t32 = -minus_next_V_53;
+    const six_link_real next_V_54 = tip->PX[28] * link->R_T[1] - tip->PX[29] * link->R_T[2];
+    const six_link_real minus_next_V_55 = tip->PX[28] * link->R_T[3] + tip->PX[29] * link->R_T[4];
+    const six_link_real t33 = -minus_next_V_55;
+    const six_link_real minus_next_V_56 = tip->PX[28] * link->R_T[4] + tip->PX[29] * link->R_T[5];
+    const six_link_real t34 = -minus_next_V_56;
+    const six_link_real minus_next_V_61 = J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35];
+    const six_link_real t35 = -minus_next_V_61;
+    const six_link_real next_V_62 = minus_J_TV_52 * tip->PX[34] - J_TV_62 * tip->PX[35];
+    const six_link_real minus_next_V_63 = J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35];
+    const six_link_real t36 = -minus_next_V_63;
+    const six_link_real next_V_64 = tip->PX[34] * link->R_T[1] - tip->PX[35] * link->R_T[2];
+    const six_link_real minus_next_V_65 = tip->PX[34] * link->R_T[3] + tip->PX[35] * link->R_T[4];
+    const six_link_real t37 = -minus_next_V_65;
+    const six_link_real minus_next_V_66 = tip->PX[34] * link->R_T[4] + tip->PX[35] * link->R_T[5];
+    const six_link_real t38 = -minus_next_V_66;
 
     /* next_eta: next joint's rows, modal columns (100) */
-    const six_link_real t72 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1] + J_Teta_31 * tip->PX[2]
-        + J_Teta_41 * tip->PX[3];
-    const six_link_real minus_next_eta_11 = t72 + J_Teta_51 * tip->PX[4] + J_Teta_52 * tip->PX[5];
-    const six_link_real t73 = -minus_next_eta_11;
-    const six_link_real t74 = minus_J_Teta_42 * tip->PX[3]
-        - (J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1] + J_Teta_32 * tip->PX[2]);
-    const six_link_real next_eta_12 = t74 - J_Teta_52 * tip->PX[4] - J_Teta_62 * tip->PX[5];
-    const six_link_real t75 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7] + J_Teta_31 * tip->PX[8]
-        + J_Teta_41 * tip->PX[9];
-    const six_link_real minus_next_eta_21 = t75 + J_Teta_51 * tip->PX[10] + J_Teta_52 * tip->PX[11];
-    const six_link_real t76 = -minus_next_eta_21;
-    const six_link_real t77 = minus_J_Teta_42 * tip->PX[9]
-        - (J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7] + J_Teta_32 * tip->PX[8]);
-    const six_link_real next_eta_22 = t77 - J_Teta_52 * tip->PX[10] - J_Teta_62 * tip->PX[11];
-    const six_link_real t78 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13] + J_Teta_31 * tip->PX[14]
-        + J_Teta_41 * tip->PX[15];
-    const six_link_real minus_next_eta_31 = t78 + J_Teta_51 * tip->PX[16] + J_Teta_52 * tip->PX[17];
-    const six_link_real t79 = -minus_next_eta_31;
-    const six_link_real t80 = minus_J_Teta_42 * tip->PX[15]
-        - (J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13] + J_Teta_32 * tip->PX[14]);
-    const six_link_real next_eta_32 = t80 - J_Teta_52 * tip->PX[16] - J_Teta_62 * tip->PX[17];
-    const six_link_real t81 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
-        + J_Teta_41 * tip->PX[21];
-    const six_link_real minus_next_eta_41 = t81 + J_Teta_51 * tip->PX[22] + J_Teta_52 * tip->PX[23];
-    const six_link_real t82 = -minus_next_eta_41;
-    const six_link_real t83 = minus_J_Teta_42 * tip->PX[21]
-        - (J_Teta_12 * tip->PX[18] + J_Teta_22 * tip->PX[19] + J_Teta_32 * tip->PX[20]);
-    const six_link_real next_eta_42 = t83 - J_Teta_52 * tip->PX[22] - J_Teta_62 * tip->PX[23];
-    const six_link_real t84 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
-        + J_Teta_41 * tip->PX[27];
-    const six_link_real minus_next_eta_51 = t84 + J_Teta_51 * tip->PX[28] + J_Teta_52 * tip->PX[29];
-    const six_link_real t85 = -minus_next_eta_51;
-    const six_link_real t86 = minus_J_Teta_42 * tip->PX[27]
-        - (J_Teta_12 * tip->PX[24] + J_Teta_22 * tip->PX[25] + J_Teta_32 * tip->PX[26]);
-    const six_link_real next_eta_52 = t86 - J_Teta_52 * tip->PX[28] - J_Teta_62 * tip->PX[29];
-    const six_link_real t87 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
-        + J_Teta_41 * tip->PX[33];
-    const six_link_real minus_next_eta_61 = t87 + J_Teta_51 * tip->PX[34] + J_Teta_52 * tip->PX[35];
-    const six_link_real t88 = -minus_next_eta_61;
-    const six_link_real t89 = minus_J_Teta_42 * tip->PX[33]
-        - (J_Teta_12 * tip->PX[30] + J_Teta_22 * tip->PX[31] + J_Teta_32 * tip->PX[32]);
-    const six_link_real next_eta_62 = t89 - J_Teta_52 * tip->PX[34] - J_Teta_62 * tip->PX[35];
+    const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0];
+    const six_link_real t39 = -minus_next_eta_11;
+    const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0];
+    const six_link_real t40 = -minus_next_eta_12;
+    const six_link_real minus_next_eta_21 = J_Teta_21 * tip->PX[7] + J_Teta_31 * tip->PX[8];
+    const six_link_real t41 = -minus_next_eta_21;
+    const six_link_real minus_next_eta_22 = J_Teta_22 * tip->PX[7] + J_Teta_32 * tip->PX[8];
+    const six_link_real t42 = -minus_next_eta_22;
+    const six_link_real minus_next_eta_31 = J_Teta_21 * tip->PX[13] + J_Teta_31 * tip->PX[14];
+    const six_link_real t43 = -minus_next_eta_31;
+    const six_link_real minus_next_eta_32 = J_Teta_22 * tip->PX[13] + J_Teta_32 * tip->PX[14];
+    const six_link_real t44 = -minus_next_eta_32;
+    const six_link_real t45 = -J_Teta_41;
+    const six_link_real minus_next_eta_51 = J_Teta_51 * tip->PX[28] + J_Teta_52 * tip->PX[29];
+    const six_link_real t46 = -minus_next_eta_51;
+    const six_link_real minus_next_eta_52 = J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
+    const six_link_real t47 = -minus_next_eta_52;
+    const six_link_real minus_next_eta_61 = J_Teta_51 * tip->PX[34] + J_Teta_52 * tip->PX[35];
+    const six_link_real t48 = -minus_next_eta_61;
+    const six_link_real minus_next_eta_62 = J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
+    const six_link_real t49 = -minus_next_eta_62;
 
     /* V_W: external wrench in the twist rows (100) */
-    const six_link_real t90 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
+    const six_link_real t50 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
         + link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1];
-    const six_link_real V_W_1 = t90 + link->R_T[2] * w_ext[2];
-    const six_link_real t91 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
+    const six_link_real V_W_1 = t50 + link->R_T[2] * w_ext[2];
+    const six_link_real t51 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
         + link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1];
-    const six_link_real V_W_2 = t91 + link->R_T[4] * w_ext[2];
-    const six_link_real t92 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
+    const six_link_real V_W_2 = t51 + link->R_T[4] * w_ext[2];
+    const six_link_real t52 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
         - link->R_T[2] * w_ext[0] + link->R_T[4] * w_ext[1];
-    const six_link_real V_W_3 = t92 + link->R_T[5] * w_ext[2];
+    const six_link_real V_W_3 = t52 + link->R_T[5] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5];
     const six_link_real V_W_6 = link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const six_link_real t93 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+    const six_link_real t53 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
         + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
-    const six_link_real eta_W_1 = t93 + J_Teta_52 * w_ext[5];
-    const six_link_real t94 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+    const six_link_real eta_W_1 = t53 + J_Teta_52 * w_ext[5];
+    const six_link_real t54 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
         - minus_J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const six_link_real eta_W_2 = t94 + J_Teta_62 * w_ext[5];
+    const six_link_real eta_W_2 = t54 + J_Teta_62 * w_ext[5];
 
     /* outputs */
-    M[place[7]] = next_V_11;
-    M[place[8]] = next_V_12;
+    M[place[7]] = t21;
+    M[place[8]] = t22;
     M[place[9]] = next_V_13;
-    M[place[10]] = next_V_14;
-    M[place[11]] = t51;
-    M[place[12]] = next_V_16;
-    M[place[13]] = next_V_21;
-    M[place[14]] = next_V_22;
-    M[place[15]] = next_V_23;
-    M[place[16]] = next_V_24;
-    M[place[17]] = t55;
-    M[place[18]] = next_V_26;
-    M[place[19]] = next_V_31;
-    M[place[20]] = next_V_32;
-    M[place[21]] = next_V_33;
-    M[place[22]] = next_V_34;
-    M[place[23]] = t59;
-    M[place[24]] = next_V_36;
-    M[place[25]] = next_V_41;
-    M[place[26]] = next_V_42;
-    M[place[27]] = next_V_43;
-    M[place[28]] = next_V_44;
-    M[place[29]] = t63;
-    M[place[30]] = next_V_46;
-    M[place[31]] = next_V_51;
-    M[place[32]] = next_V_52;
-    M[place[33]] = next_V_53;
-    M[place[34]] = next_V_54;
-    M[place[35]] = t67;
-    M[place[36]] = next_V_56;
-    M[place[37]] = next_V_61;
-    M[place[38]] = next_V_62;
-    M[place[39]] = next_V_63;
-    M[place[40]] = next_V_64;
-    M[place[41]] = t71;
-    M[place[42]] = next_V_66;
-    M[place[43]] = t73;
-    M[place[44]] = next_eta_12;
-    M[place[45]] = t76;
-    M[place[46]] = next_eta_22;
-    M[place[47]] = t79;
-    M[place[48]] = next_eta_32;
-    M[place[49]] = t82;
-    M[place[50]] = next_eta_42;
-    M[place[51]] = t85;
-    M[place[52]] = next_eta_52;
-    M[place[53]] = t88;
-    M[place[54]] = next_eta_62;
-    M[place[55]] = -1;
-    M[place[56]] = -1;
-    M[place[57]] = -1;
-    M[place[58]] = -1;
-    M[place[59]] = -1;
-    M[place[60]] = -1;
-    M[place[61]] = link->M_V[0];
-    M[place[62]] = t1;
-    M[place[63]] = t2;
-    M[place[64]] = t3;
-    M[place[65]] = link->M_V[4];
-    M[place[66]] = t1;
-    M[place[67]] = link->M_V[5];
-    M[place[68]] = t4;
-    M[place[69]] = link->M_V[3];
-    M[place[70]] = t5;
-    M[place[71]] = t2;
-    M[place[72]] = t4;
-    M[place[73]] = link->M_V[7];
-    M[place[74]] = t6;
-    M[place[75]] = c->S_0_x;
-    M[place[76]] = link->M_V[3];
-    M[place[77]] = t6;
-    M[place[78]] = c->m;
-    M[place[79]] = t3;
-    M[place[80]] = c->S_0_x;
-    M[place[81]] = c->m;
-    M[place[82]] = link->M_V[4];
-    M[place[83]] = t5;
-    M[place[84]] = c->m;
-    M[place[85]] = t7;
-    M[place[86]] = link->M_D[1];
-    M[place[87]] = t8;
-    M[place[88]] = c->chi_1;
-    M[place[89]] = c->sigma_y1;
-    M[place[90]] = c->sigma_z2;
-    M[place[91]] = V_next_11;
-    M[place[92]] = V_next_12;
-    M[place[93]] = V_next_13;
-    M[place[94]] = V_next_14;
-    M[place[95]] = V_next_15;
-    M[place[96]] = V_next_16;
-    M[place[97]] = V_next_21;
-    M[place[98]] = V_next_22;
-    M[place[99]] = V_next_23;
-    M[place[100]] = V_next_24;
-    M[place[101]] = V_next_25;
-    M[place[102]] = V_next_26;
-    M[place[103]] = V_next_31;
-    M[place[104]] = V_next_32;
-    M[place[105]] = V_next_33;
-    M[place[106]] = V_next_34;
-    M[place[107]] = V_next_35;
-    M[place[108]] = V_next_36;
-    M[place[109]] = V_next_41;
-    M[place[110]] = V_next_42;
-    M[place[111]] = V_next_43;
-    M[place[112]] = V_next_44;
-    M[place[113]] = V_next_45;
-    M[place[114]] = V_next_46;
-    M[place[115]] = V_next_51;
-    M[place[116]] = V_next_52;
-    M[place[117]] = V_next_53;
-    M[place[118]] = V_next_54;
-    M[place[119]] = V_next_55;
-    M[place[120]] = V_next_56;
-    M[place[121]] = V_next_61;
-    M[place[122]] = V_next_62;
-    M[place[123]] = V_next_63;
-    M[place[124]] = V_next_64;
-    M[place[125]] = V_next_65;
-    M[place[126]] = V_next_66;
-    M[place[127]] = t7;
-    M[place[128]] = c->chi_1;
-    M[place[129]] = c->sigma_y1;
-    M[place[130]] = link->M_D[1];
-    M[place[131]] = t8;
-    M[place[132]] = c->sigma_z2;
-    M[place[133]] = m_eta[0];
-    M[place[134]] = m_eta[1];
-    M[place[135]] = eta_next_11;
-    M[place[136]] = eta_next_12;
-    M[place[137]] = eta_next_13;
-    M[place[138]] = eta_next_14;
-    M[place[139]] = eta_next_15;
-    M[place[140]] = eta_next_16;
-    M[place[141]] = eta_next_21;
-    M[place[142]] = eta_next_22;
-    M[place[143]] = eta_next_23;
-    M[place[144]] = eta_next_24;
-    M[place[145]] = eta_next_25;
-    M[place[146]] = eta_next_26;
+    M[place[10]] = next_V_21;
+    M[place[11]] = t23;
+    M[place[12]] = t24;
+    M[place[13]] = next_V_31;
+    M[place[14]] = t25;
+    M[place[15]] = t26;
+    M[place[16]] = minus_J_TV_41;
+    M[place[17]] = t27;
+    M[place[18]] = t28;
+    M[place[19]] = t29;
+    M[place[20]] = t30;
+    M[place[21]] = link->R_T[2];
+    M[place[22]] = t31;
+    M[place[23]] = next_V_52;
+    M[place[24]] = t32;
+    M[place[25]] = next_V_54;
+    M[place[26]] = t33;
+    M[place[27]] = t34;
+    M[place[28]] = t35;
+    M[place[29]] = next_V_62;
+    M[place[30]] = t36;
+    M[place[31]] = next_V_64;
+    M[place[32]] = t37;
+    M[place[33]] = t38;
+    M[place[34]] = t39;
+    M[place[35]] = t40;
+    M[place[36]] = t41;
+    M[place[37]] = t42;
+    M[place[38]] = t43;
+    M[place[39]] = t44;
+    M[place[40]] = t45;
+    M[place[41]] = minus_J_Teta_42;
+    M[place[42]] = t46;
+    M[place[43]] = t47;
+    M[place[44]] = t48;
+    M[place[45]] = t49;
+    M[place[46]] = -1;
+    M[place[47]] = -1;
+    M[place[48]] = -1;
+    M[place[49]] = -1;
+    M[place[50]] = -1;
+    M[place[51]] = -1;
+    M[place[52]] = link->M_V[0];
+    M[place[53]] = t1;
+    M[place[54]] = t2;
+    M[place[55]] = t3;
+    M[place[56]] = link->M_V[4];
+    M[place[57]] = t1;
+    M[place[58]] = link->M_V[5];
+    M[place[59]] = t4;
+    M[place[60]] = link->M_V[3];
+    M[place[61]] = t5;
+    M[place[62]] = t2;
+    M[place[63]] = t4;
+    M[place[64]] = link->M_V[7];
+    M[place[65]] = t6;
+    M[place[66]] = c->S_0_x;
+    M[place[67]] = link->M_V[3];
+    M[place[68]] = t6;
+    M[place[69]] = c->m;
+    M[place[70]] = t3;
+    M[place[71]] = c->S_0_x;
+    M[place[72]] = c->m;
+    M[place[73]] = link->M_V[4];
+    M[place[74]] = t5;
+    M[place[75]] = c->m;
+    M[place[76]] = t7;
+    M[place[77]] = link->M_D[1];
+    M[place[78]] = t8;
+    M[place[79]] = c->chi_1;
+    M[place[80]] = c->sigma_y1;
+    M[place[81]] = c->sigma_z2;
+    M[place[82]] = link->R_T[0];
+    M[place[83]] = V_next_12;
+    M[place[84]] = V_next_13;
+    M[place[85]] = t18;
+    M[place[86]] = V_next_15;
+    M[place[87]] = V_next_16;
+    M[place[88]] = link->R_T[1];
+    M[place[89]] = V_next_22;
+    M[place[90]] = V_next_23;
+    M[place[91]] = J_TV_42;
+    M[place[92]] = V_next_25;
+    M[place[93]] = V_next_26;
+    M[place[94]] = t19;
+    M[place[95]] = V_next_32;
+    M[place[96]] = V_next_33;
+    M[place[97]] = J_TV_43;
+    M[place[98]] = V_next_35;
+    M[place[99]] = V_next_36;
+    M[place[100]] = link->R_T[0];
+    M[place[101]] = V_next_45;
+    M[place[102]] = V_next_46;
+    M[place[103]] = link->R_T[1];
+    M[place[104]] = V_next_55;
+    M[place[105]] = V_next_56;
+    M[place[106]] = t19;
+    M[place[107]] = V_next_65;
+    M[place[108]] = V_next_66;
+    M[place[109]] = t7;
+    M[place[110]] = c->chi_1;
+    M[place[111]] = c->sigma_y1;
+    M[place[112]] = link->M_D[1];
+    M[place[113]] = t8;
+    M[place[114]] = c->sigma_z2;
+    M[place[115]] = m_eta[0];
+    M[place[116]] = m_eta[1];
+    M[place[117]] = J_Teta_11;
+    M[place[118]] = eta_next_12;
+    M[place[119]] = eta_next_13;
+    M[place[120]] = J_Teta_41;
+    M[place[121]] = eta_next_15;
+    M[place[122]] = eta_next_16;
+    M[place[123]] = J_Teta_12;
+    M[place[124]] = eta_next_22;
+    M[place[125]] = eta_next_23;
+    M[place[126]] = t20;
+    M[place[127]] = eta_next_25;
+    M[place[128]] = eta_next_26;
     H[6] = link->h_V[0];
     H[7] = link->h_V[1];
     H[8] = link->h_V[2];
@@ -8344,7 +10474,7 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     return SIX_LINK_OK;
 }
 
-/* link rows, links like wrist_roll: 83 operations */
+/* link rows, links like wrist_roll: 21 operations */
 static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
@@ -8353,156 +10483,169 @@ static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, co
     const six_link_real t1 = -c->S_0_x;
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real V_next_21 = tip->X[1] - c->length * tip->X[5];
-    const six_link_real V_next_22 = tip->X[7] - c->length * tip->X[11];
-    const six_link_real V_next_23 = tip->X[13] - c->length * tip->X[17];
-    const six_link_real V_next_24 = tip->X[19] - c->length * tip->X[23];
-    const six_link_real V_next_25 = tip->X[25] - c->length * tip->X[29];
-    const six_link_real V_next_26 = tip->X[31] - c->length * tip->X[35];
-    const six_link_real V_next_31 = c->length * tip->X[4] + tip->X[2];
-    const six_link_real V_next_32 = c->length * tip->X[10] + tip->X[8];
-    const six_link_real V_next_33 = c->length * tip->X[16] + tip->X[14];
-    const six_link_real V_next_34 = c->length * tip->X[22] + tip->X[20];
-    const six_link_real V_next_35 = c->length * tip->X[28] + tip->X[26];
-    const six_link_real V_next_36 = c->length * tip->X[34] + tip->X[32];
+    const six_link_real minus_V_next_24 = c->length * tip->X[23];
+    const six_link_real t2 = -minus_V_next_24;
+    const six_link_real minus_V_next_26 = c->length * tip->X[35];
+    const six_link_real t3 = -minus_V_next_26;
 
     /* next_V: next joint's rows, twist columns (100) */
-    const six_link_real t2 = -tip->PX[0];
-    const six_link_real next_V_12 = c->length * tip->PX[5] - tip->PX[1];
-    const six_link_real minus_next_V_13 = c->length * tip->PX[4] + tip->PX[2];
-    const six_link_real t3 = -minus_next_V_13;
-    const six_link_real t4 = -tip->PX[3];
-    const six_link_real t5 = -tip->PX[4];
-    const six_link_real t6 = -tip->PX[5];
-    const six_link_real t7 = -tip->PX[6];
-    const six_link_real next_V_22 = c->length * tip->PX[11] - tip->PX[7];
-    const six_link_real minus_next_V_23 = c->length * tip->PX[10] + tip->PX[8];
-    const six_link_real t8 = -minus_next_V_23;
-    const six_link_real t9 = -tip->PX[9];
-    const six_link_real t10 = -tip->PX[10];
-    const six_link_real t11 = -tip->PX[11];
-    const six_link_real t12 = -tip->PX[12];
-    const six_link_real next_V_32 = c->length * tip->PX[17] - tip->PX[13];
-    const six_link_real minus_next_V_33 = c->length * tip->PX[16] + tip->PX[14];
-    const six_link_real t13 = -minus_next_V_33;
-    const six_link_real t14 = -tip->PX[15];
-    const six_link_real t15 = -tip->PX[16];
-    const six_link_real t16 = -tip->PX[17];
-    const six_link_real t17 = -tip->PX[18];
-    const six_link_real next_V_42 = c->length * tip->PX[23] - tip->PX[19];
-    const six_link_real minus_next_V_43 = c->length * tip->PX[22] + tip->PX[20];
-    const six_link_real t18 = -minus_next_V_43;
-    const six_link_real t19 = -tip->PX[21];
-    const six_link_real t20 = -tip->PX[22];
-    const six_link_real t21 = -tip->PX[23];
-    const six_link_real t22 = -tip->PX[24];
-    const six_link_real next_V_52 = c->length * tip->PX[29] - tip->PX[25];
-    const six_link_real minus_next_V_53 = c->length * tip->PX[28] + tip->PX[26];
-    const six_link_real t23 = -minus_next_V_53;
-    const six_link_real t24 = -tip->PX[27];
-    const six_link_real t25 = -tip->PX[28];
-    const six_link_real t26 = -tip->PX[29];
-    const six_link_real t27 = -tip->PX[30];
-    const six_link_real next_V_62 = c->length * tip->PX[35] - tip->PX[31];
-    const six_link_real minus_next_V_63 = c->length * tip->PX[34] + tip->PX[32];
-    const six_link_real t28 = -minus_next_V_63;
-    const six_link_real t29 = -tip->PX[33];
-    const six_link_real t30 = -tip->PX[34];
-    const six_link_real t31 = -tip->PX[35];
+    const six_link_real t4 = -tip->PX[0];
+    const six_link_real t5 = -tip->PX[2];
+    const six_link_real t6 = -tip->PX[7];
+    const six_link_real t7 = -tip->PX[12];
+    const six_link_real t8 = -tip->PX[14];
+    const six_link_real next_V_42 = c->length * tip->PX[23];
+    const six_link_real t9 = -tip->PX[21];
+    const six_link_real t10 = -tip->PX[23];
+    const six_link_real t11 = -c->length;
+    const six_link_real next_V_62 = c->length * tip->PX[35];
+    const six_link_real t12 = -tip->PX[33];
+    const six_link_real t13 = -tip->PX[35];
 
     /* V_W: external wrench in the twist rows (100) */
     const six_link_real V_W_2 = w_ext[1] - c->length * w_ext[5];
     const six_link_real V_W_3 = c->length * w_ext[4] + w_ext[2];
 
     /* outputs */
-    M[place[7]] = t2;
-    M[place[8]] = next_V_12;
-    M[place[9]] = t3;
-    M[place[10]] = t4;
-    M[place[11]] = t5;
-    M[place[12]] = t6;
-    M[place[13]] = t7;
-    M[place[14]] = next_V_22;
-    M[place[15]] = t8;
-    M[place[16]] = t9;
-    M[place[17]] = t10;
-    M[place[18]] = t11;
-    M[place[19]] = t12;
-    M[place[20]] = next_V_32;
-    M[place[21]] = t13;
-    M[place[22]] = t14;
-    M[place[23]] = t15;
-    M[place[24]] = t16;
-    M[place[25]] = t17;
-    M[place[26]] = next_V_42;
-    M[place[27]] = t18;
-    M[place[28]] = t19;
-    M[place[29]] = t20;
-    M[place[30]] = t21;
-    M[place[31]] = t22;
-    M[place[32]] = next_V_52;
-    M[place[33]] = t23;
-    M[place[34]] = t24;
-    M[place[35]] = t25;
-    M[place[36]] = t26;
-    M[place[37]] = t27;
-    M[place[38]] = next_V_62;
-    M[place[39]] = t28;
-    M[place[40]] = t29;
-    M[place[41]] = t30;
-    M[place[42]] = t31;
-    M[place[43]] = -1;
-    M[place[44]] = -1;
-    M[place[45]] = -1;
-    M[place[46]] = -1;
-    M[place[47]] = -1;
-    M[place[48]] = -1;
-    M[place[49]] = c->I_s;
-    M[place[50]] = c->J_0_xx;
-    M[place[51]] = t1;
-    M[place[52]] = c->J_0_xx;
-    M[place[53]] = c->S_0_x;
-    M[place[54]] = c->mu;
-    M[place[55]] = c->S_0_x;
-    M[place[56]] = c->mu;
-    M[place[57]] = t1;
-    M[place[58]] = c->mu;
-    M[place[59]] = tip->X[0];
-    M[place[60]] = tip->X[6];
-    M[place[61]] = tip->X[12];
-    M[place[62]] = tip->X[18];
-    M[place[63]] = tip->X[24];
-    M[place[64]] = tip->X[30];
-    M[place[65]] = V_next_21;
-    M[place[66]] = V_next_22;
-    M[place[67]] = V_next_23;
-    M[place[68]] = V_next_24;
-    M[place[69]] = V_next_25;
-    M[place[70]] = V_next_26;
-    M[place[71]] = V_next_31;
-    M[place[72]] = V_next_32;
-    M[place[73]] = V_next_33;
-    M[place[74]] = V_next_34;
-    M[place[75]] = V_next_35;
-    M[place[76]] = V_next_36;
-    M[place[77]] = tip->X[3];
-    M[place[78]] = tip->X[9];
-    M[place[79]] = tip->X[15];
-    M[place[80]] = tip->X[21];
-    M[place[81]] = tip->X[27];
-    M[place[82]] = tip->X[33];
-    M[place[83]] = tip->X[4];
-    M[place[84]] = tip->X[10];
-    M[place[85]] = tip->X[16];
-    M[place[86]] = tip->X[22];
-    M[place[87]] = tip->X[28];
-    M[place[88]] = tip->X[34];
-    M[place[89]] = tip->X[5];
-    M[place[90]] = tip->X[11];
-    M[place[91]] = tip->X[17];
-    M[place[92]] = tip->X[23];
-    M[place[93]] = tip->X[29];
-    M[place[94]] = tip->X[35];
+    M[place[7]] = t4;
+    M[place[8]] = t5;
+    M[place[9]] = t6;
+    M[place[10]] = t7;
+    M[place[11]] = t8;
+    M[place[12]] = next_V_42;
+    M[place[13]] = t9;
+    M[place[14]] = t10;
+    M[place[15]] = t11;
+    M[place[16]] = -1;
+    M[place[17]] = next_V_62;
+    M[place[18]] = t12;
+    M[place[19]] = t13;
+    M[place[20]] = -1;
+    M[place[21]] = -1;
+    M[place[22]] = -1;
+    M[place[23]] = -1;
+    M[place[24]] = -1;
+    M[place[25]] = -1;
+    M[place[26]] = c->I_s;
+    M[place[27]] = c->J_0_xx;
+    M[place[28]] = t1;
+    M[place[29]] = c->J_0_xx;
+    M[place[30]] = c->S_0_x;
+    M[place[31]] = c->mu;
+    M[place[32]] = c->S_0_x;
+    M[place[33]] = c->mu;
+    M[place[34]] = t1;
+    M[place[35]] = c->mu;
+    M[place[36]] = tip->X[0];
+    M[place[37]] = tip->X[12];
+    M[place[38]] = 1;
+    M[place[39]] = t2;
+    M[place[40]] = t3;
+    M[place[41]] = tip->X[2];
+    M[place[42]] = tip->X[14];
+    M[place[43]] = c->length;
+    M[place[44]] = tip->X[21];
+    M[place[45]] = tip->X[33];
+    M[place[46]] = 1;
+    M[place[47]] = tip->X[23];
+    M[place[48]] = tip->X[35];
+    H[6] = 0;
+    H[7] = link->h_V[0];
+    H[8] = link->h_V[1];
+    H[9] = link->h_V[2];
+    H[10] = link->h_V[3];
+    H[11] = link->h_V[4];
+    W[6] = w_ext[0];
+    W[7] = V_W_2;
+    W[8] = V_W_3;
+    W[9] = w_ext[3];
+    W[10] = w_ext[4];
+    W[11] = w_ext[5];
+    return SIX_LINK_OK;
+}
+
+/* link rows, links like wrist_pitch: 26 operations */
+static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
+    six_link_real W[12])
+{
+
+    const six_link_real t1 = -c->S_0_x;
+
+    /* V_next: twist rows, columns of the next joint's wrench (100) */
+    const six_link_real minus_V_next_25 = c->length * tip->X[29];
+    const six_link_real t2 = -minus_V_next_25;
+    const six_link_real minus_V_next_26 = c->length * tip->X[35];
+    const six_link_real t3 = -minus_V_next_26;
+    const six_link_real V_next_35 = c->length * tip->X[28];
+    const six_link_real V_next_36 = c->length * tip->X[34];
+
+    /* next_V: next joint's rows, twist columns (100) */
+    const six_link_real t4 = -tip->PX[0];
+    const six_link_real t5 = -tip->PX[7];
+    const six_link_real t6 = -tip->PX[8];
+    const six_link_real t7 = -tip->PX[13];
+    const six_link_real t8 = -tip->PX[14];
+    const six_link_real next_V_52 = c->length * tip->PX[29];
+    const six_link_real minus_next_V_53 = c->length * tip->PX[28];
+    const six_link_real t9 = -minus_next_V_53;
+    const six_link_real t10 = -tip->PX[28];
+    const six_link_real t11 = -tip->PX[29];
+    const six_link_real next_V_62 = c->length * tip->PX[35];
+    const six_link_real minus_next_V_63 = c->length * tip->PX[34];
+    const six_link_real t12 = -minus_next_V_63;
+    const six_link_real t13 = -tip->PX[34];
+    const six_link_real t14 = -tip->PX[35];
+
+    /* V_W: external wrench in the twist rows (100) */
+    const six_link_real V_W_2 = w_ext[1] - c->length * w_ext[5];
+    const six_link_real V_W_3 = c->length * w_ext[4] + w_ext[2];
+
+    /* outputs */
+    M[place[7]] = t4;
+    M[place[8]] = t5;
+    M[place[9]] = t6;
+    M[place[10]] = t7;
+    M[place[11]] = t8;
+    M[place[12]] = -1;
+    M[place[13]] = next_V_52;
+    M[place[14]] = t9;
+    M[place[15]] = t10;
+    M[place[16]] = t11;
+    M[place[17]] = next_V_62;
+    M[place[18]] = t12;
+    M[place[19]] = t13;
+    M[place[20]] = t14;
+    M[place[21]] = -1;
+    M[place[22]] = -1;
+    M[place[23]] = -1;
+    M[place[24]] = -1;
+    M[place[25]] = -1;
+    M[place[26]] = -1;
+    M[place[27]] = c->I_s;
+    M[place[28]] = c->J_0_xx;
+    M[place[29]] = t1;
+    M[place[30]] = c->J_0_xx;
+    M[place[31]] = c->S_0_x;
+    M[place[32]] = c->mu;
+    M[place[33]] = c->S_0_x;
+    M[place[34]] = c->mu;
+    M[place[35]] = t1;
+    M[place[36]] = c->mu;
+    M[place[37]] = 1;
+    M[place[38]] = tip->X[7];
+    M[place[39]] = tip->X[13];
+    M[place[40]] = t2;
+    M[place[41]] = t3;
+    M[place[42]] = tip->X[8];
+    M[place[43]] = tip->X[14];
+    M[place[44]] = V_next_35;
+    M[place[45]] = V_next_36;
+    M[place[46]] = 1;
+    M[place[47]] = tip->X[28];
+    M[place[48]] = tip->X[34];
+    M[place[49]] = tip->X[29];
+    M[place[50]] = tip->X[35];
     H[6] = 0;
     H[7] = link->h_V[0];
     H[8] = link->h_V[1];
@@ -8519,7 +10662,7 @@ static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, co
 }
 
 /* link rows, links like flange: 35 operations */
-static six_link_status link_rows_flange_last(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
+static six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
     const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
 
@@ -8599,6 +10742,88 @@ static six_link_status link_rows_flange_last(const six_link_link_constants *c, c
     return SIX_LINK_OK;
 }
 
+static six_link_status joint_dynamics_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    case 1:
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 2:
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 3:
+        return kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    case 4:
+        return kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    default:
+        return kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    }
+}
+
+static six_link_status joint_dynamics_eliminate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+    case 1:
+        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+    case 2:
+        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+    case 3:
+        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+    case 4:
+        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+    default:
+        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+    }
+}
+
+static six_link_status joint_dynamics_accelerate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 1:
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
+    case 2:
+        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
+    case 3:
+        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 4:
+        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
+    default:
+        return accelerate_flange(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
+    }
+}
+
+static six_link_status joint_dynamics_poses(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return poses_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1]);
+    case 1:
+        return poses_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
+    case 2:
+        return poses_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
+    case 3:
+        return poses_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
+    default:
+        return poses_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
+    }
+}
+
 static six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
@@ -8606,17 +10831,17 @@ static six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, 
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return dae_kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->new_qdot + q);
+        return dae_kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
     case 1:
-        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     case 2:
-        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     case 3:
-        return dae_kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->new_qdot + q);
+        return dae_kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
     case 4:
-        return dae_kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->new_qdot + q);
+        return dae_kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
     default:
-        return dae_kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->new_qdot + q);
+        return dae_kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
     }
 }
 
@@ -8627,11 +10852,11 @@ static six_link_status dae_dynamics_eliminate(const six_link_constants *c, const
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
     case 1:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
     case 2:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
     case 3:
         return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
     case 4:
@@ -8648,38 +10873,30 @@ static six_link_status dae_dynamics_accelerate(const six_link_constants *c, cons
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
+        return accelerate_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 1:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 2:
-        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 3:
-        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
+        return accelerate_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 4:
-        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
+        return accelerate_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     default:
-        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench + 6 * i, call->alpha + 6 * i);
+        return accelerate_flange_2(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     }
 }
 
 static six_link_status dae_dynamics_twist_rates(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
-    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 1, 1, 1, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
-    case 1:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
-    case 2:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
-    case 3:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
-    case 4:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
     default:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
     }
 }
 
@@ -8690,7 +10907,7 @@ static six_link_status projection_project(const six_link_constants *c, const six
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return project_shoulder(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 1:
         return project_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 2:
@@ -8700,7 +10917,7 @@ static six_link_status projection_project(const six_link_constants *c, const six
     case 4:
         return project_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return project_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_flange(&chain->nodes[i], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
@@ -8711,7 +10928,7 @@ static six_link_status placement_forward_kinematics(const six_link_constants *c,
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return forward_kinematics_shoulder(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 1:
         return forward_kinematics_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 2:
@@ -8721,7 +10938,133 @@ static six_link_status placement_forward_kinematics(const six_link_constants *c,
     case 4:
         return forward_kinematics_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return forward_kinematics_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_flange(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+    }
+}
+
+static six_link_status inverse_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return kinematics_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    case 1:
+        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 2:
+        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 3:
+        return kinematics_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    case 4:
+        return kinematics_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    default:
+        return kinematics_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    }
+}
+
+static six_link_status inverse_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return inverse_outward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q);
+    case 1:
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+    case 2:
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+    case 3:
+        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    case 4:
+        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    default:
+        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    }
+}
+
+static six_link_status inverse_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return inverse_inward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 1:
+        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->qdot + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 2:
+        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->qdot + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 3:
+        return inverse_inward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    case 4:
+        return inverse_inward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    default:
+        return inverse_inward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    }
+}
+
+static six_link_status inertia_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return kinematics_shoulder_3();
+    case 1:
+        return kinematics_upper_arm_3(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+    case 2:
+        return kinematics_forearm_3(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+    case 3:
+        return kinematics_wrist_roll_3(&chain->links[i], &chain->nodes[i], call->q + q);
+    case 4:
+        return kinematics_wrist_pitch_3(&chain->links[i], call->q + q);
+    default:
+        return kinematics_flange_3(&chain->links[i], call->q + q);
+    }
+}
+
+static six_link_status inertia_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return inverse_outward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q);
+    case 1:
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+    case 2:
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+    case 3:
+        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    case 4:
+        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    default:
+        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+    }
+}
+
+static six_link_status inertia_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return inverse_inward_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+    case 1:
+        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+    case 2:
+        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+    case 3:
+        return inverse_inward_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+    case 4:
+        return inverse_inward_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+    default:
+        return inverse_inward_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
     }
 }
 
@@ -8732,7 +11075,7 @@ static six_link_status assembly_joint_rows(const six_link_constants *c, const si
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return joint_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 1:
         return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 2:
@@ -8742,7 +11085,7 @@ static six_link_status assembly_joint_rows(const six_link_constants *c, const si
     case 4:
         return joint_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
-        return joint_rows_flange_last(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_flange(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     }
 }
 
@@ -8761,43 +11104,58 @@ static six_link_status assembly_link_rows(const six_link_constants *c, const six
     case 3:
         return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 4:
-        return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
-        return link_rows_flange_last(&c->links[i], &chain->links[i], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_flange(&c->links[i], &chain->links[i], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     }
 }
 
-/* What is known beforehand: a base at rest that falls up, a tip that carries nothing. */
+/* A base at rest falls up; all else that is known of base and last tip is folded into the code. */
 static void start(const six_link_call *call, six_link_chain *chain)
 {
-    six_link_node *base = &chain->nodes[0], *tip = &chain->nodes[SIX_LINK_NLINKS];
     int k;
     for (k = 0; k < 3; ++k) {
-        base->omega[k] = 0;
-        base->v[k] = 0;
-        base->omega_m[k] = 0;
-        base->r[k] = 0;
-        base->R[3 * k] = 0;
-        base->R[3 * k + 1] = 0;
-        base->R[3 * k + 2] = 0;
-        base->R[4 * k] = 1;
-        base->R_m[3 * k] = 0;
-        base->R_m[3 * k + 1] = 0;
-        base->R_m[3 * k + 2] = 0;
-        base->R_m[4 * k] = 1;
-        base->alpha[k] = 0;
-        base->alpha[k + 3] = -call->gravity[k];
-        base->b[k] = 0;
-        base->b[k + 3] = 0;
-        base->Q[k + 1] = 0;
+        chain->nodes[0].alpha_0[k + 3] = -call->gravity[k];
     }
-    base->Q[0] = 1;
-    for (k = 0; k < 6; ++k) {
-        tip->p[k] = 0;
+}
+
+six_link_status six_link_joint_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    start(call, chain);
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = joint_dynamics_kinematics(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
     }
-    for (k = 0; k < 21; ++k) {
-        tip->Lambda[k] = 0;
+    for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
+        status = joint_dynamics_eliminate(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
     }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = joint_dynamics_accelerate(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    if (!call->tip_pose) {
+        return SIX_LINK_OK;
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = joint_dynamics_poses(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
 }
 
 six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
@@ -8840,7 +11198,6 @@ six_link_status six_link_projection(const six_link_constants *c, const six_link_
 {
     six_link_status status;
     int i;
-    start(call, chain);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         status = projection_project(c, call, chain, i);
         if (status != SIX_LINK_OK) {
@@ -8855,9 +11212,72 @@ six_link_status six_link_placement(const six_link_constants *c, const six_link_c
 {
     six_link_status status;
     int i;
-    start(call, chain);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         status = placement_forward_kinematics(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
+}
+
+six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    start(call, chain);
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = inverse_kinematics(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = inverse_inverse_outward(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
+        status = inverse_inverse_inward(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
+}
+
+six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = inertia_kinematics(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
+}
+
+six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = inertia_inverse_outward(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
+        status = inertia_inverse_inward(c, call, chain, i);
         if (status != SIX_LINK_OK) {
             *fault = i;
             return status;
@@ -8870,7 +11290,6 @@ six_link_status six_link_assembly(const six_link_constants *c, const six_link_ca
 {
     six_link_status status;
     int i;
-    start(call, chain);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         status = assembly_joint_rows(c, call, chain, i);
         if (status != SIX_LINK_OK) {

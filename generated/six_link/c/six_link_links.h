@@ -7,14 +7,21 @@
 /* Where the phases find the inputs and outputs of a call: every array starts at the first link. */
 typedef struct {
     const six_link_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
-    const six_link_real *quaternion, *twist, *given_alpha;
+    const six_link_real *quaternion, *twist, *given_alpha, *given_qddot, *given_etaddot;
     six_link_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
-    six_link_real *M, *H, *W;
+    six_link_real *force, *force_eta, *M, *H, *W;
+    int tip_pose; /* whether the tip's pose is wanted; the wrenches are where there is a place for them */
 } six_link_call;
 
-/* Joint form in one piece: vdot, wrenches (n x 6) and tip pose; fault is set with SIX_LINK_SINGULAR. */
+/* What a caller wants of the forward dynamics besides vdot. */
+enum { SIX_LINK_WRENCHES = 1, SIX_LINK_TIP_POSE = 2 };
+
+/* Joint form: vdot and what is wanted; the rest of output is left alone. fault is set with SIX_LINK_SINGULAR. */
 six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
-    six_link_work *work, six_link_output *output);
+    six_link_work *work, int wanted, six_link_output *output);
+
+/* Joint form: accelerations, wrenches and poses by block elimination. */
+six_link_status six_link_joint_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
 six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
@@ -24,6 +31,15 @@ six_link_status six_link_projection(const six_link_constants *c, const six_link_
 
 /* Poses and twists of the DAE form from coordinates and rates. */
 six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* Joint form: the forces and joint wrenches that accelerations need. */
+six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
+six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+
+/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
+six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
 
 /* M_sys, H_sys and W_sys. */
 six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);

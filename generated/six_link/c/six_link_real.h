@@ -86,14 +86,15 @@ static inline six_link_real six_link_c5(six_link_real x)
 static inline int six_link_finite(const six_link_real *x, int n)
 {
     six_link_real a = 0, b = 0, c = 0, d = 0;
+    const int whole = n - n % 4;
     int i;
-    for (i = 0; i + 3 < n; i += 4) {
+    for (i = 0; i < whole; i += 4) {
         a += x[i] - x[i];
         b += x[i + 1] - x[i + 1];
         c += x[i + 2] - x[i + 2];
         d += x[i + 3] - x[i + 3];
     }
-    for (; i < n; ++i) {
+    for (i = whole; i < n; ++i) {
         a += x[i] - x[i];
     }
     return (a + b) + (c + d) <= 0;

@@ -22,18 +22,18 @@ static int sound(const six_link_state *s, const six_link_input *u, const six_lin
         && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(work->m_eta, SIX_LINK_NMODES);
 }
 
-/* Forward dynamics at s with the modal force that it leads to dt after the state from (0: the force there). */
+/* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
 static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_state *from,
-    const six_link_input *u, six_link_real dt, six_link_work *work, six_link_output *y)
+    const six_link_input *u, six_link_real dt, six_link_work *work, int wanted, six_link_output *y)
 {
     six_link_status status;
     modal_terms(c, from, dt, work);
-    status = six_link_dynamics(c, s, u, work, y);
+    status = six_link_dynamics(c, s, u, work, wanted, y);
     if (status != SIX_LINK_OK) {
         return sound(s, u, work) ? status : SIX_LINK_NONFINITE;
     }
-    if (!six_link_finite(y->vdot, SIX_LINK_NV) || !six_link_finite(&y->wrench[0][0], 6 * SIX_LINK_NLINKS)
-        || !six_link_finite(&y->tip_rotation[0][0], 9) || !six_link_finite(y->tip_position, 3)) {
+    /* a force that no acceleration feels would show in the joint wrenches alone */
+    if (!six_link_finite(y->vdot, SIX_LINK_NV) || !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS)) {
         return SIX_LINK_NONFINITE;
     }
     return SIX_LINK_OK;
@@ -42,10 +42,25 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_st
 six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     six_link_work *work, six_link_output *output)
 {
+    six_link_status status;
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    return accelerate(c, state, state, input, 0, work, output);
+    status = accelerate(c, state, state, input, 0, work, SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
+    if (status == SIX_LINK_OK && (!six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
+        || !six_link_finite(&output->tip_rotation[0][0], 9) || !six_link_finite(output->tip_position, 3))) {
+        return SIX_LINK_NONFINITE;
+    }
+    return status;
+}
+
+six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, six_link_output *output)
+{
+    if (!c || !state || !input || !work || !output) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    return accelerate(c, state, state, input, 0, work, 0, output);
 }
 
 static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt, const six_link_work *work)
@@ -80,7 +95,7 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, &work->output);
+    status = accelerate(c, state, state, input, 0, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -96,7 +111,7 @@ static six_link_status symplectic(const six_link_constants *c, six_link_state *s
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, modal_dt, work, &work->output);
+    status = accelerate(c, state, state, input, modal_dt, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -124,13 +139,13 @@ six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_li
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, dt / 2, work, &work->output);
+    status = accelerate(c, state, state, input, dt / 2, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
     advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
     advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, state, input, dt / 2, work, &work->output);
+    status = accelerate(c, &work->stage, state, input, dt / 2, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -153,7 +168,7 @@ six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *s
     work->stage = *state;
     work->next = *state;
     for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, &work->stage, input, 0, work, &work->output);
+        status = accelerate(c, &work->stage, &work->stage, input, 0, work, 0, &work->output);
         if (status != SIX_LINK_OK) {
             return status;
         }

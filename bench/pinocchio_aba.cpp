@@ -1,0 +1,36 @@
+// pinocchio_aba.cpp: Pinocchio's articulated-body algorithm, compiled from its headers.
+#include <pinocchio/algorithm/aba.hpp>
+
+#include "pinocchio_chain.hpp"
+
+namespace {
+
+struct Chain {
+    explicit Chain(const pinocchio::Model &m) : model(m), data(model) {}
+    pinocchio::Model model;
+    pinocchio::Data data;
+};
+
+typedef Eigen::Map<const Eigen::VectorXd> Vector;
+
+} // namespace
+
+void *pinocchio_chain(int n, const double joints[][JOINT_NUMBERS])
+{
+    return new Chain(chain_model(n, joints));
+}
+
+void pinocchio_aba(void *chain, const double *q, const double *v, const double *tau)
+{
+    Chain *x = static_cast<Chain *>(chain);
+    const int n = x->model.nv;
+    pinocchio::aba(x->model, x->data, Vector(q, n), Vector(v, n), Vector(tau, n));
+}
+
+void pinocchio_vdot(const void *chain, double *vdot)
+{
+    const Chain *x = static_cast<const Chain *>(chain);
+    for (int i = 0; i < x->model.nv; ++i) {
+        vdot[i] = x->data.ddq[i];
+    }
+}

@@ -1,0 +1,182 @@
+"""What a model costs on a microcontroller: cross-compiled, run under QEMU, held against the budgets.
+
+python firmware/firmware.py [--quick] [--targets m4f,m7,rv32] [--record] [ROBOT.toml]
+
+Prints tables and writes build/firmware.csv and build/firmware.md. The exit status is 1 where a budget is exceeded, 2
+where a tool is missing or a program fails. The budgets are the example robot's; another robot is only measured.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import table
+from cross import Build, FirmwareError, Sources, host_program, run, size_of
+from emulate import Counter, Findings, read_findings, self_check
+from stack import worst_stacks
+from table import Row
+from targets import LAYOUTS, PACKAGES, PARAMETERS, TARGETS, Target, Variant, variants
+
+import screwgen
+from screwgen.errors import ScrewgenError
+
+ROOT = Path(__file__).resolve().parents[1]
+OUT = ROOT / "build"
+WORK = OUT / "firmware"
+EXAMPLE = ROOT / "examples" / "ella.toml"
+NOTES = """\
+flash: the whole image, start-up and libm included; model: the generated code in it. RAM: the caller's structs. Bytes.
+stack: worst over all calls, summed along the call graph; painted: deepest that was seen. Neither has an interrupt's.
+dynamics: forward dynamics with wrenches and tip pose; then one step of each integrator: executed instructions, the most
+over the states of the self-check. error: the largest in 1,000 steps of modal_implicit at 1 ms, against double here."""
+
+
+def generate(model: screwgen.Model) -> dict[tuple[str, str], Sources]:
+    """The C of the model in every layout and with both kinds of parameters."""
+    out = {}
+    shutil.rmtree(WORK, ignore_errors=True)
+    for layout in LAYOUTS:
+        for parameters in PARAMETERS:
+            folder = WORK / "source" / f"{layout}_{parameters}"
+            folder.mkdir(parents=True, exist_ok=True)
+            for name, data in model.c_files(parameters, layout).items():
+                (folder / name).write_bytes(data)
+            out[layout, parameters] = Sources(model.robot.name, folder)
+    return out
+
+
+def errors(found: Findings, reference: Findings, model: screwgen.Model) -> dict[str, float]:
+    """Largest deviations of joint angles (rad) and of the tip's coordinates (m) over the samples."""
+    pairs = list(zip(found.samples, reference.samples, strict=True))
+    joints, tip = range(model.n_joints), range(2 * model.nq, 2 * model.nq + 3)
+    return {
+        name: max(abs(a[k] - b[k]) for a, b in pairs for k in where)
+        for name, where in (("angle", joints), ("tip", tip))
+    }
+
+
+def stacks(build: Build, found: Findings) -> dict[str, int]:
+    """The worst stack of both forms, from the call graph and from paint; the first must cover the second."""
+    program, name = build.folder / "measure.elf", build.sources.name
+    worst = worst_stacks(build, program, [f"{name}_{call}" for call in found.stacks])
+    for call, painted in found.stacks.items():
+        if painted > worst[f"{name}_{call}"]:
+            raise FirmwareError(f"{build.variant.name}: {call} used {painted} bytes of stack, more than its call graph")
+    out = {}
+    for form, dae in (("stack", False), ("stack_dae", True)):
+        calls = [call for call in found.stacks if call.startswith("dae_") == dae]
+        out[form] = max(worst[f"{name}_{call}"] for call in calls)
+        out[f"{form}_painted"] = max(found.stacks[call] for call in calls)
+    return out
+
+
+def measure(variant: Variant, sources: Sources, model: screwgen.Model, reference: Findings, counter: Counter) -> Row:
+    """Compile, check, run and count one variant."""
+    build = Build(variant, sources, WORK / variant.name)
+    joint, both = (size_of(build, build.image(dae)) for dae in (False, True))
+    check = self_check(build)
+    found = counter.run(build, build.measure())
+    sizes = {"flash": joint.flash, "model": joint.model, "flash_dae": both.flash, "ram": joint.ram, "ram_dae": both.ram}
+    counts = {name: max(numbers) for name, numbers in found.counts.items()}
+    error = errors(found, reference, model)
+    return Row(variant, sizes | stacks(build, found), counts, error, found.sizes, check)
+
+
+def measure_all(wanted: Sequence[Variant], model: screwgen.Model, workers: int) -> list[Row]:
+    """One row per variant; says each as it is done."""
+    sources = generate(model)
+    host = host_program(sources["fused", "runtime"], WORK / "host")
+    reference = read_findings(run(host))
+    counter = Counter(WORK / "counter")
+
+    def one(variant: Variant) -> Row:
+        row = measure(variant, sources[variant.layout, variant.parameters], model, reference, counter)
+        print(f"{variant.name}: {row.check}", file=sys.stderr, flush=True)
+        return row
+
+    with ThreadPoolExecutor(workers) as pool:
+        return list(pool.map(one, wanted))
+
+
+# ------------------------------------------------------------------------------------------- command
+
+
+def chosen(given: str | None) -> list[Target]:
+    """The targets to measure; RISC-V is left out, with a word, where its tools are missing."""
+    out = []
+    for name in given.split(",") if given else TARGETS:
+        if name not in TARGETS:
+            raise FirmwareError(f"--targets: there is no '{name}'; choose from {', '.join(TARGETS)}")
+        target = TARGETS[name]
+        if not target.missing:
+            out.append(target)
+        elif given or name != "rv32":
+            raise FirmwareError(
+                f"not installed: {', '.join(target.missing)}; on Debian: apt-get install {PACKAGES[name]}"
+            )
+        else:
+            print(f"left out {target.core}: not installed: {', '.join(target.missing)}", file=sys.stderr)
+    return out
+
+
+def compiler_of(target: Target) -> str:
+    """Name and version of the compiler, which a recorded budget belongs to."""
+    first = run(target.compiler, "--version").splitlines()[0]
+    found = re.search(r"\d+\.\d+\.\d+", first)
+    return f"{target.compiler} {found[0] if found else first}"
+
+
+QUICK = ("m4f_float_fused_runtime", "m4f_float_fused_baked", "m4f_float_modular_runtime")
+
+
+def main(arguments: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(prog="firmware", description=__doc__.partition("\n")[0])
+    parser.add_argument("robot", nargs="?", type=Path, default=EXAMPLE, help="robot file; the example ella by default")
+    parser.add_argument("--quick", action="store_true", help=f"only {', '.join(QUICK)}")
+    parser.add_argument("--targets", help=f"some of {','.join(TARGETS)}")
+    parser.add_argument("--record", action="store_true", help="write the figures into budgets.toml and TABLE.md")
+    parser.add_argument("--workers", type=int, default=2, help="variants at a time")
+    options = parser.parse_args(arguments)
+    targets = chosen("m4f" if options.quick and not options.targets else options.targets)
+    wanted = [v for v in variants(targets) if not options.quick or v.name in QUICK]
+    model = screwgen.derive(screwgen.load(options.robot))
+    rows = measure_all(wanted, model, options.workers)
+    compilers = {t.name: compiler_of(t) for t in targets}
+    print(f"{table.text(rows)}\n\n{NOTES}")
+    notes = f"{NOTES} Compilers: {', '.join(dict.fromkeys(compilers.values()))}."
+    for path in table.write(rows, OUT, notes):
+        print(path.relative_to(ROOT))
+    if options.robot.resolve() != EXAMPLE:
+        return 0
+    if options.record:
+        table.record(rows, compilers, notes)
+    return report(table.judge(rows, table.budgets(), compilers))
+
+
+def report(verdict: table.Verdict) -> int:
+    """Say what exceeds its budget; the exit status."""
+    for remark in verdict.remarks:
+        print(remark)
+    for line in verdict.better:
+        print(f"better than its budget: {line}")
+    if verdict.better:
+        print("take over what is better: make firmware ARGS=--record")
+    for line in verdict.failures:
+        print(f"over budget: {line}", file=sys.stderr)
+    if not verdict.failures:
+        print("all within budget")
+    return 1 if verdict.failures else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except (FirmwareError, ScrewgenError) as error:
+        print(f"firmware: error: {error}", file=sys.stderr)
+        sys.exit(2)

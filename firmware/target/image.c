@@ -1,0 +1,50 @@
+/* image.c: the smallest firmware that uses the model; its sections are the table's flash and RAM.
+ *
+ * It calls the whole joint form: parameters, forward dynamics, every integrator. With -DDAE_FORM the DAE form as well.
+ * All memory of the model is static here, so that .bss is what a caller needs.
+ */
+#include "model.h"
+
+static M(parameters) parameters;
+static M(constants) constants;
+static M(state) state;
+static M(input) input;
+static M(output) output;
+static M(work) work;
+#ifdef DAE_FORM
+static M(dae_state) dae_state;
+static M(dae_work) dae_work;
+#endif
+
+/* What a controller would set and read; volatile, so that nothing is computed at compile time. */
+static volatile unsigned char choice;
+
+int main(void)
+{
+    const real dt = (real)1e-3;
+    M(parameters_default)(&parameters);
+    if (M(prepare)(&parameters, &constants) != N(OK)) {
+        return 1;
+    }
+    for (;;) {
+        switch (choice) {
+#define STEP(number, method) case number: (void)M(JOIN(step_, method))(&constants, &state, &input, dt, &work); break;
+            METHODS
+#undef STEP
+#ifdef DAE_FORM
+#define STEP(number, method) \
+    case 16 + number: (void)M(JOIN(dae_step_, method))(&constants, &dae_state, &input, dt, &dae_work); break;
+            METHODS
+#undef STEP
+        case 32:
+            (void)M(dae_from_state)(&constants, &state, &dae_work, &dae_state);
+            break;
+        case 33:
+            (void)M(dae_forward_dynamics)(&constants, &dae_state, &input, &dae_work, &output);
+            break;
+#endif
+        default:
+            (void)M(forward_dynamics)(&constants, &state, &input, &work, &output);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+"""Derivatives of what a tracer has recorded, recorded by the same tracer: forward mode, zeros propagated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from .program import Node, Value, live
+
+Slopes = dict[int, Value]
+
+
+def tangents(values: Sequence[Value], seeds: Mapping[Node, Value]) -> list[Value]:
+    """The change of every value, to first order, when the nodes in ``seeds`` change by what these give.
+
+    A seed is an independent variable: what it was computed from is not looked at.  Inputs that are no seeds
+    are constant; so are floats.  Equal operations are one node, so directions share what they have in common.
+    """
+    slopes: Slopes = {node.id: slope for node, slope in seeds.items()}
+    for node in live(values):
+        if node.id not in slopes:
+            slopes[node.id] = _slope(node, slopes)
+    return [_of(v, slopes) for v in values]
+
+
+def columns(values: Sequence[Value], variables: Sequence[Value]) -> list[list[Value]]:
+    """The partial derivatives of ``values``, one column per variable; what is a float is constant."""
+    unit = lambda x: {x: 1.0} if isinstance(x, Node) else {}  # noqa: E731
+    return [tangents(values, unit(x)) for x in variables]
+
+
+def _of(value: Value, slopes: Slopes) -> Value:
+    return slopes[value.id] if isinstance(value, Node) else 0.0
+
+
+def _slope(node: Node, slopes: Slopes) -> Value:
+    if node.op in ("input", "epsilon"):
+        return 0.0
+    a, da = node.args[0], _of(node.args[0], slopes)
+    if len(node.args) == 1:
+        return 0.0 if _zero(da) else _unary(node, a, da)
+    b, db = node.args[1], _of(node.args[1], slopes)
+    if node.op == "add":
+        return da + db
+    if node.op == "sub":
+        return da - db
+    if node.op == "mul":
+        return 2.0 * a * da if a is b else da * b + a * db
+    return 0.0 if _zero(da) and _zero(db) else (da - node * db) / b
+
+
+def _unary(node: Node, a: Node, da: Value) -> Value:
+    call = node.tracer.call
+    if node.op == "neg":
+        return -da
+    if node.op == "sqrt":
+        return da / (2.0 * node)
+    if node.op == "sin":
+        return call("cos", a) * da
+    if node.op == "cos":
+        return -(call("sin", a) * da)
+    if node.op in ("c4", "c5"):
+        return stumpff_slope(int(node.op[1]), call("c5", a), call("c6", a), call("c7", a)) * da
+    raise TypeError(f"no derivative of {node.op}")
+
+
+def stumpff_slope(order: int, c5: Value, c6: Value, c7: Value) -> Value:
+    """``c_k' = (k c_(k+2) - c_(k+1)) / 2`` for k = 4 and 5."""
+    return 2.0 * c6 - 0.5 * c5 if order == 4 else 2.5 * c7 - 0.5 * c6
+
+
+def _zero(value: Value) -> bool:
+    return not isinstance(value, Node) and value == 0.0

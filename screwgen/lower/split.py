@@ -1,0 +1,91 @@
+"""Long programs cut into pieces that run one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from .program import Node, Program, Tracer, Value
+
+KEPT = "kept"
+"""The input by which pieces read what earlier ones have left; ``kept:20`` is the output of entries 20, 21, …"""
+
+
+def split(program: Program, pieces: int) -> tuple[list[Program], int]:
+    """The program as ``pieces`` programs of about the same length, and how many values they keep in all.
+
+    A piece has the outputs that are known in it and None in place of the others, and one output of what later
+    ones need.  The operations and their order are those of the program.
+    """
+    if pieces < 2:
+        return [program], 0
+    bounds = [len(program.nodes) * k // pieces for k in range(pieces + 1)]
+    parts = [program.nodes[a:b] for a, b in pairwise(bounds)]
+    home = {node.id: k for k, part in enumerate(parts) for node in part}
+    crossing = {a.id for n in program.nodes for a in _computed(n) if home[a.id] != home[n.id]}
+    slots = {number: k for k, number in enumerate(sorted(crossing))}
+    return [_Piece(program, k, home, slots).program(part) for k, part in enumerate(parts)], len(slots)
+
+
+def _computed(node: Node) -> list[Node]:
+    """The operands that are operations."""
+    return [] if node.op == "input" else [a for a in node.args if isinstance(a, Node) and not _free(a)]
+
+
+def _free(node: Node) -> bool:
+    """Whether a piece can have a value of its own instead of keeping it."""
+    return node.op in ("input", "epsilon")
+
+
+class _Piece:
+    """The nodes of one piece, with inputs in place of what earlier ones have computed."""
+
+    def __init__(self, program: Program, number: int, home: dict[int, int], slots: dict[int, int]):
+        self.whole, self.number, self.home, self.slots = program, number, home, slots
+        self.tracer = Tracer()
+        self.own: dict[int, Node] = {}
+
+    def program(self, part: Sequence[Node]) -> Program:
+        """The piece as a program."""
+        for node in part:
+            if not _free(node):
+                self.own[node.id] = self._copy(node)
+        outputs = {name: [self._output(v) for v in values] for name, values in self.whole.outputs.items()}
+        kept = [node.id for node in part if node.id in self.slots]
+        if kept:
+            outputs[f"{KEPT}:{self.slots[kept[0]]}"] = [self.own[i] for i in kept]
+        pairs = zip(self.whole.guards, self.whole.origins, strict=True)
+        guards = [(self._operand(g), o) for g, o in pairs if self._here(g.id)]
+        return Program(
+            f"{self.whole.name}_{self.number + 1}",
+            self.whole.inputs | {KEPT: len(self.slots)},
+            outputs,
+            [g for g, _ in guards],
+            self.whole.sections,
+            [o for _, o in guards],
+        )
+
+    def _here(self, number: int) -> bool:
+        return self.home.get(number) == self.number
+
+    def _copy(self, node: Node) -> Node:
+        copy = Node(self.tracer, node.op, tuple(self._operand(a) for a in node.args), node.id, node.section)
+        copy.label = node.label
+        return copy
+
+    def _operand(self, value: Value) -> Value:
+        if not isinstance(value, Node):
+            return value
+        if value.id not in self.own:
+            kept = not _free(value)
+            op, args = ("input", (KEPT, self.slots[value.id])) if kept else (value.op, value.args)
+            self.own[value.id] = Node(self.tracer, op, args, value.id, value.section)
+        return self.own[value.id]
+
+    def _output(self, value: Value) -> Value | None:
+        """An output of this piece; None where it is another's."""
+        if not isinstance(value, Node):
+            return value if self.number == 0 else None
+        if _free(value):
+            return self._operand(value) if self.number == 0 else None
+        return self.own[value.id] if self._here(value.id) else None

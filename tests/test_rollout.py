@@ -1,0 +1,212 @@
+"""Rollouts: their motions against the simulation's, shapes, parameters, failures, refusals."""
+
+import numpy as np
+import pytest
+from helpers import arm, example, link, model_of
+
+import screwgen
+from screwgen import ScrewgenError, UsageError, rollout
+from screwgen.batch import compiled_batch
+
+STEP = 1e-3
+
+
+@pytest.fixture(scope="module")
+def ella():
+    return example("ella")
+
+
+def states(model, count: int, seed=0) -> np.ndarray:
+    """Random postures at rest, (count, 2 nq)."""
+    x = np.zeros((count, 2 * model.nq))
+    x[:, : model.n_joints] = np.random.default_rng(seed).uniform(-1, 1, (count, model.n_joints))
+    return x
+
+
+def torques(count: int, steps: int, joints=3) -> np.ndarray:
+    return np.random.default_rng(1).uniform(-20, 20, (count, steps, joints))
+
+
+# -------- motions
+
+
+def test_every_scenario_moves_as_in_the_simulation(ella):
+    """The simulation runs another implementation of the method, on CasADi functions."""
+    x0, tau = states(ella, 13), torques(13, 40)
+    run = rollout(ella, x0, tau, step=STEP)
+    assert run.ok.all() and run.q.shape == run.v.shape == (13, 41, ella.nq)
+    for i in (0, 7, 8, 12):
+        torque = lambda t, q, v, i=i: tau[i, min(round(t / STEP), 39)]  # noqa: E731
+        other = screwgen.simulate(ella, 40 * STEP, STEP, q0=x0[i, : ella.nq], controller=torque)
+        assert np.max(np.abs(run.q[i] - other.q)) < 1e-11 * np.max(np.abs(other.q))
+        assert np.max(np.abs(run.v[i] - other.v)) < 1e-11 * np.max(np.abs(other.v))
+
+
+def test_the_order_of_the_methods(ella):
+    """Halved steps lower the error by the order's power: rk4 by 16, modal_midpoint by 4."""
+    x0 = states(ella, 4)
+    exact = rollout(ella, x0, step=2e-3, steps=2, substeps=1600, integrator="rk4").x[:, -1]
+    for method, coarse, power in (("rk4", 100, 4), ("modal_midpoint", 200, 2)):
+        errors = [
+            np.max(np.abs(rollout(ella, x0, step=2e-3, steps=2, substeps=n, integrator=method).x[:, -1] - exact))
+            for n in (coarse, 2 * coarse)
+        ]
+        assert 0.8 * 2**power < errors[0] / errors[1] < 1.3 * 2**power, method
+
+
+def test_substeps_divide_a_sample_over_which_inputs_are_held(ella):
+    x0, tau, w_ext = states(ella, 5), torques(5, 6), np.random.default_rng(2).normal(size=(5, 6, 2, 6))
+    run = rollout(ella, x0, tau, step=STEP, substeps=4, w_ext=w_ext, integrator="rk4")
+    fine = [np.repeat(a, 4, axis=1) for a in (tau, w_ext)]
+    whole = rollout(ella, x0, fine[0], step=STEP / 4, w_ext=fine[1], integrator="rk4")
+    assert np.array_equal(run.x, whole.x[:, ::4]) and (run.completed == 6).all()
+    assert np.allclose(run.t, np.arange(7) * STEP)
+
+
+def test_threads_change_no_bit(ella):
+    x0, tau = states(ella, 50), torques(50, 10)
+    one, two = (rollout(ella, x0, tau, step=STEP, threads=n) for n in (1, 2))
+    assert np.array_equal(one.x, two.x)
+
+
+def test_single_precision(ella):
+    x0, tau = states(ella, 9), torques(9, 10)
+    double, single = (rollout(ella, x0, tau, step=STEP, single=s) for s in (False, True))
+    assert single.q.dtype == np.float32
+    assert 0 < np.max(np.abs(single.q - double.q)) < 1e-5
+
+
+# -------- shapes
+
+
+def test_arguments_are_broadcast_to_one_batch(ella):
+    x0, tau = states(ella, 3), torques(3, 5)
+    full = rollout(ella, np.tile(x0[0], (3, 1)), tau, step=STEP)
+    assert np.array_equal(rollout(ella, x0[0], tau, step=STEP).x, full.x)
+    same = rollout(ella, x0, np.tile(tau[0], (3, 1, 1)), step=STEP)
+    assert np.array_equal(rollout(ella, x0, tau[0], step=STEP).x, same.x)
+    held = rollout(ella, x0, np.tile(tau[0, 0], (3, 5, 1)), step=STEP)
+    assert np.array_equal(rollout(ella, x0, tau[0, 0], step=STEP, steps=5).x, held.x)
+    assert np.array_equal(rollout(ella, x0, tau[0, :1], step=STEP, steps=5).x, held.x)
+    pushed = rollout(ella, x0, step=STEP, steps=5, w_ext=np.ones((2, 6)))
+    assert np.array_equal(pushed.x, rollout(ella, x0, step=STEP, w_ext=np.ones((3, 5, 2, 6))).x)
+    alone = rollout(ella, x0[1], tau[1], step=STEP)
+    assert alone.q.shape == (1, 6, ella.nq) and np.array_equal(alone.x[0], rollout(ella, x0, tau, step=STEP).x[1])
+
+
+def test_nothing_to_do_is_done(ella):
+    empty = rollout(ella, np.zeros((0, 2 * ella.nq)), step=STEP, steps=3)
+    assert empty.q.shape == (0, 4, ella.nq) and empty.status.shape == (0,) and empty.report() == []
+    still = rollout(ella, states(ella, 2), step=STEP, steps=0)
+    assert np.array_equal(still.x[:, 0], states(ella, 2)) and still.ok.all()
+    assert rollout(ella, states(ella, 2), torques(2, 0), step=STEP).q.shape == (2, 1, ella.nq)
+
+
+def test_an_arm_without_joints_or_modes():
+    model = model_of(arm(link("post", axes=())))
+    run = rollout(model, np.zeros((4, 0)), step=STEP, steps=2)
+    assert run.q.shape == (4, 3, 0) and run.ok.all()
+
+
+def test_the_inputs_are_left_alone(ella):
+    x0, tau = states(ella, 3), torques(3, 4)
+    before = x0.copy(), tau.copy()
+    rollout(ella, x0, tau, step=STEP)
+    assert np.array_equal(x0, before[0]) and np.array_equal(tau, before[1])
+
+
+# -------- parameters
+
+
+def test_parameters_by_name_and_as_vectors(ella):
+    """A payload for every scenario; the model of a robot file with that payload moves alike."""
+    name, masses = "forearm.bodies[0].mass", np.array([0.5, 2.1, 5.0])
+    x0, tau = states(ella, 3), torques(3, 20)
+    run = rollout(ella, x0, tau, step=STEP, parameters={name: masses, "gravity[2]": -3.7})
+    p = np.tile(ella.parameter_values, (3, 1))
+    p[:, ella.parameter_names.index(name)] = masses
+    p[:, ella.parameter_names.index("gravity[2]")] = -3.7
+    assert np.array_equal(run.x, rollout(ella, x0, tau, step=STEP, parameters=p).x)
+    assert np.array_equal(run.x[[2]], rollout(ella, x0[2], tau[2], step=STEP, parameters=p[2]).x)
+    for i in range(3):
+        torque = lambda t, q, v, i=i: tau[i, min(round(t / STEP), 19)]  # noqa: E731
+        start = x0[i, : ella.nq]
+        other = screwgen.simulate(ella, 20 * STEP, STEP, q0=start, controller=torque, parameters=p[i])
+        assert np.max(np.abs(run.q[i] - other.q)) < 1e-11 * np.max(np.abs(other.q))
+    assert not np.allclose(run.q[0, -1], rollout(ella, x0, tau, step=STEP).q[0, -1], rtol=1e-3)
+
+
+# -------- failures
+
+
+def test_failed_scenarios_are_reported_and_the_others_go_on(ella):
+    x0, tau = states(ella, 6), torques(6, 8)
+    good = rollout(ella, x0, tau, step=STEP)
+    tau[2, 5, 1], x0[4, 3] = np.nan, np.inf
+    run = rollout(ella, x0, tau, step=STEP)
+    assert list(run.ok) == [True, True, False, True, False, True] and list(run.completed) == [8, 8, 5, 8, 0, 8]
+    assert np.array_equal(run.x[run.ok], good.x[run.ok])
+    assert np.array_equal(run.x[2, :6], good.x[2, :6]) and (run.x[2, 6:] == good.x[2, 5]).all()
+    lines = run.report()
+    assert lines[0] == "scenario 2 stopped at t = 0.005 s: its state or a result is not finite"
+    assert lines[1].startswith("scenario 4 stopped at t = 0 s") and len(lines) == 2
+    assert repr(run) == "<Rollout of 6 scenarios, 8 steps to 0.008 s, 2 stopped: see report()>"
+    assert repr(good) == "<Rollout of 6 scenarios, 8 steps to 0.008 s>"
+
+
+def test_a_singular_scenario_names_the_link():
+    bare = [link("rod", axes="x"), link("blade", axes="z")]
+    for table in bare:
+        table["section"] = {"rhoA": 1.0}
+    model = model_of(arm(*bare))
+    run = rollout(model, [[0.1, angle, 0.0, 0.0] for angle in (0.7, 0.0, -0.4)], step=STEP, steps=3)
+    assert list(run.status) == [0, 2, 0] and list(run.fault) == [-1, 0, -1]
+    assert "scenario 1 stopped at t = 0 s: link 'rod'" in run.report()[0]
+
+
+# -------- refusals
+
+REFUSED = {
+    "x0 is of the wrong length": ({"x0": np.zeros(5)}, "x0 has the shape (5,)"),
+    "x0 has an axis too many": ({"x0": np.zeros((2, 3, 18))}, "x0 has the shape (2, 3, 18)"),
+    "x0 is ragged": ({"x0": [[1.0], [1.0, 2.0]]}, "x0 is not an array of numbers"),
+    "x0 is words": ({"x0": "upright"}, "x0 is not an array of numbers"),
+    "too few torques": ({"tau": np.zeros((4, 2))}, "tau has the shape (4, 2)"),
+    "wrenches": ({"w_ext": np.zeros((4, 6))}, "w_ext has the shape (4, 6)"),
+    "batches differ": ({"x0": np.zeros((3, 18)), "tau": np.zeros((2, 5, 3))}, "scenarios differ: x0 3, tau 2"),
+    "sequences differ": ({"tau": np.zeros((5, 3)), "w_ext": np.zeros((4, 2, 6))}, "steps differ: tau 5, w_ext 4"),
+    "steps differ": ({"tau": np.zeros((5, 3)), "steps": 4}, "steps is 4, but tau has 5"),
+    "one step of five": ({"tau": np.zeros((5, 3)), "steps": 1}, "steps is 1, but tau has 5"),
+    "no steps": ({"steps": None}, "nothing says how many steps"),
+    "a negative step": ({"step": -1e-3}, "step is -0.001"),
+    "a step that is none": ({"step": float("nan")}, "step is nan"),
+    "a step in words": ({"step": "short"}, "step is 'short'"),
+    "half a step": ({"steps": 2.5}, "steps is 2.5"),
+    "no substeps": ({"substeps": 0}, "substeps is 0"),
+    "no threads": ({"threads": 0}, "threads is 0"),
+    "another method": ({"integrator": "leapfrog"}, "no integrator 'leapfrog'"),
+    "an unknown parameter": ({"parameters": {"mass": 1.0}}, "no 'mass'"),
+    "a vector too short": ({"parameters": [1.0, 2.0]}, "parameters has the shape (2,)"),
+    "a parameter of another batch": ({"x0": np.zeros((3, 18)), "parameters": {"gravity[2]": [1, 2]}}, "parameters 2"),
+    "a negative mass": ({"parameters": {"forearm.rhoA": [1.0, -1.0]}}, "parameters of scenario 1: bad argument"),
+    "more than memory": ({"x0": np.zeros((1000, 18)), "steps": 10**6}, "would take 144 GB"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_makes_no_sense_is_refused_in_one_line(ella, name):
+    given, said = REFUSED[name]
+    arguments = {"x0": np.zeros(18), "step": STEP, "steps": 3} | ({"steps": None} if "tau" in given else {}) | given
+    with pytest.raises(UsageError) as caught:
+        rollout(ella, arguments.pop("x0"), arguments.pop("tau", None), **arguments)
+    assert said in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_without_a_compiler_one_line_says_so(monkeypatch):
+    monkeypatch.setenv("CC", "no-such-cc")
+    with pytest.raises(ScrewgenError, match="no C compiler 'no-such-cc'"):
+        rollout(model_of(arm(link("rod"))), np.zeros(2), step=STEP, steps=1)
+
+
+def test_a_model_is_compiled_once(ella):
+    assert compiled_batch(ella, False, False) is compiled_batch(ella, False, False)

@@ -16,11 +16,11 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import table
+import budget_table as table
 from cross import Build, FirmwareError, Sources, host_program, run, size_of
 from emulate import Counter, Findings, read_findings, self_check
 from stack import worst_stacks
-from table import Row
+from budget_table import Row
 from targets import LAYOUTS, PACKAGES, PARAMETERS, TARGETS, Target, Variant, variants
 
 import screwgen

@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "firmware"))
 import cross  # noqa: E402
 import emulate  # noqa: E402
 import stack  # noqa: E402
-import table  # noqa: E402
+import budget_table as table  # noqa: E402
 import targets  # noqa: E402
 
 QUICK = {("fused", "runtime"), ("fused", "baked"), ("modular", "runtime")}

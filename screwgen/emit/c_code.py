@@ -107,7 +107,7 @@ class Writer:
         return ["", f"/* {title} */"] if title else [""]
 
     def _statements(self, node: Node) -> list[str]:
-        if node.op in ("input", "epsilon"):
+        if node.op in ("input", "epsilon") or self._served(node):
             return []
         if node.id in self._guards and not self._uses[node.id]:
             return [self._guard(node, self._text(node)[0])]
@@ -134,10 +134,17 @@ class Writer:
                 continue
             for k, v in enumerate(values):
                 negative = isinstance(v, Node) and v.op == "neg" and v.args[0] is node
-                if (v is node or negative) and self.place(output, k) is not None:
+                if (v is node or negative) and (output, k) not in self._written and self.place(output, k) is not None:
                     self._written.add((output, k))
                     lines.append(f"{self.place(output, k)} = {'-' if negative else ''}{name};")
         return lines
+
+    def _served(self, node: Node) -> bool:
+        """Whether a negative value is nothing but outputs that were written with the value that it negates."""
+        if node.op != "neg" or node.id in self._guards or node.id in self._users:
+            return False
+        places = [(o, k) for o, values in self.program.outputs.items() for k, v in enumerate(values) if v is node]
+        return all(place in self._written for place in places)
 
     def _inlined(self, node: Node, text: str) -> bool:
         if node.label or self._uses[node.id] != 1 or node.id in self._guards or len(text) > WIDTH:

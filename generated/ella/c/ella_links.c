@@ -67,8 +67,6 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     link->alpha_0[1] = -minus_beta_omega_y;
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real t2 = -minus_beta_omega_y;
-    link->alpha_0[1] = t2;
     const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
         - minus_R_rel_zx * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
@@ -96,13 +94,13 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real t3 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t3;
+    const ella_real t2 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t2;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real t4 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t4;
+    const ella_real t3 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real theta_hat2_23 = theta_y * theta_z;
@@ -127,8 +125,6 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     link->R_T[1] = minus_R_T_xy;
     tip->R_T[1] = -minus_R_T_xy;
     tip->R_T[3] = minus_R_T_xy;
-    const ella_real t5 = -minus_R_T_xy;
-    tip->R_T[1] = t5;
     const ella_real R_T_xz = c1 * theta_y;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
@@ -140,8 +136,6 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     link->R_T[4] = R_T_yz;
     tip->R_T[5] = R_T_yz;
     tip->R_T[7] = R_T_yz;
-    const ella_real t6 = -R_T_xz;
-    tip->R_T[6] = t6;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[5] = R_T_zz;
     tip->R_T[8] = R_T_zz;
@@ -151,24 +145,24 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t7 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t7;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t7;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t7;
+    const ella_real t4 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real omega_s_x = c2 * t4;
+    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t4;
+    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t4;
 
     /* xdot: rate of the squared angle */
     const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t4 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t3 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t3 * REAL(1.5) - t4 * REAL(0.5));
+    const ella_real c3dot = xdot * (t2 * REAL(1.5) - t3 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t7;
-    const ella_real alpha_s_y = c3 * thetadot_z * t7 + c3dot * theta_z * t7;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t7 + c3dot * theta_y * t7;
+    const ella_real alpha_s_x = c2dot * t4;
+    const ella_real alpha_s_y = c3 * thetadot_z * t4 + c3dot * theta_z * t4;
+    const ella_real minus_alpha_s_z = c3 * thetadot_y * t4 + c3dot * theta_y * t4;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_1 = omega_J_x + omega_s_x;
@@ -183,15 +177,15 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     tip->alpha_0[1] = alpha_0_T_2;
     const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
     tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t8 = omega_J_y * r_T_z - qdot[1] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t9 = qdot[1] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t10 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t10 - qdot[1] * t9);
+    const ella_real t5 = omega_J_y * r_T_z - qdot[1] * r_T_y + etadot[0] * REAL(2.8284271247461903);
+    const ella_real t6 = qdot[1] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
+    const ella_real t7 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
+    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t7 - qdot[1] * t6);
     tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t8 - omega_J_x * t10);
+    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t5 - omega_J_x * t7);
     tip->alpha_0[4] = alpha_0_T_5;
     const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t9 - omega_J_y * t8);
+        + (omega_J_x * t6 - omega_J_y * t5);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -899,14 +893,10 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     link->modes_W[1] = modes_W_12;
     const ella_real minus_modes_W_13 = minus_C_31 * modes_inverse_1;
     link->modes_W[2] = -minus_modes_W_13;
-    const ella_real t21 = -minus_modes_W_13;
-    link->modes_W[2] = t21;
     const ella_real modes_W_14 = C_41 * modes_inverse_1;
     link->modes_W[3] = modes_W_14;
     const ella_real minus_modes_W_21 = minus_C_12 * modes_inverse_2;
     link->modes_W[6] = -minus_modes_W_21;
-    const ella_real t22 = -minus_modes_W_21;
-    link->modes_W[6] = t22;
     const ella_real modes_W_23 = C_32 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
     const ella_real modes_W_25 = C_52 * modes_inverse_2;
@@ -915,8 +905,6 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     link->modes_W[12] = modes_W_31;
     const ella_real minus_modes_W_32 = minus_C_23 * modes_inverse_3;
     link->modes_W[13] = -minus_modes_W_32;
-    const ella_real t23 = -minus_modes_W_32;
-    link->modes_W[13] = t23;
     const ella_real modes_W_36 = C_63 * modes_inverse_3;
     link->modes_W[17] = modes_W_36;
     const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
@@ -970,8 +958,6 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     link->Lambda_i[1] = Lambda_i_12;
     const ella_real minus_Lambda_i_14 = M_i_13 * joint_W_14;
     link->Lambda_i[2] = -minus_Lambda_i_14;
-    const ella_real t24 = -minus_Lambda_i_14;
-    link->Lambda_i[2] = t24;
     const ella_real Lambda_i_15 = M_i_15 - M_i_13 * joint_W_15;
     link->Lambda_i[3] = Lambda_i_15;
     const ella_real Lambda_i_22 = M_i_22 - M_i_23 * joint_W_12;
@@ -980,14 +966,10 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     link->Lambda_i[6] = Lambda_i_24;
     const ella_real minus_Lambda_i_25 = M_i_23 * joint_W_15;
     link->Lambda_i[7] = -minus_Lambda_i_25;
-    const ella_real t25 = -minus_Lambda_i_25;
-    link->Lambda_i[7] = t25;
     const ella_real Lambda_i_44 = M_i_44 - M_i_34 * joint_W_14;
     link->Lambda_i[9] = Lambda_i_44;
     const ella_real minus_Lambda_i_45 = M_i_34 * joint_W_15;
     link->Lambda_i[10] = -minus_Lambda_i_45;
-    const ella_real t26 = -minus_Lambda_i_45;
-    link->Lambda_i[10] = t26;
     const ella_real Lambda_i_55 = M_i_55 - M_i_35 * joint_W_15;
     link->Lambda_i[12] = Lambda_i_55;
     const ella_real p_i_1 = h_i_1 + M_i_13 * joint_w_1;
@@ -1000,69 +982,69 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     link->p_i[4] = p_i_5;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const ella_real t27 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
-    const ella_real t28 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
-    const ella_real t29 = Lambda_i_12 * link->R_P[3] + Lambda_i_22 * link->R_P[4];
-    const ella_real t30 = Lambda_i_12 * link->R_P[6] + Lambda_i_22 * link->R_P[7];
+    const ella_real t21 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
+    const ella_real t22 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
+    const ella_real t23 = Lambda_i_12 * link->R_P[3] + Lambda_i_22 * link->R_P[4];
+    const ella_real t24 = Lambda_i_12 * link->R_P[6] + Lambda_i_22 * link->R_P[7];
     const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] + Lambda_i_12 * link->R_P[1])
         + link->R_P[1] * (Lambda_i_12 * link->R_P[0] + Lambda_i_22 * link->R_P[1]);
     base->Lambda[0] = Lambda_1;
-    const ella_real Lambda_2 = link->R_P[0] * t27 + link->R_P[1] * t29;
+    const ella_real Lambda_2 = link->R_P[0] * t21 + link->R_P[1] * t23;
     base->Lambda[1] = Lambda_2;
-    const ella_real Lambda_3 = link->R_P[0] * t28 + link->R_P[1] * t30;
+    const ella_real Lambda_3 = link->R_P[0] * t22 + link->R_P[1] * t24;
     base->Lambda[2] = Lambda_3;
-    const ella_real Lambda_7 = link->R_P[3] * t27 + link->R_P[4] * t29;
+    const ella_real Lambda_7 = link->R_P[3] * t21 + link->R_P[4] * t23;
     base->Lambda[6] = Lambda_7;
-    const ella_real Lambda_8 = link->R_P[3] * t28 + link->R_P[4] * t30;
+    const ella_real Lambda_8 = link->R_P[3] * t22 + link->R_P[4] * t24;
     base->Lambda[7] = Lambda_8;
-    const ella_real Lambda_12 = link->R_P[6] * t28 + link->R_P[7] * t30;
+    const ella_real Lambda_12 = link->R_P[6] * t22 + link->R_P[7] * t24;
     base->Lambda[11] = Lambda_12;
-    const ella_real t31 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
-    const ella_real t32 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
-    const ella_real t33 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
-    const ella_real t34 = Lambda_i_24 * link->R_P[0] - minus_Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
-    const ella_real t35 = Lambda_i_24 * link->R_P[3] - minus_Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
-    const ella_real t36 = Lambda_i_24 * link->R_P[6] - minus_Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
-    const ella_real Lambda_4 = link->R_P[0] * t31 + link->R_P[1] * t34;
+    const ella_real t25 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
+    const ella_real t26 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
+    const ella_real t27 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
+    const ella_real t28 = Lambda_i_24 * link->R_P[0] - minus_Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
+    const ella_real t29 = Lambda_i_24 * link->R_P[3] - minus_Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
+    const ella_real t30 = Lambda_i_24 * link->R_P[6] - minus_Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
+    const ella_real Lambda_4 = link->R_P[0] * t25 + link->R_P[1] * t28;
     base->Lambda[3] = Lambda_4;
-    const ella_real Lambda_5 = link->R_P[0] * t32 + link->R_P[1] * t35;
+    const ella_real Lambda_5 = link->R_P[0] * t26 + link->R_P[1] * t29;
     base->Lambda[4] = Lambda_5;
-    const ella_real Lambda_6 = link->R_P[0] * t33 + link->R_P[1] * t36;
+    const ella_real Lambda_6 = link->R_P[0] * t27 + link->R_P[1] * t30;
     base->Lambda[5] = Lambda_6;
-    const ella_real Lambda_9 = link->R_P[3] * t31 + link->R_P[4] * t34;
+    const ella_real Lambda_9 = link->R_P[3] * t25 + link->R_P[4] * t28;
     base->Lambda[8] = Lambda_9;
-    const ella_real Lambda_10 = link->R_P[3] * t32 + link->R_P[4] * t35;
+    const ella_real Lambda_10 = link->R_P[3] * t26 + link->R_P[4] * t29;
     base->Lambda[9] = Lambda_10;
-    const ella_real Lambda_11 = link->R_P[3] * t33 + link->R_P[4] * t36;
+    const ella_real Lambda_11 = link->R_P[3] * t27 + link->R_P[4] * t30;
     base->Lambda[10] = Lambda_11;
-    const ella_real Lambda_13 = link->R_P[6] * t31 + link->R_P[7] * t34;
+    const ella_real Lambda_13 = link->R_P[6] * t25 + link->R_P[7] * t28;
     base->Lambda[12] = Lambda_13;
-    const ella_real Lambda_14 = link->R_P[6] * t32 + link->R_P[7] * t35;
+    const ella_real Lambda_14 = link->R_P[6] * t26 + link->R_P[7] * t29;
     base->Lambda[13] = Lambda_14;
-    const ella_real Lambda_15 = link->R_P[6] * t33 + link->R_P[7] * t36;
+    const ella_real Lambda_15 = link->R_P[6] * t27 + link->R_P[7] * t30;
     base->Lambda[14] = Lambda_15;
-    const ella_real t37 = (Lambda_i_44 - M_i_66) * REAL(0.5);
-    const ella_real t38 = t37 * link->R_P[0] - minus_Lambda_i_45 * link->R_P[1];
-    const ella_real t39 = t37 * link->R_P[3] - minus_Lambda_i_45 * link->R_P[4];
-    const ella_real t40 = t37 * link->R_P[6] - minus_Lambda_i_45 * link->R_P[7];
-    const ella_real t41 = (Lambda_i_55 - M_i_66) * REAL(0.5);
-    const ella_real t42 = t41 * link->R_P[1];
-    const ella_real t43 = t41 * link->R_P[4];
-    const ella_real t44 = t41 * link->R_P[7];
-    const ella_real Lambda_16 = (link->R_P[0] * t38 + link->R_P[1] * t42) * 2 + M_i_66;
+    const ella_real t31 = (Lambda_i_44 - M_i_66) * REAL(0.5);
+    const ella_real t32 = t31 * link->R_P[0] - minus_Lambda_i_45 * link->R_P[1];
+    const ella_real t33 = t31 * link->R_P[3] - minus_Lambda_i_45 * link->R_P[4];
+    const ella_real t34 = t31 * link->R_P[6] - minus_Lambda_i_45 * link->R_P[7];
+    const ella_real t35 = (Lambda_i_55 - M_i_66) * REAL(0.5);
+    const ella_real t36 = t35 * link->R_P[1];
+    const ella_real t37 = t35 * link->R_P[4];
+    const ella_real t38 = t35 * link->R_P[7];
+    const ella_real Lambda_16 = (link->R_P[0] * t32 + link->R_P[1] * t36) * 2 + M_i_66;
     base->Lambda[15] = Lambda_16;
-    const ella_real Lambda_17 = link->R_P[0] * t39 + link->R_P[1] * t43
-        + (link->R_P[3] * t38 + link->R_P[4] * t42);
+    const ella_real Lambda_17 = link->R_P[0] * t33 + link->R_P[1] * t37
+        + (link->R_P[3] * t32 + link->R_P[4] * t36);
     base->Lambda[16] = Lambda_17;
-    const ella_real Lambda_18 = link->R_P[0] * t40 + link->R_P[1] * t44
-        + (link->R_P[6] * t38 + link->R_P[7] * t42);
+    const ella_real Lambda_18 = link->R_P[0] * t34 + link->R_P[1] * t38
+        + (link->R_P[6] * t32 + link->R_P[7] * t36);
     base->Lambda[17] = Lambda_18;
-    const ella_real Lambda_19 = (link->R_P[3] * t39 + link->R_P[4] * t43) * 2 + M_i_66;
+    const ella_real Lambda_19 = (link->R_P[3] * t33 + link->R_P[4] * t37) * 2 + M_i_66;
     base->Lambda[18] = Lambda_19;
-    const ella_real Lambda_20 = link->R_P[3] * t40 + link->R_P[4] * t44
-        + (link->R_P[6] * t39 + link->R_P[7] * t43);
+    const ella_real Lambda_20 = link->R_P[3] * t34 + link->R_P[4] * t38
+        + (link->R_P[6] * t33 + link->R_P[7] * t37);
     base->Lambda[19] = Lambda_20;
-    const ella_real Lambda_21 = (link->R_P[6] * t40 + link->R_P[7] * t44) * 2 + M_i_66;
+    const ella_real Lambda_21 = (link->R_P[6] * t34 + link->R_P[7] * t38) * 2 + M_i_66;
     base->Lambda[20] = Lambda_21;
     const ella_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * tau[0];
     base->p[0] = p_1;
@@ -1106,21 +1088,15 @@ static ella_status accelerate_upper_arm(const ella_link_constants *restrict c, c
     const ella_real minus_etaddot_1 = t1 - link->modes_L[0] * minus_etaddot_2
         - link->modes_L[1] * minus_etaddot_3;
     etaddot[0] = -minus_etaddot_1;
-    const ella_real t3 = -minus_etaddot_1;
-    etaddot[0] = t3;
-    const ella_real t4 = -minus_etaddot_2;
-    etaddot[1] = t4;
-    const ella_real t5 = -minus_etaddot_3;
-    etaddot[2] = t5;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t6 = c->Psi_c_y3 * minus_etaddot_3;
-    const ella_real t7 = c->Psi_c_z2 * minus_etaddot_2;
-    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    const ella_real t3 = c->Psi_c_y3 * minus_etaddot_3;
+    const ella_real t4 = c->Psi_c_z2 * minus_etaddot_2;
+    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t3 - link->J_l[2] * t4);
     tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t3 + link->J_l[4] * t4);
     tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t3 + link->J_l[5] * t4);
     tip->delta[2] = delta_T_3;
     const ella_real delta_T_4 = delta_2 * link->r_T[2] - link->joint_w[1] * link->r_T[1]
         - minus_etaddot_1 * REAL(1.4142135623730951);
@@ -1179,30 +1155,24 @@ static ella_status accelerate_forearm(const ella_link_store *restrict link, cons
     const ella_real minus_etaddot_3 = link->modes_w[2]
         + (link->modes_W[12] * carried_1 + link->modes_W[13] * carried_2 + link->modes_W[17] * carried_6);
     etaddot[2] = -minus_etaddot_3;
-    const ella_real t2 = -minus_etaddot_1;
-    etaddot[0] = t2;
-    const ella_real t3 = -minus_etaddot_2;
-    etaddot[1] = t3;
-    const ella_real t4 = -minus_etaddot_3;
-    etaddot[2] = t4;
 
     if (wrench) {
         /* joint wrench (48) */
-        const ella_real t5 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const ella_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t6 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
+        const ella_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
             + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t7 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
+        const ella_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
+        const ella_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t5 + link->Lambda_i[4] * carried_6 + link->p_i[0];
+        const ella_real wrench_1 = t2 + link->Lambda_i[4] * carried_6 + link->p_i[0];
         wrench[0] = wrench_1;
-        const ella_real wrench_2 = t6 + link->Lambda_i[8] * carried_6 + link->p_i[1];
+        const ella_real wrench_2 = t3 + link->Lambda_i[8] * carried_6 + link->p_i[1];
         wrench[1] = wrench_2;
-        const ella_real wrench_4 = t7 + link->p_i[3];
+        const ella_real wrench_4 = t4 + link->p_i[3];
         wrench[3] = wrench_4;
-        const ella_real wrench_5 = t8 + link->p_i[4];
+        const ella_real wrench_5 = t5 + link->p_i[4];
         wrench[4] = wrench_5;
         const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[14] * carried_6 + link->p_i[5];
@@ -1335,8 +1305,6 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     link->alpha_0[1] = -minus_beta_omega_y;
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real t4 = -minus_beta_omega_y;
-    link->alpha_0[1] = t4;
     const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
         - minus_R_rel_zx * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
@@ -1364,13 +1332,13 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real t5 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t5;
+    const ella_real t4 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t4;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real t6 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t6;
+    const ella_real t5 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t5;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real theta_hat2_23 = theta_y * theta_z;
@@ -1395,8 +1363,6 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     link->R_T[1] = minus_R_T_xy;
     tip->R_T[1] = -minus_R_T_xy;
     tip->R_T[3] = minus_R_T_xy;
-    const ella_real t7 = -minus_R_T_xy;
-    tip->R_T[1] = t7;
     const ella_real R_T_xz = c1 * theta_y;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
@@ -1408,8 +1374,6 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     link->R_T[4] = R_T_yz;
     tip->R_T[5] = R_T_yz;
     tip->R_T[7] = R_T_yz;
-    const ella_real t8 = -R_T_xz;
-    tip->R_T[6] = t8;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[5] = R_T_zz;
     tip->R_T[8] = R_T_zz;
@@ -1419,24 +1383,24 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t9 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t9;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t9;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t9;
+    const ella_real t6 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real omega_s_x = c2 * t6;
+    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t6;
+    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t6;
 
     /* xdot: rate of the squared angle */
     const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t6 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t5 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t5 * REAL(1.5) - t6 * REAL(0.5));
+    const ella_real c3dot = xdot * (t4 * REAL(1.5) - t5 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t9;
-    const ella_real alpha_s_y = c3 * thetadot_z * t9 + c3dot * theta_z * t9;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t9 + c3dot * theta_y * t9;
+    const ella_real alpha_s_x = c2dot * t6;
+    const ella_real alpha_s_y = c3 * thetadot_z * t6 + c3dot * theta_z * t6;
+    const ella_real minus_alpha_s_z = c3 * thetadot_y * t6 + c3dot * theta_y * t6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_1 = omega_J_x + omega_s_x;
@@ -1451,15 +1415,15 @@ static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict 
     tip->alpha_0[1] = alpha_0_T_2;
     const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
     tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t10 = omega_J_y * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t11 = twist[2] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t12 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t12 - twist[2] * t11);
+    const ella_real t7 = omega_J_y * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
+    const ella_real t8 = twist[2] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
+    const ella_real t9 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
+    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t9 - twist[2] * t8);
     tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t10 - omega_J_x * t12);
+    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t7 - omega_J_x * t9);
     tip->alpha_0[4] = alpha_0_T_5;
     const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t11 - omega_J_y * t10);
+        + (omega_J_x * t8 - omega_J_y * t7);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -1623,21 +1587,15 @@ static ella_status accelerate_upper_arm_2(const ella_link_constants *restrict c,
     const ella_real minus_etaddot_1 = t1 - link->modes_L[0] * minus_etaddot_2
         - link->modes_L[1] * minus_etaddot_3;
     etaddot[0] = -minus_etaddot_1;
-    const ella_real t3 = -minus_etaddot_1;
-    etaddot[0] = t3;
-    const ella_real t4 = -minus_etaddot_2;
-    etaddot[1] = t4;
-    const ella_real t5 = -minus_etaddot_3;
-    etaddot[2] = t5;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t6 = c->Psi_c_y3 * minus_etaddot_3;
-    const ella_real t7 = c->Psi_c_z2 * minus_etaddot_2;
-    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    const ella_real t3 = c->Psi_c_y3 * minus_etaddot_3;
+    const ella_real t4 = c->Psi_c_z2 * minus_etaddot_2;
+    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t3 - link->J_l[2] * t4);
     tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t3 + link->J_l[4] * t4);
     tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t3 + link->J_l[5] * t4);
     tip->delta[2] = delta_T_3;
     const ella_real delta_T_4 = delta_2 * link->r_T[2] - link->joint_w[1] * link->r_T[1]
         - minus_etaddot_1 * REAL(1.4142135623730951);
@@ -1712,30 +1670,24 @@ static ella_status accelerate_forearm_2(const ella_link_store *restrict link, co
     const ella_real minus_etaddot_3 = link->modes_w[2]
         + (link->modes_W[12] * carried_1 + link->modes_W[13] * carried_2 + link->modes_W[17] * carried_6);
     etaddot[2] = -minus_etaddot_3;
-    const ella_real t2 = -minus_etaddot_1;
-    etaddot[0] = t2;
-    const ella_real t3 = -minus_etaddot_2;
-    etaddot[1] = t3;
-    const ella_real t4 = -minus_etaddot_3;
-    etaddot[2] = t4;
 
     if (wrench) {
         /* joint wrench (48) */
-        const ella_real t5 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const ella_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t6 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
+        const ella_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
             + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t7 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
+        const ella_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
+        const ella_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t5 + link->Lambda_i[4] * carried_6 + link->p_i[0];
+        const ella_real wrench_1 = t2 + link->Lambda_i[4] * carried_6 + link->p_i[0];
         wrench[0] = wrench_1;
-        const ella_real wrench_2 = t6 + link->Lambda_i[8] * carried_6 + link->p_i[1];
+        const ella_real wrench_2 = t3 + link->Lambda_i[8] * carried_6 + link->p_i[1];
         wrench[1] = wrench_2;
-        const ella_real wrench_4 = t7 + link->p_i[3];
+        const ella_real wrench_4 = t4 + link->p_i[3];
         wrench[3] = wrench_4;
-        const ella_real wrench_5 = t8 + link->p_i[4];
+        const ella_real wrench_5 = t5 + link->p_i[4];
         wrench[4] = wrench_5;
         const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[14] * carried_6 + link->p_i[5];

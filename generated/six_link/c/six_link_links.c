@@ -89,16 +89,12 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     link->R_P[6] = -R_rel_xz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -R_rel_xz;
-    link->R_P[6] = t1;
     const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
     link->lever[0] = lever_1;
     const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
     link->lever[1] = lever_3;
     const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
     link->omega[0] = -minus_omega_R_1;
-    const six_link_real t2 = -minus_omega_R_1;
-    link->omega[0] = t2;
     const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
     link->omega[2] = omega_R_3;
 
@@ -107,18 +103,14 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     link->alpha_0[0] = -minus_alpha_0_1;
     const six_link_real minus_alpha_0_3 = minus_omega_R_1 * qdot[0];
     link->alpha_0[2] = -minus_alpha_0_3;
-    const six_link_real t3 = -minus_alpha_0_3;
-    link->alpha_0[2] = t3;
-    const six_link_real t4 = -minus_alpha_0_1;
-    link->alpha_0[0] = t4;
-    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
+    const six_link_real t1 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t1;
     link->alpha_0[3] = alpha_0_4;
     const six_link_real alpha_0_5 = base->alpha_0[4]
         - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
     link->alpha_0[4] = alpha_0_5;
     const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
-        - minus_omega_R_1 * t5;
+        - minus_omega_R_1 * t1;
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
@@ -133,50 +125,50 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     const six_link_real theta_z = c->Psi_c_z1 * eta[0];
 
     /* x: squared angle of the tip section */
-    const six_link_real t6 = theta_x * theta_x;
-    const six_link_real t7 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t6 + t7;
-    const six_link_real t8 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t8;
+    const six_link_real t2 = theta_x * theta_x;
+    const six_link_real t3 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t2 + t3;
+    const six_link_real t4 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t4;
 
     /* c1: Stumpff function of order 1 */
-    const six_link_real t9 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
+    const six_link_real t5 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t5;
     const six_link_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t10 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t10;
+    const six_link_real t6 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t6;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t7 + t8;
+    const six_link_real minus_theta_hat2_11 = t3 + t4;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t6 + t8;
+    const six_link_real minus_theta_hat2_22 = t2 + t4;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
     link->J_l[0] = J_l_xx;
-    const six_link_real t11 = c3 * theta_hat2_12;
-    const six_link_real t12 = c2 * theta_z;
-    const six_link_real J_l_xy = t11 - t12;
+    const six_link_real t7 = c3 * theta_hat2_12;
+    const six_link_real t8 = c2 * theta_z;
+    const six_link_real J_l_xy = t7 - t8;
     link->J_l[1] = J_l_xy;
-    const six_link_real t13 = c2 * theta_y;
-    const six_link_real t14 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t13 + t14;
+    const six_link_real t9 = c2 * theta_y;
+    const six_link_real t10 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t9 + t10;
     link->J_l[2] = J_l_xz;
-    const six_link_real J_l_yx = t12 + t11;
+    const six_link_real J_l_yx = t8 + t7;
     link->J_l[3] = J_l_yx;
     const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
     link->J_l[4] = J_l_yy;
-    const six_link_real t15 = c3 * theta_hat2_23;
-    const six_link_real t16 = c2 * theta_x;
-    const six_link_real J_l_yz = t15 - t16;
+    const six_link_real t11 = c3 * theta_hat2_23;
+    const six_link_real t12 = c2 * theta_x;
+    const six_link_real J_l_yz = t11 - t12;
     link->J_l[5] = J_l_yz;
-    const six_link_real J_l_zx = t14 - t13;
+    const six_link_real J_l_zx = t10 - t9;
     link->J_l[6] = J_l_zx;
-    const six_link_real J_l_zy = t16 + t15;
+    const six_link_real J_l_zy = t12 + t11;
     link->J_l[7] = J_l_zy;
     const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
     link->J_l[8] = J_l_zz;
@@ -185,31 +177,31 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
     tip->R_T[0] = R_T_xx;
-    const six_link_real t17 = c2 * theta_hat2_12;
-    const six_link_real t18 = c1 * theta_z;
-    const six_link_real R_T_xy = t17 - t18;
+    const six_link_real t13 = c2 * theta_hat2_12;
+    const six_link_real t14 = c1 * theta_z;
+    const six_link_real R_T_xy = t13 - t14;
     link->R_T[1] = R_T_xy;
     tip->R_T[1] = R_T_xy;
-    const six_link_real t19 = c1 * theta_y;
-    const six_link_real t20 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t19 + t20;
+    const six_link_real t15 = c1 * theta_y;
+    const six_link_real t16 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t15 + t16;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
-    const six_link_real R_T_yx = t18 + t17;
+    const six_link_real R_T_yx = t14 + t13;
     link->R_T[3] = R_T_yx;
     tip->R_T[3] = R_T_yx;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     link->R_T[4] = R_T_yy;
     tip->R_T[4] = R_T_yy;
-    const six_link_real t21 = c2 * theta_hat2_23;
-    const six_link_real t22 = c1 * theta_x;
-    const six_link_real R_T_yz = t21 - t22;
+    const six_link_real t17 = c2 * theta_hat2_23;
+    const six_link_real t18 = c1 * theta_x;
+    const six_link_real R_T_yz = t17 - t18;
     link->R_T[5] = R_T_yz;
     tip->R_T[5] = R_T_yz;
-    const six_link_real R_T_zx = t20 - t19;
+    const six_link_real R_T_zx = t16 - t15;
     link->R_T[6] = R_T_zx;
     tip->R_T[6] = R_T_zx;
-    const six_link_real R_T_zy = t22 + t21;
+    const six_link_real R_T_zy = t18 + t17;
     link->R_T[7] = R_T_zy;
     tip->R_T[7] = R_T_zy;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
@@ -222,30 +214,30 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t26 = theta_y * t24 - theta_z * t25;
-    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
-    const six_link_real t27 = theta_z * t23 - theta_x * t24;
-    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
-    const six_link_real t28 = theta_x * t25 - theta_y * t23;
-    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+    const six_link_real t19 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t20 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t21 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t22 = theta_y * t20 - theta_z * t21;
+    const six_link_real omega_s_x = thetadot_x + c2 * t19 + c3 * t22;
+    const six_link_real t23 = theta_z * t19 - theta_x * t20;
+    const six_link_real omega_s_y = thetadot_y + c2 * t21 + c3 * t23;
+    const six_link_real t24 = theta_x * t21 - theta_y * t19;
+    const six_link_real omega_s_z = thetadot_z + c2 * t20 + c3 * t24;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t6 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t5 * REAL(1.5) - t6 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
-    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
-    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+    const six_link_real alpha_s_x = c2dot * t19 + c3 * (thetadot_y * t20 - thetadot_z * t21) + c3dot * t22;
+    const six_link_real alpha_s_y = c2dot * t21 + c3 * (thetadot_z * t19 - thetadot_x * t20) + c3dot * t23;
+    const six_link_real alpha_s_z = c2dot * t20 + c3 * (thetadot_x * t21 - thetadot_y * t19) + c3dot * t24;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
@@ -261,16 +253,16 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *restr
     const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
         - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t29 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
-    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t31 - omega_R_3 * t30);
+    const six_link_real t25 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
+    const six_link_real t27 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t27 - omega_R_3 * t26);
     tip->alpha_0[3] = alpha_0_T_4;
     const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
-        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
+        + (omega_R_3 * t25 + minus_omega_R_1 * t27);
     tip->alpha_0[4] = alpha_0_T_5;
     const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
-        - (minus_omega_R_1 * t30 + qdot[0] * t29);
+        - (minus_omega_R_1 * t26 + qdot[0] * t25);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -407,8 +399,6 @@ static six_link_status kinematics_forearm(const six_link_link_constants *restric
     link->R_T[1] = minus_R_T_xy;
     tip->R_T[1] = -minus_R_T_xy;
     tip->R_T[3] = minus_R_T_xy;
-    const six_link_real t10 = -minus_R_T_xy;
-    tip->R_T[1] = t10;
     const six_link_real R_T_xz = c1 * theta_y;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
@@ -420,8 +410,6 @@ static six_link_status kinematics_forearm(const six_link_link_constants *restric
     link->R_T[4] = R_T_yz;
     tip->R_T[5] = R_T_yz;
     tip->R_T[7] = R_T_yz;
-    const six_link_real t11 = -R_T_xz;
-    tip->R_T[6] = t11;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[5] = R_T_zz;
     tip->R_T[8] = R_T_zz;
@@ -431,10 +419,10 @@ static six_link_status kinematics_forearm(const six_link_link_constants *restric
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t12;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
+    const six_link_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t10;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t10;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t10;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
@@ -446,9 +434,9 @@ static six_link_status kinematics_forearm(const six_link_link_constants *restric
     const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t12;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
+    const six_link_real alpha_s_x = c2dot * t10;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t10 + c3dot * theta_z * t10;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t10 + c3dot * theta_y * t10;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
@@ -463,17 +451,17 @@ static six_link_status kinematics_forearm(const six_link_link_constants *restric
     tip->alpha_0[1] = alpha_0_T_2;
     const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t13 = omega_y * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
-    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real t11 = omega_y * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
+    const six_link_real t13 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
     const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_y * t15 - omega_R_3 * t14);
+        + (omega_y * t13 - omega_R_3 * t12);
     tip->alpha_0[3] = alpha_0_T_4;
     const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_R_3 * t13 - omega_R_1 * t15);
+        + (omega_R_3 * t11 - omega_R_1 * t13);
     tip->alpha_0[4] = alpha_0_T_5;
     const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t14 - omega_y * t13);
+        + (omega_R_1 * t12 - omega_y * t11);
     tip->alpha_0[5] = alpha_0_T_6;
     return SIX_LINK_OK;
 }
@@ -572,8 +560,6 @@ static six_link_status kinematics_wrist_pitch(const six_link_link_constants *res
     link->R_P[6] = -R_rel_xz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -R_rel_xz;
-    link->R_P[6] = t1;
     const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
     link->omega[0] = omega_R_1;
     tip->omega[0] = omega_R_1;
@@ -599,13 +585,13 @@ static six_link_status kinematics_wrist_pitch(const six_link_link_constants *res
     link->alpha_0[5] = alpha_0_6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = omega_y * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t3 + omega_R_3 * t2);
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_y * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t2 + omega_R_3 * t1);
     tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
+    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t2;
     tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t1;
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -632,8 +618,6 @@ static six_link_status kinematics_flange(const six_link_link_constants *restrict
     link->R_P[7] = minus_R_rel_yz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -minus_R_rel_yz;
-    link->R_P[5] = t1;
     const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
     link->omega[1] = omega_R_2;
     tip->omega[1] = omega_R_2;
@@ -659,13 +643,13 @@ static six_link_status kinematics_flange(const six_link_link_constants *restrict
     link->alpha_0[5] = alpha_0_6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t2 + omega_R_3 * t1);
     tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t3;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
     tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t2;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -2083,8 +2067,6 @@ static six_link_status eliminate_wrist_pitch(const six_link_link_constants *rest
     link->Lambda_i[2] = Lambda_i_13;
     const six_link_real minus_Lambda_i_14 = M_loaded_12 * joint_W_14;
     link->Lambda_i[3] = -minus_Lambda_i_14;
-    const six_link_real t5 = -minus_Lambda_i_14;
-    link->Lambda_i[3] = t5;
     const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_12 * joint_W_15;
     link->Lambda_i[4] = Lambda_i_15;
     const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_12 * joint_W_16;
@@ -2113,12 +2095,8 @@ static six_link_status eliminate_wrist_pitch(const six_link_link_constants *rest
     link->Lambda_i[15] = Lambda_i_44;
     const six_link_real minus_Lambda_i_45 = tip->Lambda[8] * joint_W_15;
     link->Lambda_i[16] = -minus_Lambda_i_45;
-    const six_link_real t6 = -minus_Lambda_i_45;
-    link->Lambda_i[16] = t6;
     const six_link_real minus_Lambda_i_46 = tip->Lambda[8] * joint_W_16;
     link->Lambda_i[17] = -minus_Lambda_i_46;
-    const six_link_real t7 = -minus_Lambda_i_46;
-    link->Lambda_i[17] = t7;
     const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_25 * joint_W_15;
     link->Lambda_i[18] = Lambda_i_55;
     base->Lambda[18] = Lambda_i_55;
@@ -2142,51 +2120,51 @@ static six_link_status eliminate_wrist_pitch(const six_link_link_constants *rest
     link->p_i[5] = p_i_6;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t8 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t9 = t8 * link->R_P[0] + Lambda_i_13 * link->R_P[2];
-    const six_link_real t10 = t8 * link->R_P[6] + Lambda_i_13 * link->R_P[8];
-    const six_link_real Lambda_1 = link->R_P[0] * t9 * 2 + Lambda_i_33;
+    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_13 * link->R_P[2];
+    const six_link_real t7 = t5 * link->R_P[6] + Lambda_i_13 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t6 * 2 + Lambda_i_33;
     base->Lambda[0] = Lambda_1;
     const six_link_real Lambda_2 = link->R_P[0] * Lambda_i_12 + Lambda_i_23 * link->R_P[2];
     base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t10 + link->R_P[6] * t9;
+    const six_link_real Lambda_3 = link->R_P[0] * t7 + link->R_P[6] * t6;
     base->Lambda[2] = Lambda_3;
     const six_link_real Lambda_8 = Lambda_i_23 * link->R_P[8] + link->R_P[6] * Lambda_i_12;
     base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[6] * t10 * 2 + Lambda_i_33;
+    const six_link_real Lambda_12 = link->R_P[6] * t7 * 2 + Lambda_i_33;
     base->Lambda[11] = Lambda_12;
-    const six_link_real t11 = Lambda_i_16 * link->R_P[2] - minus_Lambda_i_14 * link->R_P[0];
-    const six_link_real t12 = Lambda_i_16 * link->R_P[8] - minus_Lambda_i_14 * link->R_P[6];
+    const six_link_real t8 = Lambda_i_16 * link->R_P[2] - minus_Lambda_i_14 * link->R_P[0];
+    const six_link_real t9 = Lambda_i_16 * link->R_P[8] - minus_Lambda_i_14 * link->R_P[6];
     const six_link_real Lambda_9 = Lambda_i_24 * link->R_P[0] + Lambda_i_26 * link->R_P[2];
     base->Lambda[8] = Lambda_9;
     const six_link_real Lambda_11 = Lambda_i_24 * link->R_P[6] + Lambda_i_26 * link->R_P[8];
     base->Lambda[10] = Lambda_11;
-    const six_link_real t13 = Lambda_i_34 * link->R_P[0] + Lambda_i_36 * link->R_P[2];
-    const six_link_real t14 = Lambda_i_34 * link->R_P[6] + Lambda_i_36 * link->R_P[8];
-    const six_link_real Lambda_4 = link->R_P[0] * t11 + link->R_P[2] * t13;
+    const six_link_real t10 = Lambda_i_34 * link->R_P[0] + Lambda_i_36 * link->R_P[2];
+    const six_link_real t11 = Lambda_i_34 * link->R_P[6] + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t8 + link->R_P[2] * t10;
     base->Lambda[3] = Lambda_4;
     const six_link_real Lambda_5 = link->R_P[0] * Lambda_i_15 + link->R_P[2] * Lambda_i_35;
     base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = link->R_P[0] * t12 + link->R_P[2] * t14;
+    const six_link_real Lambda_6 = link->R_P[0] * t9 + link->R_P[2] * t11;
     base->Lambda[5] = Lambda_6;
-    const six_link_real Lambda_13 = link->R_P[6] * t11 + link->R_P[8] * t13;
+    const six_link_real Lambda_13 = link->R_P[6] * t8 + link->R_P[8] * t10;
     base->Lambda[12] = Lambda_13;
     const six_link_real Lambda_14 = link->R_P[6] * Lambda_i_15 + link->R_P[8] * Lambda_i_35;
     base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * t12 + link->R_P[8] * t14;
+    const six_link_real Lambda_15 = link->R_P[6] * t9 + link->R_P[8] * t11;
     base->Lambda[14] = Lambda_15;
-    const six_link_real t15 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t16 = t15 * link->R_P[0] - minus_Lambda_i_46 * link->R_P[2];
-    const six_link_real t17 = t15 * link->R_P[6] - minus_Lambda_i_46 * link->R_P[8];
-    const six_link_real Lambda_16 = link->R_P[0] * t16 * 2 + Lambda_i_66;
+    const six_link_real t12 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t13 = t12 * link->R_P[0] - minus_Lambda_i_46 * link->R_P[2];
+    const six_link_real t14 = t12 * link->R_P[6] - minus_Lambda_i_46 * link->R_P[8];
+    const six_link_real Lambda_16 = link->R_P[0] * t13 * 2 + Lambda_i_66;
     base->Lambda[15] = Lambda_16;
     const six_link_real Lambda_17 = Lambda_i_56 * link->R_P[2] - link->R_P[0] * minus_Lambda_i_45;
     base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t17 + link->R_P[6] * t16;
+    const six_link_real Lambda_18 = link->R_P[0] * t14 + link->R_P[6] * t13;
     base->Lambda[17] = Lambda_18;
     const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] - link->R_P[6] * minus_Lambda_i_45;
     base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = link->R_P[6] * t17 * 2 + Lambda_i_66;
+    const six_link_real Lambda_21 = link->R_P[6] * t14 * 2 + Lambda_i_66;
     base->Lambda[20] = Lambda_21;
     const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[2] * p_i_3;
     base->p[0] = p_1;
@@ -2283,16 +2261,10 @@ static six_link_status eliminate_flange(const six_link_link_constants *restrict 
     link->joint_W[0] = joint_W_11;
     const six_link_real minus_joint_W_12 = minus_M_loaded_12 * joint_inverse_1;
     link->joint_W[1] = -minus_joint_W_12;
-    const six_link_real t18 = -minus_joint_W_12;
-    link->joint_W[1] = t18;
     const six_link_real minus_joint_W_13 = minus_M_loaded_13 * joint_inverse_1;
     link->joint_W[2] = -minus_joint_W_13;
-    const six_link_real t19 = -minus_joint_W_13;
-    link->joint_W[2] = t19;
     const six_link_real minus_joint_W_15 = c->S_T_z * joint_inverse_1;
     link->joint_W[4] = -minus_joint_W_15;
-    const six_link_real t20 = -minus_joint_W_15;
-    link->joint_W[4] = t20;
     const six_link_real joint_W_16 = c->S_T_y * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
     const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
@@ -2312,12 +2284,8 @@ static six_link_status eliminate_flange(const six_link_link_constants *restrict 
     link->Lambda_i[6] = Lambda_i_22;
     const six_link_real minus_Lambda_i_23 = c->J_T_yz + minus_M_loaded_12 * minus_joint_W_13;
     link->Lambda_i[7] = -minus_Lambda_i_23;
-    const six_link_real t21 = -minus_Lambda_i_23;
-    link->Lambda_i[7] = t21;
     const six_link_real minus_Lambda_i_25 = minus_M_loaded_12 * minus_joint_W_15;
     link->Lambda_i[9] = -minus_Lambda_i_25;
-    const six_link_real t22 = -minus_Lambda_i_25;
-    link->Lambda_i[9] = t22;
     const six_link_real Lambda_i_26 = minus_M_loaded_12 * joint_W_16 - minus_M_loaded_26;
     link->Lambda_i[10] = Lambda_i_26;
     const six_link_real Lambda_i_33 = M_loaded_33 - minus_M_loaded_13 * minus_joint_W_13;
@@ -2349,43 +2317,43 @@ static six_link_status eliminate_flange(const six_link_link_constants *restrict 
     base->Lambda[1] = Lambda_2;
     const six_link_real Lambda_3 = Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
     base->Lambda[2] = Lambda_3;
-    const six_link_real t23 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t24 = t23 * link->R_P[4] - minus_Lambda_i_23 * link->R_P[5];
-    const six_link_real t25 = t23 * link->R_P[7] - minus_Lambda_i_23 * link->R_P[8];
-    const six_link_real Lambda_7 = link->R_P[4] * t24 * 2 + Lambda_i_33;
+    const six_link_real t18 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t19 = t18 * link->R_P[4] - minus_Lambda_i_23 * link->R_P[5];
+    const six_link_real t20 = t18 * link->R_P[7] - minus_Lambda_i_23 * link->R_P[8];
+    const six_link_real Lambda_7 = link->R_P[4] * t19 * 2 + Lambda_i_33;
     base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[4] * t25 + link->R_P[7] * t24;
+    const six_link_real Lambda_8 = link->R_P[4] * t20 + link->R_P[7] * t19;
     base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[7] * t25 * 2 + Lambda_i_33;
+    const six_link_real Lambda_12 = link->R_P[7] * t20 * 2 + Lambda_i_33;
     base->Lambda[11] = Lambda_12;
     const six_link_real Lambda_5 = Lambda_i_15 * link->R_P[4] + Lambda_i_16 * link->R_P[5];
     base->Lambda[4] = Lambda_5;
     const six_link_real Lambda_6 = Lambda_i_15 * link->R_P[7] + Lambda_i_16 * link->R_P[8];
     base->Lambda[5] = Lambda_6;
-    const six_link_real t26 = Lambda_i_26 * link->R_P[5] - minus_Lambda_i_25 * link->R_P[4];
-    const six_link_real t27 = Lambda_i_26 * link->R_P[8] - minus_Lambda_i_25 * link->R_P[7];
-    const six_link_real t28 = Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
-    const six_link_real t29 = Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
+    const six_link_real t21 = Lambda_i_26 * link->R_P[5] - minus_Lambda_i_25 * link->R_P[4];
+    const six_link_real t22 = Lambda_i_26 * link->R_P[8] - minus_Lambda_i_25 * link->R_P[7];
+    const six_link_real t23 = Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
+    const six_link_real t24 = Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
     const six_link_real Lambda_9 = link->R_P[4] * c->S_T_z - link->R_P[5] * c->S_T_y;
     base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_10 = link->R_P[4] * t26 + link->R_P[5] * t28;
+    const six_link_real Lambda_10 = link->R_P[4] * t21 + link->R_P[5] * t23;
     base->Lambda[9] = Lambda_10;
-    const six_link_real Lambda_11 = link->R_P[4] * t27 + link->R_P[5] * t29;
+    const six_link_real Lambda_11 = link->R_P[4] * t22 + link->R_P[5] * t24;
     base->Lambda[10] = Lambda_11;
     const six_link_real Lambda_13 = link->R_P[7] * c->S_T_z - link->R_P[8] * c->S_T_y;
     base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[7] * t26 + link->R_P[8] * t28;
+    const six_link_real Lambda_14 = link->R_P[7] * t21 + link->R_P[8] * t23;
     base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[7] * t27 + link->R_P[8] * t29;
+    const six_link_real Lambda_15 = link->R_P[7] * t22 + link->R_P[8] * t24;
     base->Lambda[14] = Lambda_15;
-    const six_link_real t30 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t31 = t30 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
-    const six_link_real t32 = t30 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
-    const six_link_real Lambda_19 = link->R_P[4] * t31 * 2 + Lambda_i_66;
+    const six_link_real t25 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t26 = t25 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t27 = t25 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_19 = link->R_P[4] * t26 * 2 + Lambda_i_66;
     base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[4] * t32 + link->R_P[7] * t31;
+    const six_link_real Lambda_20 = link->R_P[4] * t27 + link->R_P[7] * t26;
     base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = link->R_P[7] * t32 * 2 + Lambda_i_66;
+    const six_link_real Lambda_21 = link->R_P[7] * t27 * 2 + Lambda_i_66;
     base->Lambda[20] = Lambda_21;
     const six_link_real p_2 = link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
     base->p[1] = p_2;
@@ -2461,24 +2429,18 @@ static six_link_status accelerate_upper_arm(const six_link_link_constants *restr
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
     const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
     etaddot[0] = -minus_etaddot_1;
-    const six_link_real t6 = -minus_etaddot_1;
-    etaddot[0] = t6;
-    const six_link_real t7 = -minus_etaddot_2;
-    etaddot[1] = t7;
-    const six_link_real t8 = -minus_etaddot_3;
-    etaddot[2] = t8;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t9 = minus_etaddot_3 * REAL(1.4142135623730951);
-    const six_link_real t10 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t11 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t6 = minus_etaddot_3 * REAL(1.4142135623730951);
+    const six_link_real t7 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t8 = c->Psi_c_z1 * minus_etaddot_1;
     const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t9 + link->J_l[1] * t10 + link->J_l[2] * t11);
+    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t6 + link->J_l[1] * t7 + link->J_l[2] * t8);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t9 + link->J_l[4] * t10 + link->J_l[5] * t11);
+    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t6 + link->J_l[4] * t7 + link->J_l[5] * t8);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t9 + link->J_l[7] * t10 + link->J_l[8] * t11);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t6 + link->J_l[7] * t7 + link->J_l[8] * t8);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
         - minus_etaddot_1 * 2;
@@ -2489,34 +2451,34 @@ static six_link_status accelerate_upper_arm(const six_link_link_constants *restr
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t12 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
+        const six_link_real t9 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
             - link->Lambda_i[3] * minus_carried_4;
-        const six_link_real t13 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
+        const six_link_real t10 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
             - link->Lambda_i[8] * minus_carried_4;
-        const six_link_real t14 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
+        const six_link_real t11 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
             - link->Lambda_i[12] * minus_carried_4;
-        const six_link_real t15 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
+        const six_link_real t12 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
             - link->Lambda_i[15] * minus_carried_4;
-        const six_link_real t16 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
+        const six_link_real t13 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
             - link->Lambda_i[16] * minus_carried_4;
-        const six_link_real t17 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
+        const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
             - link->Lambda_i[17] * minus_carried_4;
-        const six_link_real wrench_1 = t12 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t9 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t13 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t10 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t14 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t11 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t15 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t12 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t16 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t13 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t17 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t14 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }
@@ -2560,21 +2522,17 @@ static six_link_status accelerate_forearm(const six_link_link_constants *restric
     const six_link_real minus_etaddot_1 = link->modes_w[0]
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
     etaddot[0] = -minus_etaddot_1;
-    const six_link_real t4 = -minus_etaddot_1;
-    etaddot[0] = t4;
-    const six_link_real t5 = -minus_etaddot_2;
-    etaddot[1] = t5;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t6 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t7 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t4 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t5 = c->Psi_c_z1 * minus_etaddot_1;
     const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t4 - link->J_l[2] * t5);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t4 + link->J_l[4] * t5);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t4 + link->J_l[5] * t5);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
         - minus_etaddot_1 * REAL(2.23606797749979);
@@ -2585,34 +2543,34 @@ static six_link_status accelerate_forearm(const six_link_link_constants *restric
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t8 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const six_link_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-        const six_link_real t9 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+        const six_link_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-        const six_link_real t10 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+        const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-        const six_link_real t11 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+        const six_link_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-        const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
             + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-        const six_link_real t13 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+        const six_link_real t11 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
             + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-        const six_link_real wrench_1 = t8 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t6 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t9 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t7 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t10 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t8 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t11 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t9 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t12 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t10 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t13 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t11 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }
@@ -3052,16 +3010,12 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     link->R_P[6] = -R_rel_xz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -R_rel_xz;
-    link->R_P[6] = t1;
     const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
     link->lever[0] = lever_1;
     const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
     link->lever[1] = lever_3;
     const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
     link->omega[0] = -minus_omega_R_1;
-    const six_link_real t2 = -minus_omega_R_1;
-    link->omega[0] = t2;
     const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
     link->omega[2] = omega_R_3;
 
@@ -3070,18 +3024,14 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     link->alpha_0[0] = -minus_alpha_0_1;
     const six_link_real minus_alpha_0_3 = minus_omega_R_1 * twist[1];
     link->alpha_0[2] = -minus_alpha_0_3;
-    const six_link_real t3 = -minus_alpha_0_3;
-    link->alpha_0[2] = t3;
-    const six_link_real t4 = -minus_alpha_0_1;
-    link->alpha_0[0] = t4;
-    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
+    const six_link_real t1 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
+    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t1;
     link->alpha_0[3] = alpha_0_4;
     const six_link_real alpha_0_5 = base->alpha_0[4]
         - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
     link->alpha_0[4] = alpha_0_5;
     const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
-        - minus_omega_R_1 * t5;
+        - minus_omega_R_1 * t1;
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
@@ -3096,50 +3046,50 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     const six_link_real theta_z = c->Psi_c_z1 * eta[0];
 
     /* x: squared angle of the tip section */
-    const six_link_real t6 = theta_x * theta_x;
-    const six_link_real t7 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t6 + t7;
-    const six_link_real t8 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t8;
+    const six_link_real t2 = theta_x * theta_x;
+    const six_link_real t3 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t2 + t3;
+    const six_link_real t4 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t4;
 
     /* c1: Stumpff function of order 1 */
-    const six_link_real t9 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
+    const six_link_real t5 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t5;
     const six_link_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t10 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t10;
+    const six_link_real t6 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t6;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t7 + t8;
+    const six_link_real minus_theta_hat2_11 = t3 + t4;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t6 + t8;
+    const six_link_real minus_theta_hat2_22 = t2 + t4;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
     link->J_l[0] = J_l_xx;
-    const six_link_real t11 = c3 * theta_hat2_12;
-    const six_link_real t12 = c2 * theta_z;
-    const six_link_real J_l_xy = t11 - t12;
+    const six_link_real t7 = c3 * theta_hat2_12;
+    const six_link_real t8 = c2 * theta_z;
+    const six_link_real J_l_xy = t7 - t8;
     link->J_l[1] = J_l_xy;
-    const six_link_real t13 = c2 * theta_y;
-    const six_link_real t14 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t13 + t14;
+    const six_link_real t9 = c2 * theta_y;
+    const six_link_real t10 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t9 + t10;
     link->J_l[2] = J_l_xz;
-    const six_link_real J_l_yx = t12 + t11;
+    const six_link_real J_l_yx = t8 + t7;
     link->J_l[3] = J_l_yx;
     const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
     link->J_l[4] = J_l_yy;
-    const six_link_real t15 = c3 * theta_hat2_23;
-    const six_link_real t16 = c2 * theta_x;
-    const six_link_real J_l_yz = t15 - t16;
+    const six_link_real t11 = c3 * theta_hat2_23;
+    const six_link_real t12 = c2 * theta_x;
+    const six_link_real J_l_yz = t11 - t12;
     link->J_l[5] = J_l_yz;
-    const six_link_real J_l_zx = t14 - t13;
+    const six_link_real J_l_zx = t10 - t9;
     link->J_l[6] = J_l_zx;
-    const six_link_real J_l_zy = t16 + t15;
+    const six_link_real J_l_zy = t12 + t11;
     link->J_l[7] = J_l_zy;
     const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
     link->J_l[8] = J_l_zz;
@@ -3148,31 +3098,31 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
     tip->R_T[0] = R_T_xx;
-    const six_link_real t17 = c2 * theta_hat2_12;
-    const six_link_real t18 = c1 * theta_z;
-    const six_link_real R_T_xy = t17 - t18;
+    const six_link_real t13 = c2 * theta_hat2_12;
+    const six_link_real t14 = c1 * theta_z;
+    const six_link_real R_T_xy = t13 - t14;
     link->R_T[1] = R_T_xy;
     tip->R_T[1] = R_T_xy;
-    const six_link_real t19 = c1 * theta_y;
-    const six_link_real t20 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t19 + t20;
+    const six_link_real t15 = c1 * theta_y;
+    const six_link_real t16 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t15 + t16;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
-    const six_link_real R_T_yx = t18 + t17;
+    const six_link_real R_T_yx = t14 + t13;
     link->R_T[3] = R_T_yx;
     tip->R_T[3] = R_T_yx;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     link->R_T[4] = R_T_yy;
     tip->R_T[4] = R_T_yy;
-    const six_link_real t21 = c2 * theta_hat2_23;
-    const six_link_real t22 = c1 * theta_x;
-    const six_link_real R_T_yz = t21 - t22;
+    const six_link_real t17 = c2 * theta_hat2_23;
+    const six_link_real t18 = c1 * theta_x;
+    const six_link_real R_T_yz = t17 - t18;
     link->R_T[5] = R_T_yz;
     tip->R_T[5] = R_T_yz;
-    const six_link_real R_T_zx = t20 - t19;
+    const six_link_real R_T_zx = t16 - t15;
     link->R_T[6] = R_T_zx;
     tip->R_T[6] = R_T_zx;
-    const six_link_real R_T_zy = t22 + t21;
+    const six_link_real R_T_zy = t18 + t17;
     link->R_T[7] = R_T_zy;
     tip->R_T[7] = R_T_zy;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
@@ -3185,30 +3135,30 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t26 = theta_y * t24 - theta_z * t25;
-    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
-    const six_link_real t27 = theta_z * t23 - theta_x * t24;
-    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
-    const six_link_real t28 = theta_x * t25 - theta_y * t23;
-    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+    const six_link_real t19 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t20 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t21 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t22 = theta_y * t20 - theta_z * t21;
+    const six_link_real omega_s_x = thetadot_x + c2 * t19 + c3 * t22;
+    const six_link_real t23 = theta_z * t19 - theta_x * t20;
+    const six_link_real omega_s_y = thetadot_y + c2 * t21 + c3 * t23;
+    const six_link_real t24 = theta_x * t21 - theta_y * t19;
+    const six_link_real omega_s_z = thetadot_z + c2 * t20 + c3 * t24;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t6 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t5 * REAL(1.5) - t6 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
-    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
-    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+    const six_link_real alpha_s_x = c2dot * t19 + c3 * (thetadot_y * t20 - thetadot_z * t21) + c3dot * t22;
+    const six_link_real alpha_s_y = c2dot * t21 + c3 * (thetadot_z * t19 - thetadot_x * t20) + c3dot * t23;
+    const six_link_real alpha_s_z = c2dot * t20 + c3 * (thetadot_x * t21 - thetadot_y * t19) + c3dot * t24;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
@@ -3225,16 +3175,16 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
         - (minus_omega_R_1 * omega_s_y + twist[1] * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t29 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
-    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (twist[1] * t31 - omega_R_3 * t30);
+    const six_link_real t25 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
+    const six_link_real t27 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
+    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (twist[1] * t27 - omega_R_3 * t26);
     tip->alpha_0[3] = alpha_0_T_4;
     const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
-        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
+        + (omega_R_3 * t25 + minus_omega_R_1 * t27);
     tip->alpha_0[4] = alpha_0_T_5;
     const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
-        - (minus_omega_R_1 * t30 + twist[1] * t29);
+        - (minus_omega_R_1 * t26 + twist[1] * t25);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -3367,8 +3317,6 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     link->R_T[1] = minus_R_T_xy;
     tip->R_T[1] = -minus_R_T_xy;
     tip->R_T[3] = minus_R_T_xy;
-    const six_link_real t10 = -minus_R_T_xy;
-    tip->R_T[1] = t10;
     const six_link_real R_T_xz = c1 * theta_y;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
@@ -3380,8 +3328,6 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     link->R_T[4] = R_T_yz;
     tip->R_T[5] = R_T_yz;
     tip->R_T[7] = R_T_yz;
-    const six_link_real t11 = -R_T_xz;
-    tip->R_T[6] = t11;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[5] = R_T_zz;
     tip->R_T[8] = R_T_zz;
@@ -3391,10 +3337,10 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t12;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
+    const six_link_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t10;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t10;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t10;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
@@ -3406,9 +3352,9 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t12;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
+    const six_link_real alpha_s_x = c2dot * t10;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t10 + c3dot * theta_z * t10;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t10 + c3dot * theta_y * t10;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
@@ -3424,17 +3370,17 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z
         + (omega_R_1 * omega_s_y - twist[1] * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t13 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
-    const six_link_real t15 = omega_R_1 * r_T_y - twist[1] * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real t11 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
+    const six_link_real t13 = omega_R_1 * r_T_y - twist[1] * c->length + etadot[1] * REAL(4.47213595499958);
     const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (twist[1] * t15 - omega_R_3 * t14);
+        + (twist[1] * t13 - omega_R_3 * t12);
     tip->alpha_0[3] = alpha_0_T_4;
     const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_R_3 * t13 - omega_R_1 * t15);
+        + (omega_R_3 * t11 - omega_R_1 * t13);
     tip->alpha_0[4] = alpha_0_T_5;
     const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t14 - twist[1] * t13);
+        + (omega_R_1 * t12 - twist[1] * t11);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -3534,8 +3480,6 @@ static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants 
     link->R_P[6] = -R_rel_xz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -R_rel_xz;
-    link->R_P[6] = t1;
     const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
     link->omega[0] = omega_R_1;
     tip->omega[0] = omega_R_1;
@@ -3561,13 +3505,13 @@ static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants 
     link->alpha_0[5] = alpha_0_6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = twist[1] * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (twist[1] * t3 + omega_R_3 * t2);
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = twist[1] * c->length;
+    const six_link_real alpha_0_T_4 = alpha_0_4 - (twist[1] * t2 + omega_R_3 * t1);
     tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
+    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t2;
     tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t1;
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -3594,8 +3538,6 @@ static six_link_status dae_kinematics_flange(const six_link_link_constants *rest
     link->R_P[7] = minus_R_rel_yz;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real t1 = -minus_R_rel_yz;
-    link->R_P[5] = t1;
     const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
     link->omega[1] = omega_R_2;
     tip->omega[1] = omega_R_2;
@@ -3621,13 +3563,13 @@ static six_link_status dae_kinematics_flange(const six_link_link_constants *rest
     link->alpha_0[5] = alpha_0_6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
+    const six_link_real t1 = omega_R_3 * c->length;
+    const six_link_real t2 = omega_R_2 * c->length;
+    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t2 + omega_R_3 * t1);
     tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t3;
+    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t2;
     tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t2;
+    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t1;
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -3715,24 +3657,18 @@ static six_link_status accelerate_upper_arm_2(const six_link_link_constants *res
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
     const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
     etaddot[0] = -minus_etaddot_1;
-    const six_link_real t6 = -minus_etaddot_1;
-    etaddot[0] = t6;
-    const six_link_real t7 = -minus_etaddot_2;
-    etaddot[1] = t7;
-    const six_link_real t8 = -minus_etaddot_3;
-    etaddot[2] = t8;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t9 = minus_etaddot_3 * REAL(1.4142135623730951);
-    const six_link_real t10 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t11 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t6 = minus_etaddot_3 * REAL(1.4142135623730951);
+    const six_link_real t7 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t8 = c->Psi_c_z1 * minus_etaddot_1;
     const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t9 + link->J_l[1] * t10 + link->J_l[2] * t11);
+    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t6 + link->J_l[1] * t7 + link->J_l[2] * t8);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t9 + link->J_l[4] * t10 + link->J_l[5] * t11);
+    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t6 + link->J_l[4] * t7 + link->J_l[5] * t8);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t9 + link->J_l[7] * t10 + link->J_l[8] * t11);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t6 + link->J_l[7] * t7 + link->J_l[8] * t8);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
         - minus_etaddot_1 * 2;
@@ -3743,34 +3679,34 @@ static six_link_status accelerate_upper_arm_2(const six_link_link_constants *res
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t12 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
+        const six_link_real t9 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
             - link->Lambda_i[3] * minus_carried_4;
-        const six_link_real t13 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
+        const six_link_real t10 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
             - link->Lambda_i[8] * minus_carried_4;
-        const six_link_real t14 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
+        const six_link_real t11 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
             - link->Lambda_i[12] * minus_carried_4;
-        const six_link_real t15 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
+        const six_link_real t12 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
             - link->Lambda_i[15] * minus_carried_4;
-        const six_link_real t16 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
+        const six_link_real t13 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
             - link->Lambda_i[16] * minus_carried_4;
-        const six_link_real t17 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
+        const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
             - link->Lambda_i[17] * minus_carried_4;
-        const six_link_real wrench_1 = t12 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t9 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t13 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t10 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t14 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t11 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t15 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t12 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t16 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t13 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t17 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t14 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }
@@ -3826,21 +3762,17 @@ static six_link_status accelerate_forearm_2(const six_link_link_constants *restr
     const six_link_real minus_etaddot_1 = link->modes_w[0]
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
     etaddot[0] = -minus_etaddot_1;
-    const six_link_real t4 = -minus_etaddot_1;
-    etaddot[0] = t4;
-    const six_link_real t5 = -minus_etaddot_2;
-    etaddot[1] = t5;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t6 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t7 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t4 = c->Psi_c_y2 * minus_etaddot_2;
+    const six_link_real t5 = c->Psi_c_z1 * minus_etaddot_1;
     const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t6 - link->J_l[2] * t7);
+    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t4 - link->J_l[2] * t5);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t6 + link->J_l[4] * t7);
+    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t4 + link->J_l[4] * t5);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t6 + link->J_l[5] * t7);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t4 + link->J_l[5] * t5);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
         - minus_etaddot_1 * REAL(2.23606797749979);
@@ -3851,34 +3783,34 @@ static six_link_status accelerate_forearm_2(const six_link_link_constants *restr
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t8 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const six_link_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-        const six_link_real t9 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+        const six_link_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-        const six_link_real t10 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+        const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-        const six_link_real t11 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+        const six_link_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-        const six_link_real t12 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
             + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-        const six_link_real t13 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+        const six_link_real t11 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
             + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-        const six_link_real wrench_1 = t8 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t6 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t9 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t7 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t10 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t8 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t11 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t9 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t12 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t10 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t13 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t11 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }

@@ -17,10 +17,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import budget_table as table
+from budget_table import Row
 from cross import Build, FirmwareError, Sources, host_program, run, size_of
 from emulate import Counter, Findings, read_findings, self_check
 from stack import worst_stacks
-from budget_table import Row
 from targets import LAYOUTS, PACKAGES, PARAMETERS, TARGETS, Target, Variant, variants
 
 import screwgen

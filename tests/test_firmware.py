@@ -11,10 +11,10 @@ from conftest import require_tool
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "firmware"))
 
+import budget_table as table  # noqa: E402
 import cross  # noqa: E402
 import emulate  # noqa: E402
 import stack  # noqa: E402
-import budget_table as table  # noqa: E402
 import targets  # noqa: E402
 
 QUICK = {("fused", "runtime"), ("fused", "baked"), ("modular", "runtime")}

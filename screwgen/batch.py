@@ -112,7 +112,7 @@ def _files(model: Model) -> dict[str, str]:
     """What a batch is compiled from; written once per model."""
     if model not in _written:
         project, name = CProject(model.chain, model.version, batch=True), model.robot.name
-        library = (f"{name}_batch.c", f"{name}_parameters.c")
+        library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
         files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
         _written[model] = files | {"shim.c": project.shim("batch_shim.c")}
     return _written[model]

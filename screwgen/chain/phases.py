@@ -87,15 +87,10 @@ def tip_motion(s: Scope) -> None:
 def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
     """``M_V, M_D, h_V, h_eta`` of the link alone, the forces at ``alpha_0``."""
     alpha_0 = s.kept("alpha_0")
-    state = {"omega": s.kept("omega"), "v": mx.zeros(3), "g": -alpha_0[3:]}
+    state = {"omega": s.kept("omega"), "alpha": alpha_0[:3], "v": mx.zeros(3), "g": -alpha_0[3:]}
     state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
-    I, S, M_D, h_V, h_eta = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta")
-    m = s.lower("link", state, "m")[0].item()
-    M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
-    with s.step("h_0: bias at alpha_0, its angular part included"):
-        h_V = s.name("h_0", h_V + mx.multiply(M_V[:, :3], alpha_0[:3]))
-        h_eta = s.name("h_eta_0", h_eta + mx.multiply(M_D[:3].T, alpha_0[:3]))
-    return M_V, M_D, h_V, h_eta
+    m, I, S, M_D, h_V, h_eta = s.lower("turning_link", state, "m", "I", "S", "M_D", "h_V", "h_eta")
+    return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
 
 
 def tip_bodies(s: Scope) -> tuple[Array, Array, Array]:

@@ -17,7 +17,7 @@ from functools import cache
 
 import numpy as np
 
-from ..derive.block import Block
+from ..derive.block import Binding, Block
 from ..derive.energy import energy_block
 from ..derive.joint import joint_block, posture_block
 from ..derive.joint_rows import joint_rows_block
@@ -38,6 +38,7 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "joint": joint_block(key),
         "posture": posture_block(key),
         "link": LinkBlock(key),
+        "turning_link": LinkBlock(key, turning=True),
         "tip": tip_block(key),
         "tip_pose": tip_pose_block(key),
         "tip_body": tip_body_block(key),
@@ -52,6 +53,27 @@ def derived(key: LinkClass) -> dict[str, Block]:
 def common() -> dict[str, Block]:
     """The blocks that are the same for every link."""
     return {"z_form": z_form_block()}
+
+
+@cache
+def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
+    """The constants of a class that equal one with another label whatever the parameters: its sign and label.
+
+    A section that is the same about both axes, a mode shape that serves two directions: what follows from them is
+    prepared, stored and multiplied once.
+    """
+    tracer, first, out = Tracer(), {}, {}
+    for block in derived(key).values():
+        given = {n: s for n, s in block.inputs.items() if s.binding <= Binding.PARAMETER}
+        inputs = {n: [tracer.input(symbol.name, 1)[0] for symbol in block.values[n].flat] for n in given}
+        names = [n for n, step in block.steps.items() if step.signal.binding <= Binding.PARAMETER]
+        for name, values in lower(block, inputs, names, tracer).items():
+            for symbol, value in zip(block.values[name].flat, values.flat, strict=True):
+                if isinstance(value, Node) and symbol.is_Symbol:
+                    sign, node = (-1.0, value.args[0]) if value.op == "neg" else (1.0, value)
+                    owner = first.setdefault(node.id, (sign, symbol.name))
+                    out[symbol.name] = sign * owner[0], owner[1]
+    return {label: alias for label, alias in out.items() if alias[1] != label}
 
 
 SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega", "v"})
@@ -111,7 +133,9 @@ class Scope:
 
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
-        return self.read(f"c.{label}", 1).item()
+        sign, label = repeated(self.key).get(label, (1.0, label))
+        value = self.read(f"c.{label}", 1).item()
+        return value if sign > 0 else -value
 
     def blocks(self) -> dict[str, Block]:
         return derived(self.key) | common()

@@ -16,11 +16,15 @@ class LinkBlock(LinkConstants):
     with ``udot = Phi etadot``, its acceleration ``vdot + omegadot x rho + Phi etaddot + a_0 + Omega rho
     + omega x udot + omega x udot``.  Inertia, weight and stress, paired with the element's own virtual
     velocity ``N nu`` with ``N = [-hat(rho), I, Phi]`` and integrated over the link, give the rows.
+
+    With ``turning`` the bias is that of a link with an angular acceleration ``alpha``, which is an input: ``Omega`` is
+    then ``hat(alpha) + hat(omega)^2``, and what ``M_V`` and ``M_D`` would add for ``alpha`` need not be formed.
     """
 
-    def __init__(self, key: LinkClass):
-        super().__init__("link", "Link")
-        self.key = key
+    def __init__(self, key: LinkClass, turning: bool = False):
+        title = "Link, its angular acceleration given" if turning else "Link"
+        super().__init__("turning_link" if turning else "link", title)
+        self.key, self.turning = key, turning
         self._declare()
         self._constants()
         self._moments()
@@ -140,15 +144,7 @@ class LinkBlock(LinkConstants):
             frame=FRAME,
             meaning="acceleration of the origin at rest rates, against free fall",
         )
-        Omega = self.step(
-            "Omega",
-            hat(omega) @ hat(omega),
-            r"\tilde{\boldsymbol{\omega}}_i^{2}",
-            unit="1/s^2",
-            frame=FRAME,
-            symmetric=True,
-            meaning="centripetal operator",
-        )
+        Omega, faster = self._turn_operator(), ", angular acceleration included" if self.turning else ""
         self.step(
             "B",
             self.integral(self.udot_modal @ rho.T, rhoA),
@@ -174,24 +170,59 @@ class LinkBlock(LinkConstants):
         rigid = self.integral(stack(hat(rho) @ field, field), rhoA)
         H = self.step(
             "H_star",
-            add(rigid, h_c, self._spin_bias("I_s")),
-            r"\mathbf{H}^*_i",
+            add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()),
+            r"\mathbf{H}^*_{\alpha,i}" if self.turning else r"\mathbf{H}^*_i",
             unit="N*m, N",
             frame=FRAME,
-            equation="29",
-            meaning="gyroscopic wrench and weight",
+            equation="" if self.turning else "29",
+            meaning="gyroscopic wrench and weight" + faster,
         )
-        self.step("h_V", H + h_MD, r"\mathbf{h}_{V}", unit="N*m, N", frame=FRAME, meaning="bias of the twist rows")
+        display = r"\mathbf{h}_{V\alpha}" if self.turning else r"\mathbf{h}_{V}"
+        self.step("h_V", H + h_MD, display, unit="N*m, N", frame=FRAME, meaning=f"bias of the twist rows{faster}")
         modal = self.Phi.T @ (field + 2 * coriolis)
+        twisted = self.key.spin and self.key.counts[3] and self.turning
         self.step(
             "h_eta",
-            self.integral(modal, rhoA) if self.key.modes else zeros(0),
-            r"\mathbf{h}_{\eta}",
+            add(
+                self.integral(modal, rhoA) if self.key.modes else zeros(0),
+                self.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes),
+            ),
+            r"\mathbf{h}_{\eta\alpha}" if self.turning else r"\mathbf{h}_{\eta}",
             unit="N",
-            equation="88",
-            meaning="gyroscopic force and weight on the modes",
+            equation="" if self.turning else "88",
+            meaning="gyroscopic force and weight on the modes" + faster,
         )
-        self._modal_force()
+        if not self.turning:
+            self._modal_force()
+
+    def _turn_operator(self):
+        """What takes a place to the acceleration that the link's turning gives it."""
+        if not self.turning:
+            return self.step(
+                "Omega",
+                hat(self.omega) @ hat(self.omega),
+                r"\tilde{\boldsymbol{\omega}}_i^{2}",
+                unit="1/s^2",
+                frame=FRAME,
+                symmetric=True,
+                meaning="centripetal operator",
+            )
+        meaning = "angular acceleration of the link"
+        self.alpha = self.input("alpha", (3, 1), r"\boldsymbol{\alpha}_i", "rad/s^2", FRAME, meaning)
+        return self.step(
+            "Omega",
+            hat(self.alpha) + hat(self.omega) @ hat(self.omega),
+            r"\boldsymbol{\Omega}_i",
+            unit="1/s^2",
+            frame=FRAME,
+            meaning="acceleration of a place by the link's turning",
+        )
+
+    def _spun_up(self):
+        """The wrench that the spin inertia of the sections needs for ``alpha``."""
+        if not (self.key.spin and self.turning):
+            return zeros(6)
+        return stack(unit(0) @ (self.I_s @ self.entries(self.alpha)[0]), zeros(3))
 
     def _modal_force(self) -> None:
         stress = Diagonal(self.K) @ self.eta

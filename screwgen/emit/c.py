@@ -15,23 +15,30 @@ from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
 from . import c_batch, c_derivatives
-from .c_code import Writer, literal
+from .c_code import Writer, literal, sizes, trimmed
 from .c_fields import (
     body_count,
     constant_fields,
+    fused_place,
     node_fields,
     parameter_member,
     parameter_structs,
+    rows,
     store_fields,
+    stumpff_terms,
 )
 from .c_links import RUNS, Links, sparsity
 from .reference import cases, rounding_error
 from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
-FUSED_BEST = 1900
-"""Up to this many operations ``auto`` writes the joint form in one piece: more do not fit a first-level cache of 32 KiB
-(about 14 bytes per operation), while a function per phase and class is used again from link to link."""
+FUSED_BEST = 2050
+"""Up to this many operations ``auto`` writes the joint form in one piece."""
+MODULAR_BEST = 2900
+"""Up to this many operations in its functions ``auto`` writes a longer joint form as functions of its own: at about 13
+bytes each they stay in a first-level cache of 32 KiB."""
+SHARED = 0.75
+"""So do those that links share: where they hold less than this part of what is run, functions win at any length."""
 FUSED_MOST = 16_000
 """The largest function that is written: compilers need more than twice the time for twice the length."""
 
@@ -58,11 +65,16 @@ class CProject:
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` takes what is faster."""
-        size = sum(p.program.operation_count for p in self.links.passages("joint_dynamics"))
+        passages = self.links.passages("joint_dynamics")
+        size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
             raise UsageError(f"{said}, and compilers take long over more than {FUSED_MOST}; choose 'modular' or 'auto'")
-        return asked if asked != "auto" else ("fused" if size <= FUSED_BEST else "modular")
+        if asked != "auto":
+            return asked
+        written = sizes({id(p.program): p.program for p in passages}.values())
+        modular = size > FUSED_BEST and (written <= MODULAR_BEST or written < SHARED * size)
+        return "modular" if modular or size > FUSED_MOST else "fused"
 
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
@@ -70,6 +82,7 @@ class CProject:
         sources = {
             f"{n}.h": "model.h",
             f"{n}_real.h": "real.h",
+            f"{n}_real.c": "real.c",
             f"{n}_se3.h": "se3.h",
             f"{n}_links.h": "links.h",
             f"{n}_links.c": "links.c",
@@ -143,6 +156,7 @@ class CProject:
             "m_offset": m_offset,
             "falling": any(a["falling"] for a in self._algorithms),
             "cases": self.reference,
+            "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and c_derivatives.content(self.chain, bool(self.baked), fused_place),
         }
@@ -171,7 +185,7 @@ class CProject:
     def fused_lines(self) -> list[str]:
         if self.layout != "fused":
             return []
-        taken = {"c", "state", "input", "work", "wanted", "output", "bad", "link"}
+        taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
         asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
         lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
@@ -196,7 +210,7 @@ class CProject:
 
     def _unused(self, lines: list[str]) -> list[str]:
         text = "\n".join(lines)
-        return [x for x in ("state", "input", "work") if f"{x}->" not in text]
+        return [x for x in ("state", "input", "work") if f"{x}->" not in text] + ["m_eta"] * ("m_eta[" not in text)
 
     @cached_property
     def operations(self) -> dict[str, int]:
@@ -260,11 +274,14 @@ class CProject:
             return f"{name}[{k}]" if name in fuse.COLUMNS else f"c->{name}"
 
         real = f"{self.name}_real"
-        lines = Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.COLUMNS}).lines()
+        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.COLUMNS}).lines())
         modal = f", {real} M_eta[], {real} K[], {real} D[]" if self.chain.keys[i].modes else ""
         signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{modal}"
         name = self.chain.robot.links[i].name
-        return {"name": name, "signature": signature, "lines": lines, "comment": f"links like {name}"}
+        written = [place(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
+        total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
+        comment = f"links like {name}"
+        return {"name": name, "signature": signature, "lines": lines, "total": total, "comment": comment}
 
     @property
     def prepare_calls(self) -> list[str]:
@@ -317,29 +334,3 @@ class CProject:
     def reference(self) -> list[dict[str, list[str]]]:
         """States with their results, computed with many digits: the same on every machine."""
         return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]
-
-
-def fused_place(name: str, k: int) -> str:
-    """Where the fused function finds its inputs and puts its outputs."""
-    link, _, what = name.partition(":")
-    if what:
-        return f"c->links[{link}].{what[2:]}"
-    table = {
-        "gravity": f"c->gravity[{k}]",
-        "q": f"state->q[{k}]",
-        "v": f"state->v[{k}]",
-        "tau": f"input->tau[{k}]",
-        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]",
-        "m_eta": f"work->m_eta[{k}]",
-        "f_eta": f"work->f_eta[{k}]",
-        "vdot": f"output->vdot[{k}]",
-        "wrench": f"output->wrench[{k // 6}][{k % 6}]",
-        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]",
-        "tip_position": f"output->tip_position[{k}]",
-    }
-    return table[name]
-
-
-def rows(numbers: list[int], width: int = 20) -> list[str]:
-    """Numbers of a table, a few per line."""
-    return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]

@@ -27,6 +27,8 @@ LONGEST = 6000
 class LaneWriter(Writer):
     """A program over lanes: arithmetic as for numbers, guards gathered, sine and cosine of an angle from one call."""
 
+    paired = False
+
     def _guard(self, node: Node, text: str) -> str:
         return f"bad = {self.prefix}_blame(bad, {text}, {self._guards[node.id]});"
 
@@ -71,6 +73,8 @@ def _lines(program: Program, name: str, place: Place) -> list[str]:
 
     def kept_or(signal: str, k: int) -> str:
         kind, _, first = signal.partition(":")
+        if kind == "m_eta":
+            return f"work->m_eta[{k}]"
         return f"{KEPT}[{int(first or 0) + k}]" if kind == KEPT else place(signal, k)
 
     pointers = ("c", "state", "input", "work", "output")

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from ..lower.program import Node, Program, live
 from ..lower.replay import BINARY
@@ -48,6 +49,8 @@ class Writer:
     taken: set[str] = field(default_factory=set)
     apart: bool = False
     optional: Mapping[str, str] = field(default_factory=dict)
+    paired: ClassVar[bool] = True
+    """Whether sine and cosine of an angle come from one call."""
 
     def lines(self) -> list[str]:
         """The body of a function: sections of assignments, then the outputs."""
@@ -66,7 +69,8 @@ class Writer:
 
     def _part(self, nodes: Iterable[Node], condition: str) -> list[str]:
         """Assignments by sections and the outputs that hang on one condition."""
-        self._condition = condition
+        self._condition, nodes = condition, list(nodes)
+        self._pairs = pairs(nodes) if self.paired else {}
         out: list[str] = []
         section = None
         for node in nodes:
@@ -111,6 +115,8 @@ class Writer:
             return []
         if node.id in self._guards and not self._uses[node.id]:
             return [self._guard(node, self._text(node)[0])]
+        if node.id in self._pairs:
+            return [] if node.id in self._names else self._sine_and_cosine(*self._pairs[node.id])
         text, precedence = self._text(node)
         if self._inlined(node, text):
             self._pending[node.id] = (text, precedence)
@@ -120,6 +126,14 @@ class Writer:
         if node.id in self._guards:
             lines.append(self._guard(node, name))
         return lines + self._early_outputs(node, name)
+
+    def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
+        """Both of an angle by one call."""
+        names = self._name(sine), self._name(cosine)
+        angle, real = self._operand(sine.args[0], 0), f"{self.prefix}_real"
+        call = f"{self.prefix}_sine_cosine({angle}, &{names[0]}, &{names[1]});"
+        lines = [f"{real} {', '.join(names)};", *wrap(call)]
+        return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
 
     def _guard(self, node: Node, text: str) -> str:
         return self.fail(f"!({text} > 0)", self._guards[node.id])
@@ -203,6 +217,21 @@ class Writer:
             placed = ((self.place(name, k), v) for k, v in left)
             out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]
         return ["", "/* outputs */", *out] if out else []
+
+
+def trimmed(lines: list[str]) -> list[str]:
+    """The body of a function that has nothing before it."""
+    return lines[1:] if lines[:1] == [""] else lines
+
+
+def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:
+    """Sine and cosine of every angle of which both are among the nodes, by the number of either."""
+    found: dict[int, dict[str, Node]] = {}
+    for node in nodes:
+        if node.op in ("sin", "cos"):
+            found.setdefault(node.args[0].id, {})[node.op] = node
+    both = [(x["sin"], x["cos"]) for x in found.values() if len(x) == 2]
+    return {node.id: pair for pair in both for node in pair}
 
 
 def wrap(line: str, width: int = 110) -> list[str]:

@@ -73,6 +73,7 @@ def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
     name, nq = chain.robot.name, chain.nq
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
+        "m_eta": lambda k: f"work->m_eta[{k}]",
         "M": lambda k: "work->M[{}][{}]".format(*_triangle(k)),
         "f_q": lambda k: f"out->vdot_q[{k // nq}][{k % nq}]",
         "f_v": lambda k: f"out->vdot_v[{k // nq}][{k % nq}]",

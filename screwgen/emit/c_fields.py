@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ from ..chain.scope import derived
 from ..derive.link_class import LinkClass
 from ..lower.program import Program
 from ..spec.parameters import Parameter, parameters
+from .c_code import literal
 
 
 @dataclass(frozen=True)
@@ -142,3 +144,34 @@ def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, 
                 short = name.partition(".")[2]
                 out[short] = max(size, out.get(short, 0))
     return dict(sorted(out.items()))
+
+
+def fused_place(name: str, k: int) -> str:
+    """Where the fused function finds its inputs and puts its outputs."""
+    link, _, what = name.partition(":")
+    if what:
+        return f"c->links[{link}].{what[2:]}"
+    table = {
+        "gravity": f"c->gravity[{k}]",
+        "q": f"state->q[{k}]",
+        "v": f"state->v[{k}]",
+        "tau": f"input->tau[{k}]",
+        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]",
+        "m_eta": f"m_eta[{k}]",
+        "f_eta": f"work->f_eta[{k}]",
+        "vdot": f"output->vdot[{k}]",
+        "wrench": f"output->wrench[{k // 6}][{k % 6}]",
+        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]",
+        "tip_position": f"output->tip_position[{k}]",
+    }
+    return table[name]
+
+
+def stumpff_terms(order: int, count=14) -> list[str]:
+    """The coefficients ``1 / (order + 2 j)!`` of a Stumpff function."""
+    return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]
+
+
+def rows(numbers: list[int], width: int = 20) -> list[str]:
+    """Numbers of a table, a few per line."""
+    return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]

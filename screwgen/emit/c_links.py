@@ -10,7 +10,7 @@ from ..chain.chain import OUTWARD, Algorithm, Chain
 from ..chain.dae_functions import block_places
 from ..chain.structure import Passage, passages
 from ..lower.program import Program
-from .c_code import Writer
+from .c_code import Writer, trimmed
 
 JOINT = {"q", "qdot", "tau", "qddot", "new_q", "force"}
 MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
@@ -168,7 +168,8 @@ class Links:
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
-        lines = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL).lines()
+        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL)
+        lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = _wrapped(arguments)
         key = (phase, signature, tuple(lines))

@@ -14,7 +14,10 @@ from .latex_layout import equation as broken
 from .latex_steps import BlockView
 from .latex_tables import DIRECTION, modes, named_axes
 
-ORDER = ("link", "tip", "tip_body", "tip_pose", "joint", "posture", "energy", "link_rows", "joint_rows", "z_rows")
+ORDER = (
+    *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
+    *("energy", "link_rows", "joint_rows", "z_rows"),
+)
 """The order of the blocks that are known; others follow."""
 
 ROW = {"axial": 0, "bending_y": 1, "bending_z": 2}

@@ -21,7 +21,7 @@ sys.path.insert(0, str(HERE.parent))
 import screwgen  # noqa: E402
 
 FLAGS = ("-O2 -mavx2", "-O2 -march=native", "-O2 -march=native -ffp-contract=fast", "-O2 -march=native -DFLOAT")
-SOURCES = ("parameters", "dynamics", "links", "step", "batch")
+SOURCES = ("real", "parameters", "dynamics", "links", "step", "batch")
 
 
 def number(value: float, digits: int) -> str:

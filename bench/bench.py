@@ -70,15 +70,16 @@ def measure(group: gs.Group, program: Program, rounds: int, progress: Progress) 
 
 
 def same_function_medians(rows: list[Row]) -> list[Row]:
-    """One row per kind of parameters: the median of CasADi's ratios over all robots."""
-    out = []
-    for title, kinds in (
-        ("CasADi, runtime", ("CasADi", "CasADi, cse")),
-        ("CasADi, baked", ("CasADi, baked / baked", "CasADi, baked, cse / baked")),
+    """One row per source of the constants: the median of CasADi's ratios over all robots."""
+    out, more = [], [f", {robot}" for robot in gs.MORE]
+    for title, kinds, bound in (
+        ("CasADi, constants as inputs", ("CasADi", "CasADi, cse", *(f"CasADi{r}" for r in more)), 1.2),
+        (gs.FROM_PARAMETERS, (gs.FROM_PARAMETERS, *(f"{gs.FROM_PARAMETERS}{r}" for r in more)), 1.2),
+        ("CasADi, baked", ("CasADi, baked / baked", "CasADi, baked, cse / baked"), None),
     ):
         found = [row for row in rows if row.title in kinds]
         if found:
-            target = (1.2, None) if "runtime" in title else (None, None)
+            target = (bound, None)
             ratio = statistics.median(row.ratio for row in found)
             out.append(Row(MEDIANS, title, statistics.median(row.seconds for row in found), ratio, target=target))
     return out

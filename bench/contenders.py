@@ -78,7 +78,7 @@ def screwgen_library(model: Model, layout: str, binding: str, name: str, extra=(
     except UsageError as refusal:
         raise Missing(str(refusal)) from None
     r, files = project.name, project.files()
-    wanted = [f"{r}_{part}.c" for part in ("dynamics", "step", "parameters", *extra)]
+    wanted = [f"{r}_{part}.c" for part in ("dynamics", "step", "parameters", "real", *extra)]
     wanted += [f"{r}_links.c"] if project.layout == "modular" else []
     defines = (f"-D{r.upper()}_REAL_FLOAT",) if single else ()
     entries = (f"{r}_forward_dynamics",)

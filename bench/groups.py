@@ -37,6 +37,14 @@ LAGRANGIAN = {2: (1, 3.0), 4: (0, 12.0), 6: (0, 20.0)}
 
 RIGID = (8, 16, 32)
 EXAMPLES = ("ella", "three_link", "six_link")
+MORE = {
+    "flexible2": partial(robots.flexible, "flexible2", 2, 1, 1),
+    "flexible4": partial(robots.flexible, "flexible4", 4, 0, 1),
+    "equal8": partial(robots.equal_chain, "equal8", 8),
+    "rigid8": partial(robots.rigid, "rigid8", 8),
+    "modes4": partial(robots.many_modes, "modes4", 4),
+}
+"""Robots of other groups that are compared with CasADi's C of the same function too."""
 
 
 @dataclass
@@ -55,6 +63,12 @@ class Group:
             self.contenders.append(make())
         except Missing as reason:
             self.missing.append((title, str(reason)))
+
+
+CONSTANTS = ("constants", "parameters", "baked")
+"""Where CasADi has the constants from: they are inputs, it computes them from parameters at every call, numbers."""
+
+FROM_PARAMETERS = "CasADi from parameters"
 
 
 def over(bound: float | None) -> tuple[float | None, float | None]:
@@ -89,7 +103,7 @@ def lagrangians(links: int) -> Group:
 def same(name: str) -> Group:
     """One robot: every form of the generated C, and CasADi's C of the same function with the same inputs."""
     model = screwgen.derive(robots.example(name))
-    given, own, baked = (same_function(model, how) for how in ("constants", "parameters", "baked"))
+    given, own, baked = (same_function(model, how) for how in CONSTANTS)
     auto = screwgen_library(model, "auto", "runtime", f"{name}_auto")
     other = {"fused": "modular", "modular": "fused"}[auto.layout]
     single = screwgen_library(model, "auto", "runtime", f"{name}_float", single=True)
@@ -102,13 +116,30 @@ def same(name: str) -> Group:
         _same(model, given, "casadi_cse", "CasADi, cse", "auto", bound, cse=True),
         _variant(model, other, "runtime", "other", "auto"),
         ours(model, "prepare", f"prepare + {auto.layout}", auto, "-DWITH_PREPARE", against="auto"),
-        _same(model, own, "casadi_p", "CasADi from parameters / prepare +", "prepare", bound),
+        _same(model, own, "casadi_p", FROM_PARAMETERS, "auto", bound),
         _variant(model, auto.layout, "baked", "baked", "auto"),
         _same(model, baked, "casadi_baked", "CasADi, baked / baked", "baked", over(None)),
         _same(model, baked, "casadi_baked_cse", "CasADi, baked, cse / baked", "baked", over(None), cse=True),
         ours(model, "float", f"{auto.layout}, runtime, float", single, against="auto", exact=False),
         _same(model, given, "casadi_float", "CasADi, float / float", "float", over(None), real="float"),
     ]
+    return group
+
+
+def more() -> Group:
+    """Other robots in auto layout, and CasADi's C of the same function."""
+    heading = "more robots, auto layout, and the same function in CasADi's C; ratio: time / the row above of that robot"
+    group = Group("more", heading)
+    for r, make in MORE.items():
+        model = screwgen.derive(make())
+        group.data[r] = data_header(model)
+        given, own = (same_function(model, how) for how in CONSTANTS[:2])
+        auto = screwgen_library(model, "auto", "runtime", f"{r}_auto")
+        group.contenders += [
+            ours(model, f"{r}_auto", f"{auto.layout}, {r}", auto, against=f"{r}_auto"),
+            _same(model, given, f"{r}_casadi", f"CasADi, {r}", f"{r}_auto", over(1.0), extra="-DEXTRA=data_c"),
+            _same(model, own, f"{r}_p", f"{FROM_PARAMETERS}, {r}", f"{r}_auto", over(1.0), extra="-DEXTRA=data_p"),
+        ]
     return group
 
 
@@ -199,7 +230,7 @@ def groups(quick: bool, store: Path, level: str) -> Iterator[tuple[str, Callable
     if not quick:
         for n in RIGID:
             yield f"rigid{n}", partial(rigid_chain, n, store, level)
-        yield from (("links", links), ("modes", modes), ("steps", steps))
+        yield from (("more", more), ("links", links), ("modes", modes), ("steps", steps))
 
 
 # --------------------------------------------------------------------------------------------- contenders
@@ -220,9 +251,9 @@ def _lagrangian(model, title: str, name: str, against: str, tuned: bool, target)
     return theirs(model, f"CasADi {title}", library, *PLAIN, against=against, target=target)
 
 
-def _same(model, program, name: str, title: str, against: str, target, cse=False, real="double") -> Contender:
+def _same(model, program, name, title, against: str, target, cse=False, real="double", extra="") -> Contender:
     options = {"casadi_real": real} if real != "double" else None
     library = casadi_library(casadi_function(program, name, cse), options)
-    extra = {"casadi_p": "-DEXTRA=data_p"}.get(name, "-DBAKED" if "baked" in name else "-DEXTRA=data_c")
+    extra = extra or {"casadi_p": "-DEXTRA=data_p"}.get(name, "-DBAKED" if "baked" in name else "-DEXTRA=data_c")
     defines = (extra, *([f"-Dcasadi_real={real}"] if options else []))
     return theirs(model, title, library, *defines, against=against, target=target, exact=not options)

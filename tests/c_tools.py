@@ -57,6 +57,7 @@ def cppcheck(kind: Kind, folder: Path) -> list[str]:
         f"--suppressions-list={suppressions}",
         "--suppress=unmatchedSuppression",
         "-D__STDC_VERSION__=199901L",
+        "-DFLT_EVAL_METHOD=0",
         *kind.defines,
         *sources,
     )

@@ -1,7 +1,11 @@
 """Ten million steps of one millisecond in the generated C of ELLA: what drifts, and by how much.
 
-Four runs (`RUNS`), each sampled a hundred times: the undamped free swing in both forms, and an arm with damping that
-comes to rest hanging down and stays there, in double and in float. `python tests/long_run.py [STEPS]` prints a table.
+Four runs (`RUNS`), each sampled a hundred times: the undamped arm swinging freely about its hanging posture in both
+forms, and an arm with damping that comes to rest hanging down and stays there, in double and in float.
+`python tests/long_run.py [STEPS]` prints a table.
+
+The swing is wide (half a radian in every joint) and regular. One from the horizontal is not: it is chaotic, whirls past
+the singular posture of the universal joint at 45 rad/s, and no step of a millisecond follows it.
 """
 
 from __future__ import annotations
@@ -13,12 +17,13 @@ from typing import NamedTuple
 
 import numpy as np
 from helpers import example, example_dict, model_of
-from test_conservation import FREE, REST, START, judge, violations
+from test_conservation import FREE, REST, judge, violations
 
 from screwgen.compiled import Compiled
 
 STEP, METHOD, SAMPLES = 1e-3, "modal_midpoint", 100
 HANGING = np.array([np.pi / 2, *np.zeros(8)])
+START = HANGING + np.array([0.6, -0.4, 0.5, *np.zeros(6)])
 
 
 class Drift(NamedTuple):
@@ -49,7 +54,7 @@ def damped() -> dict:
 
 
 def sampled(compiled: Compiled, form: str, steps: int):
-    """q and v at a hundred equal intervals of a run from a bent rest, and the DAE form's violation."""
+    """q and v at a hundred equal intervals of a run from rest, and the DAE form's violation."""
     rest = np.zeros(len(START))
     state = compiled.dae_state(START, rest) if form == "dae" else (START, rest)
     for _ in range(SAMPLES):
@@ -109,7 +114,7 @@ def main(steps: int) -> None:
         d = run(name, steps)
         joints = f"{d.violation:.1e}" if d.violation else "-"
         print(
-            f"{name:22}{d.gained:10.4f}{d.lost:10.4f}{joints:>10}{d.moved:20.1e}{1e6 * d.seconds / steps:10.2f}",
+            f"{name:22}{d.gained:10.1e}{d.lost:10.1e}{joints:>10}{d.moved:20.1e}{1e6 * d.seconds / steps:10.2f}",
             flush=True,
         )
 

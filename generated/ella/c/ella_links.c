@@ -27,1261 +27,20 @@ static const int M_PLACE[ELLA_NNZ] = {
 };
 static const int M_OFFSET[ELLA_NLINKS] = { 0, 178 };
 
-/* kinematics, links like upper_arm: 150 operations */
-static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 2], const ella_real qdot[restrict 2],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz = ella_cos(q[0]);
-    link->R_rel[7] = R_rel_zz;
-    const ella_real R_rel_yy = ella_cos(q[1]);
-    link->R_rel[4] = R_rel_yy;
-    link->A[1] = R_rel_yy;
-    const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    link->R_rel[0] = R_rel_xx;
-    const ella_real R_rel_yx = ella_sin(q[1]);
-    link->R_rel[3] = R_rel_yx;
-    link->A[0] = R_rel_yx;
-    const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    link->R_rel[1] = minus_R_rel_xy;
-    const ella_real R_rel_xz = ella_sin(q[0]);
-    link->R_rel[2] = R_rel_xz;
-    const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
-    link->R_rel[5] = minus_R_rel_zx;
-    const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
-    link->R_rel[6] = R_rel_zy;
-
-    /* omega_J: angular velocity of the link relative to its parent's tip */
-    const ella_real omega_J_x = R_rel_yx * qdot[0];
-    link->omega[0] = omega_J_x;
-    const ella_real omega_J_y = R_rel_yy * qdot[0];
-    link->omega[1] = omega_J_y;
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const ella_real t1 = qdot[0] * qdot[1];
-    const ella_real beta_omega_x = t1 * R_rel_yy;
-    link->alpha_0[0] = beta_omega_x;
-    const ella_real minus_beta_omega_y = t1 * R_rel_yx;
-    link->alpha_0[1] = -minus_beta_omega_y;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
-        - minus_R_rel_zx * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_rel_yy * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3]
-        + R_rel_zy * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
-
-    /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real t2 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t2;
-    const ella_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const ella_real t3 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t3;
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
-    link->J_l[2] = J_l_xz;
-    const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
-    const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    link->R_T[0] = R_T_xx;
-    tip->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    tip->R_T[1] = -minus_R_T_xy;
-    tip->R_T[3] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
-    link->R_T[2] = R_T_xz;
-    tip->R_T[2] = R_T_xz;
-    tip->R_T[6] = -R_T_xz;
-    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    tip->R_T[4] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
-    tip->R_T[5] = R_T_yz;
-    tip->R_T[7] = R_T_yz;
-    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
-    tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t4 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t4;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t4;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t4;
-
-    /* xdot: rate of the squared angle */
-    const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t3 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t2 * REAL(1.5) - t3 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t4;
-    const ella_real alpha_s_y = c3 * thetadot_z * t4 + c3dot * theta_z * t4;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t4 + c3dot * theta_y * t4;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real omega_T_1 = omega_J_x + omega_s_x;
-    tip->omega[0] = omega_T_1;
-    const ella_real omega_T_2 = omega_J_y + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const ella_real omega_T_3 = qdot[1] + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - qdot[1] * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (qdot[1] * omega_s_x - omega_J_x * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
-    tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t5 = omega_J_y * r_T_z - qdot[1] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t6 = qdot[1] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t7 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t7 - qdot[1] * t6);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t5 - omega_J_x * t7);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t6 - omega_J_y * t5);
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->omega[2] = qdot[1];
-    return ELLA_OK;
-}
-
-/* kinematics, links like forearm: 143 operations */
-static ella_status kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 1], const ella_real qdot[restrict 1],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    link->R_rel[0] = R_rel_xx;
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
-    link->R_rel[1] = minus_R_rel_xy;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
-    link->R_P[0] = R_P_11;
-    const ella_real R_P_12 = base->R_T[1] * R_rel_xx - base->R_T[0] * minus_R_rel_xy;
-    link->R_P[1] = R_P_12;
-    const ella_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * minus_R_rel_xy;
-    link->R_P[3] = R_P_21;
-    const ella_real R_P_22 = base->R_T[4] * R_rel_xx - base->R_T[3] * minus_R_rel_xy;
-    link->R_P[4] = R_P_22;
-    const ella_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * minus_R_rel_xy;
-    link->R_P[6] = R_P_31;
-    const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
-    link->R_P[7] = R_P_32;
-    const ella_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
-    link->omega[0] = omega_R_1;
-    const ella_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    link->omega[1] = omega_R_2;
-    const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
-        + base->R_T[8] * base->omega[2];
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real omega_z = omega_R_3 + qdot[0];
-    link->omega[2] = omega_z;
-    const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
-        + base->R_T[8] * base->alpha_0[2];
-    link->alpha_0[2] = alpha_0_3;
-    const ella_real alpha_0_1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2]
-        + omega_R_2 * qdot[0];
-    link->alpha_0[0] = alpha_0_1;
-    const ella_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2]
-        - omega_R_1 * qdot[0];
-    link->alpha_0[1] = alpha_0_2;
-    const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
-        + base->R_T[8] * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
-
-    /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
-    const ella_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
-    link->J_l[2] = J_l_xz;
-    const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
-    const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    link->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
-    link->R_T[2] = R_T_xz;
-    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
-    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t1 = omega_R_2 * r_T_z - omega_z * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t2 = omega_z * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
-    const ella_real t3 = omega_R_1 * r_T_y - omega_R_2 * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t3 - omega_z * t2);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * r_T_x - alpha_0_1 * r_T_z)
-        + (omega_z * t1 - omega_R_1 * t3);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * r_T_x)
-        + (omega_R_1 * t2 - omega_R_2 * t1);
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->R_P[2] = base->R_T[2];
-    link->R_P[5] = base->R_T[5];
-    link->R_P[8] = base->R_T[8];
-    return ELLA_OK;
-}
-
-/* eliminate, links like upper_arm: 858 operations */
-static ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], const ella_real w_ext[restrict 6],
-    const ella_real m_eta[restrict 3], const ella_real f_eta[restrict 3], const ella_real tau[restrict 2])
-{
-
-    /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
-
-    /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_z3;
-
-    /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
-
-    /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
-
-    /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
-
-    /* I: inertia about the origin, deformed */
-    const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
-
-    /* Omega: centripetal operator */
-    const ella_real t1 = link->omega[1] * link->omega[1];
-    const ella_real t2 = link->omega[2] * link->omega[2];
-    const ella_real minus_Omega_xx = t1 + t2;
-    const ella_real Omega_xy = link->omega[0] * link->omega[1];
-    const ella_real Omega_xz = link->omega[0] * link->omega[2];
-    const ella_real t3 = link->omega[0] * link->omega[0];
-    const ella_real minus_Omega_yy = t3 + t2;
-    const ella_real Omega_yz = link->omega[1] * link->omega[2];
-    const ella_real minus_Omega_zz = t3 + t1;
-
-    /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
-
-    /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
-    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const ella_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
-    const ella_real t6 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t5 + t6 * link->omega[2] - J_xx * Omega_xz - J_xy * Omega_yz
-        - S_x * link->alpha_0[5];
-    const ella_real t7 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
-    const ella_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
-
-    /* h_V: bias of the twist rows */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
-
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t8 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t8 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t9 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + Ldot_x2 * 2 * link->omega[2];
-    const ella_real h_eta_2 = t9 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t10 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz
-        + link->alpha_0[5] * c->sigma_z3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t10 - Ldot_x3 * 2 * link->omega[1];
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const ella_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1]);
-    const ella_real h_0_2 = h_V_2 + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0]);
-    const ella_real h_0_3 = h_V_3 - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]);
-    const ella_real h_0_4 = h_V_4 + S_z * link->alpha_0[1];
-    const ella_real h_0_5 = h_V_5 - S_z * link->alpha_0[0];
-    const ella_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - S_x * link->alpha_0[1]);
-    const ella_real h_eta_0_1 = h_eta_1 + L_z1 * link->alpha_0[1];
-    const ella_real h_eta_0_2 = h_eta_2 - L_z2 * link->alpha_0[0];
-    const ella_real h_eta_0_3 = h_eta_3 + (L_y3 * link->alpha_0[0] - L_x3 * link->alpha_0[1]);
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const ella_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
-    const ella_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
-    const ella_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const ella_real p_T_1 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real p_T_2 = tip->p[1]
-        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const ella_real p_T_3 = tip->p[2]
-        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const ella_real p_T_4 = tip->p[3] + c->body0_mass * tip->alpha_0[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real p_T_5 = tip->p[4] + c->body0_mass * tip->alpha_0[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real t11 = link->r_T[2] * tip->Lambda[16];
-    const ella_real t12 = link->r_T[1] * tip->Lambda[17];
-    const ella_real t13 = link->r_T[0] * tip->Lambda[19];
-    const ella_real M_loaded_14 = tip->Lambda[3] + (t12 - t11);
-    const ella_real t14 = tip->Lambda[4] + (link->r_T[1] * tip->Lambda[19] - link->r_T[2] * Lambda_T_55);
-    const ella_real t15 = tip->Lambda[5] + (link->r_T[1] * Lambda_T_66 - link->r_T[2] * tip->Lambda[19]);
-    const ella_real t16 = tip->Lambda[8] + (link->r_T[2] * Lambda_T_44 - link->r_T[0] * tip->Lambda[17]);
-    const ella_real M_loaded_25 = tip->Lambda[9] + (t11 - t13);
-    const ella_real t17 = tip->Lambda[10] + (link->r_T[2] * tip->Lambda[17] - link->r_T[0] * Lambda_T_66);
-    const ella_real t18 = tip->Lambda[12] + (link->r_T[0] * tip->Lambda[16] - link->r_T[1] * Lambda_T_44);
-    const ella_real t19 = tip->Lambda[13] + (link->r_T[0] * Lambda_T_55 - link->r_T[1] * tip->Lambda[16]);
-    const ella_real M_loaded_36 = tip->Lambda[14] + (t13 - t12);
-    const ella_real t20 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[2] - tip->Lambda[5] * link->r_T[1])
-        + (link->r_T[1] * t15 - link->r_T[2] * t14);
-    const ella_real t21 = tip->Lambda[1] - (tip->Lambda[5] * link->r_T[0] - tip->Lambda[3] * link->r_T[2])
-        + (link->r_T[1] * t17 - link->r_T[2] * M_loaded_25);
-    const ella_real t22 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[1] - tip->Lambda[4] * link->r_T[0])
-        + (link->r_T[1] * M_loaded_36 - link->r_T[2] * t19);
-    const ella_real t23 = tip->Lambda[6] - (tip->Lambda[10] * link->r_T[0] - tip->Lambda[8] * link->r_T[2])
-        + (link->r_T[2] * t16 - link->r_T[0] * t17);
-    const ella_real t24 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[1] - tip->Lambda[9] * link->r_T[0])
-        + (link->r_T[2] * t18 - link->r_T[0] * M_loaded_36);
-    const ella_real t25 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[1] - tip->Lambda[13] * link->r_T[0])
-        + (link->r_T[0] * t19 - link->r_T[1] * t18);
-    const ella_real M_loaded_11 = I_xx + t20;
-    const ella_real M_loaded_12 = t21 - J_xy;
-    const ella_real M_loaded_13 = t22 - J_xz;
-    const ella_real M_loaded_15 = t14 - S_z;
-    const ella_real M_loaded_16 = S_y + t15;
-    const ella_real M_loaded_22 = I_yy + t23;
-    const ella_real M_loaded_23 = t24 - J_yz;
-    const ella_real M_loaded_24 = S_z + t16;
-    const ella_real M_loaded_26 = t17 - S_x;
-    const ella_real M_loaded_33 = I_zz + t25;
-    const ella_real M_loaded_34 = t18 - S_y;
-    const ella_real M_loaded_35 = S_x + t19;
-    const ella_real h_loaded_1 = h_0_1 + (p_T_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5));
-    const ella_real h_loaded_2 = h_0_2 + (p_T_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6));
-    const ella_real h_loaded_3 = h_0_3 + (p_T_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4));
-    const ella_real h_loaded_4 = h_0_4 + p_T_4;
-    const ella_real h_loaded_5 = h_0_5 + p_T_5;
-    const ella_real h_loaded_6 = h_0_6 + p_T_6;
-    const ella_real t26 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
-        + tip->Lambda[4] * 2;
-    const ella_real t27 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13 + tip->Lambda[2] * Theta_33
-        + tip->Lambda[5] * 2;
-    const ella_real t28 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
-        + tip->Lambda[9] * 2;
-    const ella_real t29 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13 + tip->Lambda[7] * Theta_33
-        + tip->Lambda[10] * 2;
-    const ella_real t30 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
-        + tip->Lambda[13] * 2;
-    const ella_real t31 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13
-        + tip->Lambda[11] * Theta_33 + tip->Lambda[14] * 2;
-    const ella_real t32 = Lambda_T_44 * REAL(1.4142135623730951);
-    const ella_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
-        + tip->Lambda[16] * 2;
-    const ella_real C_43 = tip->Lambda[8] * Theta_23 - tip->Lambda[3] * minus_Theta_13
-        + tip->Lambda[12] * Theta_33 + tip->Lambda[17] * 2;
-    const ella_real C_51 = tip->Lambda[16] * REAL(1.4142135623730951);
-    const ella_real t33 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
-        + Lambda_T_55 * 2;
-    const ella_real t34 = tip->Lambda[19] * 2;
-    const ella_real C_53 = tip->Lambda[9] * Theta_23 - tip->Lambda[4] * minus_Theta_13
-        + tip->Lambda[13] * Theta_33 + t34;
-    const ella_real C_61 = tip->Lambda[17] * REAL(1.4142135623730951);
-    const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32
-        + t34;
-    const ella_real t35 = tip->Lambda[10] * Theta_23 - tip->Lambda[5] * minus_Theta_13
-        + tip->Lambda[14] * Theta_33 + Lambda_T_66 * 2;
-    const ella_real C_11 = tip->Lambda[3] * REAL(1.4142135623730951)
-        + (link->r_T[1] * C_61 - link->r_T[2] * C_51);
-    const ella_real C_22 = t28 + (link->r_T[2] * C_42 - link->r_T[0] * C_62);
-    const ella_real C_33 = t31 + (link->r_T[0] * C_53 - link->r_T[1] * C_43);
-    const ella_real C_12 = t26 + (link->r_T[1] * C_62 - link->r_T[2] * t33) - L_z2;
-    const ella_real C_13 = L_y3 + (t27 + (link->r_T[1] * t35 - link->r_T[2] * C_53));
-    const ella_real C_21 = L_z1
-        + (tip->Lambda[8] * REAL(1.4142135623730951) + (link->r_T[2] * t32 - link->r_T[0] * C_61));
-    const ella_real C_23 = t29 + (link->r_T[2] * C_43 - link->r_T[0] * t35) - L_x3;
-    const ella_real C_31 = tip->Lambda[12] * REAL(1.4142135623730951)
-        + (link->r_T[0] * C_51 - link->r_T[1] * t32) - L_y1;
-    const ella_real C_32 = L_x2 + (t30 + (link->r_T[0] * t33 - link->r_T[1] * C_42));
-    const ella_real C_41 = c->sigma_x1 + t32;
-    const ella_real C_52 = c->sigma_y2 + t33;
-    const ella_real C_63 = c->sigma_z3 + t35;
-    const ella_real modal_inertia_11 = Lambda_T_44 * REAL(2.0000000000000004) + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modal_inertia_12 = C_42 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_13 = C_43 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_22 = Theta_12 * t26 + Theta_22 * t28 + Theta_32 * t30 + t33 * 2 + m_eta[1];
-    const ella_real modal_inertia_23 = Theta_12 * t27 + Theta_22 * t29 + Theta_32 * t31 + C_53 * 2;
-    const ella_real modal_inertia_33 = Theta_23 * t29 - minus_Theta_13 * t27 + Theta_33 * t31 + t35 * 2
-        + m_eta[2];
-    const ella_real h_phi_1 = h_eta_0_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
-    const ella_real h_phi_2 = h_eta_0_2 + f_eta[1]
-        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * 2);
-    const ella_real h_phi_3 = h_eta_0_3 + f_eta[2]
-        + (Theta_23 * p_T_2 - minus_Theta_13 * p_T_1 + Theta_33 * p_T_3 + p_T_6 * 2);
-    const ella_real modes_inverse_1 = 1 / modal_inertia_11;
-    const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
-    link->modes_L[0] = modes_L_21;
-    const ella_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
-    link->modes_L[1] = modes_L_31;
-    const ella_real t36 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t36 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_2 = 1 / t36;
-    const ella_real t37 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const ella_real modes_L_32 = t37 * modes_inverse_2;
-    link->modes_L[2] = modes_L_32;
-    const ella_real t38 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t37 * modes_L_32);
-    if (!(t38 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_3 = 1 / t38;
-    const ella_real t39 = C_12 - modes_L_21 * C_11;
-    const ella_real t40 = C_22 - modes_L_21 * C_21;
-    const ella_real t41 = C_32 - modes_L_21 * C_31;
-    const ella_real t42 = C_42 - modes_L_21 * C_41;
-    const ella_real t43 = C_52 - modes_L_21 * C_51;
-    const ella_real t44 = C_62 - modes_L_21 * C_61;
-    const ella_real t45 = C_13 - modes_L_31 * C_11 - modes_L_32 * t39;
-    const ella_real t46 = C_23 - modes_L_31 * C_21 - modes_L_32 * t40;
-    const ella_real t47 = C_33 - modes_L_31 * C_31 - modes_L_32 * t41;
-    const ella_real t48 = h_phi_2 - modes_L_21 * h_phi_1;
-    const ella_real t49 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t48;
-    const ella_real modes_W_11 = C_11 * modes_inverse_1;
-    link->modes_W[0] = modes_W_11;
-    const ella_real modes_W_12 = C_21 * modes_inverse_1;
-    link->modes_W[1] = modes_W_12;
-    const ella_real modes_W_13 = C_31 * modes_inverse_1;
-    link->modes_W[2] = modes_W_13;
-    const ella_real modes_W_14 = C_41 * modes_inverse_1;
-    const ella_real modes_W_15 = C_51 * modes_inverse_1;
-    const ella_real modes_W_16 = C_61 * modes_inverse_1;
-    const ella_real modes_W_21 = t39 * modes_inverse_2;
-    link->modes_W[6] = modes_W_21;
-    const ella_real modes_W_22 = t40 * modes_inverse_2;
-    link->modes_W[7] = modes_W_22;
-    const ella_real modes_W_23 = t41 * modes_inverse_2;
-    link->modes_W[8] = modes_W_23;
-    const ella_real modes_W_24 = t42 * modes_inverse_2;
-    const ella_real modes_W_25 = t43 * modes_inverse_2;
-    const ella_real modes_W_26 = t44 * modes_inverse_2;
-    const ella_real modes_W_31 = t45 * modes_inverse_3;
-    link->modes_W[12] = modes_W_31;
-    const ella_real modes_W_32 = t46 * modes_inverse_3;
-    link->modes_W[13] = modes_W_32;
-    const ella_real modes_W_33 = t47 * modes_inverse_3;
-    link->modes_W[14] = modes_W_33;
-    const ella_real modes_W_34 = (C_43 - modes_L_31 * C_41 - modes_L_32 * t42) * modes_inverse_3;
-    const ella_real modes_W_35 = (C_53 - modes_L_31 * C_51 - modes_L_32 * t43) * modes_inverse_3;
-    const ella_real modes_W_36 = (C_63 - modes_L_31 * C_61 - modes_L_32 * t44) * modes_inverse_3;
-    const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    link->modes_w[0] = modes_w_1;
-    const ella_real modes_w_2 = t48 * modes_inverse_2;
-    link->modes_w[1] = modes_w_2;
-    const ella_real modes_w_3 = t49 * modes_inverse_3;
-    link->modes_w[2] = modes_w_3;
-    const ella_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t39 * modes_W_21 + t45 * modes_W_31);
-    const ella_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t39 * modes_W_22 + t45 * modes_W_32);
-    const ella_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t39 * modes_W_23 + t45 * modes_W_33);
-    const ella_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t39 * modes_W_24 + t45 * modes_W_34);
-    const ella_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t39 * modes_W_25 + t45 * modes_W_35);
-    const ella_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t39 * modes_W_26 + t45 * modes_W_36);
-    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t40 * modes_W_22 + t46 * modes_W_32);
-    const ella_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t40 * modes_W_23 + t46 * modes_W_33);
-    const ella_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t40 * modes_W_24 + t46 * modes_W_34);
-    const ella_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t40 * modes_W_25 + t46 * modes_W_35);
-    const ella_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t40 * modes_W_26 + t46 * modes_W_36);
-    const ella_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t41 * modes_W_23 + t47 * modes_W_33);
-    const ella_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t41 * modes_W_24 + t47 * modes_W_34);
-    const ella_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t41 * modes_W_25 + t47 * modes_W_35);
-    const ella_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t41 * modes_W_26 + t47 * modes_W_36);
-    const ella_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t48 + modes_W_31 * t49);
-    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t48 + modes_W_32 * t49);
-    const ella_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t48 + modes_W_33 * t49);
-    const ella_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t48 + modes_W_34 * t49);
-    const ella_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t48 + modes_W_35 * t49);
-    const ella_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t48 + modes_W_36 * t49);
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const ella_real U_11 = M_i_11 * link->A[0] + M_i_12 * link->A[1];
-    const ella_real U_21 = M_i_12 * link->A[0] + M_i_22 * link->A[1];
-    const ella_real U_31 = M_i_13 * link->A[0] + M_i_23 * link->A[1];
-    const ella_real U_41 = M_i_14 * link->A[0] + M_i_24 * link->A[1];
-    const ella_real U_51 = M_i_15 * link->A[0] + M_i_25 * link->A[1];
-    const ella_real U_61 = M_i_16 * link->A[0] + M_i_26 * link->A[1];
-    const ella_real joint_inertia_11 = link->A[0] * U_11 + link->A[1] * U_21;
-    const ella_real t50 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
-    if (!(joint_inertia_11 - t50 > 0)) { return ELLA_SINGULAR; }
-    const ella_real joint_inverse_1 = 1 / joint_inertia_11;
-    const ella_real joint_L_21 = U_31 * joint_inverse_1;
-    link->joint_L[0] = joint_L_21;
-    const ella_real t51 = M_i_33 - U_31 * joint_L_21;
-    if (!(t51 - t50 > 0)) { return ELLA_SINGULAR; }
-    const ella_real joint_inverse_2 = 1 / t51;
-    const ella_real t52 = tau[0] - (link->A[0] * h_i_1 + link->A[1] * h_i_2);
-    const ella_real t53 = tau[1] - h_i_3 - joint_L_21 * t52;
-    const ella_real joint_w_1 = t52 * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const ella_real joint_w_2 = t53 * joint_inverse_2;
-    link->joint_w[1] = joint_w_2;
-    const ella_real p_i_1 = h_i_1 + (U_11 * joint_w_1 + (M_i_13 - joint_L_21 * U_11) * joint_w_2);
-    link->p_i[0] = p_i_1;
-    const ella_real p_i_2 = h_i_2 + (U_21 * joint_w_1 + (M_i_23 - joint_L_21 * U_21) * joint_w_2);
-    link->p_i[1] = p_i_2;
-    const ella_real p_i_3 = h_i_3 + (U_31 * joint_w_1 + t53);
-    link->p_i[2] = p_i_3;
-    const ella_real p_i_4 = h_i_4 + (U_41 * joint_w_1 + (M_i_34 - joint_L_21 * U_41) * joint_w_2);
-    link->p_i[3] = p_i_4;
-    const ella_real p_i_5 = h_i_5 + (U_51 * joint_w_1 + (M_i_35 - joint_L_21 * U_51) * joint_w_2);
-    link->p_i[4] = p_i_5;
-    const ella_real p_i_6 = h_i_6 + (U_61 * joint_w_1 + (M_i_36 - joint_L_21 * U_61) * joint_w_2);
-    link->p_i[5] = p_i_6;
-    return ELLA_OK;
-}
-
-/* eliminate, links like forearm: 662 operations */
-static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
-    const ella_node *restrict tip, const ella_real eta[restrict 3], const ella_real etadot[restrict 3],
-    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 3],
-    const ella_real f_eta[restrict 3], const ella_real tau[restrict 1])
-{
-
-    /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
-
-    /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_z3;
-
-    /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
-
-    /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
-
-    /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
-
-    /* I: inertia about the origin, deformed */
-    const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
-
-    /* Omega: centripetal operator */
-    const ella_real t1 = link->omega[1] * link->omega[1];
-    const ella_real t2 = link->omega[2] * link->omega[2];
-    const ella_real minus_Omega_xx = t1 + t2;
-    const ella_real Omega_xy = link->omega[0] * link->omega[1];
-    const ella_real Omega_xz = link->omega[0] * link->omega[2];
-    const ella_real t3 = link->omega[0] * link->omega[0];
-    const ella_real minus_Omega_yy = t3 + t2;
-    const ella_real Omega_yz = link->omega[1] * link->omega[2];
-    const ella_real minus_Omega_zz = t3 + t1;
-
-    /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
-
-    /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
-    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const ella_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
-    const ella_real t6 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t5 + t6 * link->omega[2] - J_xx * Omega_xz - J_xy * Omega_yz
-        - S_x * link->alpha_0[5];
-    const ella_real t7 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
-    const ella_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
-
-    /* h_V: bias of the twist rows */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
-
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t8 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t8 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t9 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + Ldot_x2 * 2 * link->omega[2];
-    const ella_real h_eta_2 = t9 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t10 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz
-        + link->alpha_0[5] * c->sigma_z3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t10 - Ldot_x3 * 2 * link->omega[1];
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const ella_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
-    const ella_real h_0_2 = h_V_2 + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
-    const ella_real h_0_3 = h_V_3
-        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
-    const ella_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
-    const ella_real h_0_5 = h_V_5 + (S_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const ella_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - S_x * link->alpha_0[1]);
-    const ella_real h_eta_0_1 = h_eta_1 + (L_z1 * link->alpha_0[1] - L_y1 * link->alpha_0[2]);
-    const ella_real h_eta_0_2 = h_eta_2 + (L_x2 * link->alpha_0[2] - L_z2 * link->alpha_0[0]);
-    const ella_real h_eta_0_3 = h_eta_3 + (L_y3 * link->alpha_0[0] - L_x3 * link->alpha_0[1]);
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const ella_real minus_p_T_1 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
-    const ella_real minus_p_T_2 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
-    const ella_real minus_p_T_3 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
-    const ella_real p_T_4 = c->body0_mass * tip->alpha_0[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real p_T_5 = c->body0_mass * tip->alpha_0[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real p_T_6 = c->body0_mass * tip->alpha_0[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real t11 = link->r_T[2] * c->body0_mass;
-    const ella_real t12 = link->r_T[1] * c->body0_mass;
-    const ella_real t13 = link->r_T[0] * c->body0_mass;
-    const ella_real t14 = link->r_T[2] * t11;
-    const ella_real t15 = link->r_T[1] * t12;
-    const ella_real t16 = link->r_T[0] * t13;
-    const ella_real M_loaded_11 = I_xx + (t15 + t14);
-    const ella_real minus_M_loaded_12 = link->r_T[1] * t13 + J_xy;
-    const ella_real minus_M_loaded_13 = link->r_T[2] * t13 + J_xz;
-    const ella_real minus_M_loaded_15 = t11 + S_z;
-    const ella_real M_loaded_16 = S_y + t12;
-    const ella_real M_loaded_22 = I_yy + (t14 + t16);
-    const ella_real minus_M_loaded_23 = link->r_T[2] * t12 + J_yz;
-    const ella_real minus_M_loaded_26 = t13 + S_x;
-    const ella_real M_loaded_33 = I_zz + (t16 + t15);
-    const ella_real M_loaded_44 = c->mu + c->body0_mass;
-    const ella_real h_loaded_1 = h_0_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5 - minus_p_T_1);
-    const ella_real h_loaded_2 = h_0_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6 - minus_p_T_2);
-    const ella_real h_loaded_3 = h_0_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4 - minus_p_T_3);
-    const ella_real h_loaded_4 = h_0_4 + p_T_4;
-    const ella_real h_loaded_5 = h_0_5 + p_T_5;
-    const ella_real h_loaded_6 = h_0_6 + p_T_6;
-    const ella_real t17 = c->body0_mass * REAL(1.4142135623730951);
-    const ella_real t18 = c->body0_mass * 2;
-    const ella_real t19 = link->r_T[0] * t18;
-    const ella_real minus_C_12 = link->r_T[2] * t18 + L_z2;
-    const ella_real C_13 = L_y3 + link->r_T[1] * t18;
-    const ella_real C_21 = L_z1 + link->r_T[2] * t17;
-    const ella_real minus_C_23 = t19 + L_x3;
-    const ella_real minus_C_31 = link->r_T[1] * t17 + L_y1;
-    const ella_real C_32 = L_x2 + t19;
-    const ella_real C_41 = c->sigma_x1 + t17;
-    const ella_real C_52 = c->sigma_y2 + t18;
-    const ella_real C_63 = c->sigma_z3 + t18;
-    const ella_real modal_inertia_11 = c->body0_mass * REAL(2.0000000000000004) + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
-    const ella_real t20 = c->body0_mass * 4;
-    const ella_real modal_inertia_22 = t20 + m_eta[1];
-    if (!(modal_inertia_22 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modal_inertia_33 = t20 + m_eta[2];
-    if (!(modal_inertia_33 > 0)) { return ELLA_SINGULAR; }
-    const ella_real h_phi_1 = h_eta_0_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
-    const ella_real h_phi_2 = h_eta_0_2 + f_eta[1]
-        + (p_T_5 * 2 - (Theta_12 * minus_p_T_1 + Theta_22 * minus_p_T_2 + Theta_32 * minus_p_T_3));
-    const ella_real h_phi_3 = h_eta_0_3 + f_eta[2]
-        + (minus_Theta_13 * minus_p_T_1 - Theta_23 * minus_p_T_2 - Theta_33 * minus_p_T_3 + p_T_6 * 2);
-    const ella_real modes_inverse_1 = 1 / modal_inertia_11;
-    const ella_real modes_inverse_2 = 1 / modal_inertia_22;
-    const ella_real modes_inverse_3 = 1 / modal_inertia_33;
-    const ella_real modes_W_12 = C_21 * modes_inverse_1;
-    link->modes_W[1] = modes_W_12;
-    const ella_real minus_modes_W_13 = minus_C_31 * modes_inverse_1;
-    link->modes_W[2] = -minus_modes_W_13;
-    const ella_real modes_W_14 = C_41 * modes_inverse_1;
-    link->modes_W[3] = modes_W_14;
-    const ella_real minus_modes_W_21 = minus_C_12 * modes_inverse_2;
-    link->modes_W[6] = -minus_modes_W_21;
-    const ella_real modes_W_23 = C_32 * modes_inverse_2;
-    link->modes_W[8] = modes_W_23;
-    const ella_real modes_W_25 = C_52 * modes_inverse_2;
-    link->modes_W[10] = modes_W_25;
-    const ella_real modes_W_31 = C_13 * modes_inverse_3;
-    link->modes_W[12] = modes_W_31;
-    const ella_real minus_modes_W_32 = minus_C_23 * modes_inverse_3;
-    link->modes_W[13] = -minus_modes_W_32;
-    const ella_real modes_W_36 = C_63 * modes_inverse_3;
-    link->modes_W[17] = modes_W_36;
-    const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    link->modes_w[0] = modes_w_1;
-    const ella_real modes_w_2 = h_phi_2 * modes_inverse_2;
-    link->modes_w[1] = modes_w_2;
-    const ella_real modes_w_3 = h_phi_3 * modes_inverse_3;
-    link->modes_w[2] = modes_w_3;
-    const ella_real M_i_11 = M_loaded_11 - (minus_C_12 * minus_modes_W_21 + C_13 * modes_W_31);
-    const ella_real M_i_12 = C_13 * minus_modes_W_32 - minus_M_loaded_12;
-    const ella_real M_i_13 = minus_C_12 * modes_W_23 - minus_M_loaded_13;
-    const ella_real M_i_15 = minus_C_12 * modes_W_25 - minus_M_loaded_15;
-    const ella_real M_i_16 = M_loaded_16 - C_13 * modes_W_36;
-    link->Lambda_i[4] = M_i_16;
-    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + minus_C_23 * minus_modes_W_32);
-    const ella_real M_i_23 = C_21 * minus_modes_W_13 - minus_M_loaded_23;
-    const ella_real M_i_24 = minus_M_loaded_15 - C_21 * modes_W_14;
-    const ella_real M_i_26 = minus_C_23 * modes_W_36 - minus_M_loaded_26;
-    link->Lambda_i[8] = M_i_26;
-    const ella_real M_i_33 = M_loaded_33 - (minus_C_31 * minus_modes_W_13 + C_32 * modes_W_23);
-    const ella_real M_i_34 = minus_C_31 * modes_W_14 - M_loaded_16;
-    const ella_real M_i_35 = minus_M_loaded_26 - C_32 * modes_W_25;
-    const ella_real M_i_44 = M_loaded_44 - C_41 * modes_W_14;
-    const ella_real M_i_55 = M_loaded_44 - C_52 * modes_W_25;
-    const ella_real M_i_66 = M_loaded_44 - C_63 * modes_W_36;
-    link->Lambda_i[14] = M_i_66;
-    const ella_real h_i_1 = h_loaded_1 - (modes_W_31 * h_phi_3 - minus_modes_W_21 * h_phi_2);
-    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 - minus_modes_W_32 * h_phi_3);
-    const ella_real h_i_3 = h_loaded_3 - (modes_W_23 * h_phi_2 - minus_modes_W_13 * h_phi_1);
-    const ella_real h_i_4 = h_loaded_4 - modes_W_14 * h_phi_1;
-    const ella_real h_i_5 = h_loaded_5 - modes_W_25 * h_phi_2;
-    const ella_real h_i_6 = h_loaded_6 - modes_W_36 * h_phi_3;
-    link->p_i[5] = h_i_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    if (!(M_i_33 - ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return ELLA_SINGULAR; }
-    const ella_real joint_inverse_1 = 1 / M_i_33;
-    const ella_real joint_W_11 = M_i_13 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const ella_real joint_W_12 = M_i_23 * joint_inverse_1;
-    link->joint_W[1] = joint_W_12;
-    const ella_real joint_W_14 = M_i_34 * joint_inverse_1;
-    link->joint_W[2] = joint_W_14;
-    const ella_real joint_W_15 = M_i_35 * joint_inverse_1;
-    link->joint_W[3] = joint_W_15;
-    const ella_real joint_w_1 = (tau[0] - h_i_3) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const ella_real Lambda_i_11 = M_i_11 - M_i_13 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    const ella_real Lambda_i_12 = M_i_12 - M_i_13 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const ella_real minus_Lambda_i_14 = M_i_13 * joint_W_14;
-    link->Lambda_i[2] = -minus_Lambda_i_14;
-    const ella_real Lambda_i_15 = M_i_15 - M_i_13 * joint_W_15;
-    link->Lambda_i[3] = Lambda_i_15;
-    const ella_real Lambda_i_22 = M_i_22 - M_i_23 * joint_W_12;
-    link->Lambda_i[5] = Lambda_i_22;
-    const ella_real Lambda_i_24 = M_i_24 - M_i_23 * joint_W_14;
-    link->Lambda_i[6] = Lambda_i_24;
-    const ella_real minus_Lambda_i_25 = M_i_23 * joint_W_15;
-    link->Lambda_i[7] = -minus_Lambda_i_25;
-    const ella_real Lambda_i_44 = M_i_44 - M_i_34 * joint_W_14;
-    link->Lambda_i[9] = Lambda_i_44;
-    const ella_real minus_Lambda_i_45 = M_i_34 * joint_W_15;
-    link->Lambda_i[10] = -minus_Lambda_i_45;
-    const ella_real Lambda_i_55 = M_i_55 - M_i_35 * joint_W_15;
-    link->Lambda_i[12] = Lambda_i_55;
-    const ella_real p_i_1 = h_i_1 + M_i_13 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const ella_real p_i_2 = h_i_2 + M_i_23 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const ella_real p_i_4 = h_i_4 + M_i_34 * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const ella_real p_i_5 = h_i_5 + M_i_35 * joint_w_1;
-    link->p_i[4] = p_i_5;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const ella_real t21 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
-    const ella_real t22 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
-    const ella_real t23 = Lambda_i_12 * link->R_P[3] + Lambda_i_22 * link->R_P[4];
-    const ella_real t24 = Lambda_i_12 * link->R_P[6] + Lambda_i_22 * link->R_P[7];
-    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] + Lambda_i_12 * link->R_P[1])
-        + link->R_P[1] * (Lambda_i_12 * link->R_P[0] + Lambda_i_22 * link->R_P[1]);
-    base->Lambda[0] = Lambda_1;
-    const ella_real Lambda_2 = link->R_P[0] * t21 + link->R_P[1] * t23;
-    base->Lambda[1] = Lambda_2;
-    const ella_real Lambda_3 = link->R_P[0] * t22 + link->R_P[1] * t24;
-    base->Lambda[2] = Lambda_3;
-    const ella_real Lambda_7 = link->R_P[3] * t21 + link->R_P[4] * t23;
-    base->Lambda[6] = Lambda_7;
-    const ella_real Lambda_8 = link->R_P[3] * t22 + link->R_P[4] * t24;
-    base->Lambda[7] = Lambda_8;
-    const ella_real Lambda_12 = link->R_P[6] * t22 + link->R_P[7] * t24;
-    base->Lambda[11] = Lambda_12;
-    const ella_real t25 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
-    const ella_real t26 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
-    const ella_real t27 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
-    const ella_real t28 = Lambda_i_24 * link->R_P[0] - minus_Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
-    const ella_real t29 = Lambda_i_24 * link->R_P[3] - minus_Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
-    const ella_real t30 = Lambda_i_24 * link->R_P[6] - minus_Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
-    const ella_real Lambda_4 = link->R_P[0] * t25 + link->R_P[1] * t28;
-    base->Lambda[3] = Lambda_4;
-    const ella_real Lambda_5 = link->R_P[0] * t26 + link->R_P[1] * t29;
-    base->Lambda[4] = Lambda_5;
-    const ella_real Lambda_6 = link->R_P[0] * t27 + link->R_P[1] * t30;
-    base->Lambda[5] = Lambda_6;
-    const ella_real Lambda_9 = link->R_P[3] * t25 + link->R_P[4] * t28;
-    base->Lambda[8] = Lambda_9;
-    const ella_real Lambda_10 = link->R_P[3] * t26 + link->R_P[4] * t29;
-    base->Lambda[9] = Lambda_10;
-    const ella_real Lambda_11 = link->R_P[3] * t27 + link->R_P[4] * t30;
-    base->Lambda[10] = Lambda_11;
-    const ella_real Lambda_13 = link->R_P[6] * t25 + link->R_P[7] * t28;
-    base->Lambda[12] = Lambda_13;
-    const ella_real Lambda_14 = link->R_P[6] * t26 + link->R_P[7] * t29;
-    base->Lambda[13] = Lambda_14;
-    const ella_real Lambda_15 = link->R_P[6] * t27 + link->R_P[7] * t30;
-    base->Lambda[14] = Lambda_15;
-    const ella_real t31 = (Lambda_i_44 - M_i_66) * REAL(0.5);
-    const ella_real t32 = t31 * link->R_P[0] - minus_Lambda_i_45 * link->R_P[1];
-    const ella_real t33 = t31 * link->R_P[3] - minus_Lambda_i_45 * link->R_P[4];
-    const ella_real t34 = t31 * link->R_P[6] - minus_Lambda_i_45 * link->R_P[7];
-    const ella_real t35 = (Lambda_i_55 - M_i_66) * REAL(0.5);
-    const ella_real t36 = t35 * link->R_P[1];
-    const ella_real t37 = t35 * link->R_P[4];
-    const ella_real t38 = t35 * link->R_P[7];
-    const ella_real Lambda_16 = (link->R_P[0] * t32 + link->R_P[1] * t36) * 2 + M_i_66;
-    base->Lambda[15] = Lambda_16;
-    const ella_real Lambda_17 = link->R_P[0] * t33 + link->R_P[1] * t37
-        + (link->R_P[3] * t32 + link->R_P[4] * t36);
-    base->Lambda[16] = Lambda_17;
-    const ella_real Lambda_18 = link->R_P[0] * t34 + link->R_P[1] * t38
-        + (link->R_P[6] * t32 + link->R_P[7] * t36);
-    base->Lambda[17] = Lambda_18;
-    const ella_real Lambda_19 = (link->R_P[3] * t33 + link->R_P[4] * t37) * 2 + M_i_66;
-    base->Lambda[18] = Lambda_19;
-    const ella_real Lambda_20 = link->R_P[3] * t34 + link->R_P[4] * t38
-        + (link->R_P[6] * t33 + link->R_P[7] * t37);
-    base->Lambda[19] = Lambda_20;
-    const ella_real Lambda_21 = (link->R_P[6] * t34 + link->R_P[7] * t38) * 2 + M_i_66;
-    base->Lambda[20] = Lambda_21;
-    const ella_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * tau[0];
-    base->p[0] = p_1;
-    const ella_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * tau[0];
-    base->p[1] = p_2;
-    const ella_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * tau[0];
-    base->p[2] = p_3;
-    const ella_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * h_i_6;
-    base->p[3] = p_4;
-    const ella_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * h_i_6;
-    base->p[4] = p_5;
-    const ella_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * h_i_6;
-    base->p[5] = p_6;
-
-    /* outputs */
-    link->p_i[2] = tau[0];
-    return ELLA_OK;
-}
-
-/* accelerate, links like upper_arm: 60 operations */
-static ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
-    ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real etaddot[restrict 3])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real qddot_1 = link->joint_w[0] - link->joint_L[0] * link->joint_w[1];
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_1 = link->A[0] * qddot_1;
-    const ella_real delta_2 = link->A[1] * qddot_1;
-    const ella_real t1 = link->modes_w[0]
-        + (link->modes_W[0] * delta_1 + link->modes_W[1] * delta_2 + link->modes_W[2] * link->joint_w[1]);
-    const ella_real t2 = link->modes_w[1]
-        + (link->modes_W[6] * delta_1 + link->modes_W[7] * delta_2 + link->modes_W[8] * link->joint_w[1]);
-    const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * delta_1 + link->modes_W[13] * delta_2 + link->modes_W[14] * link->joint_w[1]);
-    etaddot[2] = -minus_etaddot_3;
-    const ella_real minus_etaddot_2 = t2 - link->modes_L[2] * minus_etaddot_3;
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_1 = t1 - link->modes_L[0] * minus_etaddot_2
-        - link->modes_L[1] * minus_etaddot_3;
-    etaddot[0] = -minus_etaddot_1;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t3 = c->Psi_c_y3 * minus_etaddot_3;
-    const ella_real t4 = c->Psi_c_z2 * minus_etaddot_2;
-    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t3 - link->J_l[2] * t4);
-    tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t3 + link->J_l[4] * t4);
-    tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t3 + link->J_l[5] * t4);
-    tip->delta[2] = delta_T_3;
-    const ella_real delta_T_4 = delta_2 * link->r_T[2] - link->joint_w[1] * link->r_T[1]
-        - minus_etaddot_1 * REAL(1.4142135623730951);
-    tip->delta[3] = delta_T_4;
-    const ella_real delta_T_5 = link->joint_w[1] * link->r_T[0] - delta_1 * link->r_T[2] - minus_etaddot_2 * 2;
-    tip->delta[4] = delta_T_5;
-    const ella_real delta_T_6 = delta_1 * link->r_T[1] - delta_2 * link->r_T[0] - minus_etaddot_3 * 2;
-    tip->delta[5] = delta_T_6;
-
-    /* outputs */
-    qddot[1] = link->joint_w[1];
-
-    if (wrench) {
-        /* outputs */
-        wrench[0] = link->p_i[0];
-        wrench[1] = link->p_i[1];
-        wrench[2] = link->p_i[2];
-        wrench[3] = link->p_i[3];
-        wrench[4] = link->p_i[4];
-        wrench[5] = link->p_i[5];
-    }
-    return ELLA_OK;
-}
-
-/* accelerate, links like forearm: 103 operations */
-static ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
-    ella_real wrench[restrict 6], ella_real etaddot[restrict 3])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
-        + link->R_P[6] * base->delta[2];
-    const ella_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
-        + link->R_P[7] * base->delta[2];
-    const ella_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
-        + link->R_P[8] * base->delta[2];
-    const ella_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
-        + link->R_P[6] * base->delta[5];
-    const ella_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
-        + link->R_P[7] * base->delta[5];
-    const ella_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
-        + link->R_P[8] * base->delta[5];
-    const ella_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2 + carried_3
-        + link->joint_W[2] * carried_4;
-    const ella_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[3] * carried_5);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_3 = carried_3 + qddot_1;
-    const ella_real minus_etaddot_1 = link->modes_w[0]
-        + (link->modes_W[1] * carried_2 + link->modes_W[2] * delta_3 + link->modes_W[3] * carried_4);
-    etaddot[0] = -minus_etaddot_1;
-    const ella_real minus_etaddot_2 = link->modes_w[1]
-        + (link->modes_W[6] * carried_1 + link->modes_W[8] * delta_3 + link->modes_W[10] * carried_5);
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * carried_1 + link->modes_W[13] * carried_2 + link->modes_W[17] * carried_6);
-    etaddot[2] = -minus_etaddot_3;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const ella_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
-            + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t2 + link->Lambda_i[4] * carried_6 + link->p_i[0];
-        wrench[0] = wrench_1;
-        const ella_real wrench_2 = t3 + link->Lambda_i[8] * carried_6 + link->p_i[1];
-        wrench[1] = wrench_2;
-        const ella_real wrench_4 = t4 + link->p_i[3];
-        wrench[3] = wrench_4;
-        const ella_real wrench_5 = t5 + link->p_i[4];
-        wrench[4] = wrench_5;
-        const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
-            + link->Lambda_i[14] * carried_6 + link->p_i[5];
-        wrench[5] = wrench_6;
-
-        /* outputs */
-        wrench[2] = link->p_i[2];
-    }
-    return ELLA_OK;
-}
-
-/* poses, links like upper_arm: 52 operations */
-static ella_status poses_upper_arm(const ella_link_store *restrict link, ella_node *restrict tip)
-{
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const ella_real R_tip_xx = link->R_rel[0] * link->R_T[0] - link->R_rel[1] * link->R_T[1]
-        - link->R_rel[2] * link->R_T[2];
-    tip->R[0] = R_tip_xx;
-    const ella_real R_tip_xy = link->R_rel[2] * link->R_T[4]
-        - (link->R_rel[1] * link->R_T[3] + link->R_rel[0] * link->R_T[1]);
-    tip->R[1] = R_tip_xy;
-    const ella_real R_tip_xz = link->R_rel[0] * link->R_T[2] - link->R_rel[1] * link->R_T[4]
-        + link->R_rel[2] * link->R_T[5];
-    tip->R[2] = R_tip_xz;
-    const ella_real R_tip_yx = link->R_rel[3] * link->R_T[0] + link->R_rel[4] * link->R_T[1];
-    tip->R[3] = R_tip_yx;
-    const ella_real R_tip_yy = link->R_rel[4] * link->R_T[3] - link->R_rel[3] * link->R_T[1];
-    tip->R[4] = R_tip_yy;
-    const ella_real R_tip_yz = link->R_rel[3] * link->R_T[2] + link->R_rel[4] * link->R_T[4];
-    tip->R[5] = R_tip_yz;
-    const ella_real R_tip_zx = link->R_rel[6] * link->R_T[1] - link->R_rel[5] * link->R_T[0]
-        - link->R_rel[7] * link->R_T[2];
-    tip->R[6] = R_tip_zx;
-    const ella_real R_tip_zy = link->R_rel[6] * link->R_T[3] + link->R_rel[5] * link->R_T[1]
-        + link->R_rel[7] * link->R_T[4];
-    tip->R[7] = R_tip_zy;
-    const ella_real R_tip_zz = link->R_rel[6] * link->R_T[4] - link->R_rel[5] * link->R_T[2]
-        + link->R_rel[7] * link->R_T[5];
-    tip->R[8] = R_tip_zz;
-    const ella_real r_tip_x = link->R_rel[0] * link->r_T[0] - link->R_rel[1] * link->r_T[1]
-        + link->R_rel[2] * link->r_T[2];
-    tip->r[0] = r_tip_x;
-    const ella_real r_tip_y = link->R_rel[3] * link->r_T[0] + link->R_rel[4] * link->r_T[1];
-    tip->r[1] = r_tip_y;
-    const ella_real r_tip_z = link->R_rel[6] * link->r_T[1] - link->R_rel[5] * link->r_T[0]
-        + link->R_rel[7] * link->r_T[2];
-    tip->r[2] = r_tip_z;
-    return ELLA_OK;
-}
-
-/* poses, links like forearm: 81 operations */
-static ella_status poses_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const ella_real R_xx = base->R[0] * link->R_rel[0] + base->R[1] * link->R_rel[1];
-    const ella_real R_xy = base->R[1] * link->R_rel[0] - base->R[0] * link->R_rel[1];
-    const ella_real R_yx = base->R[3] * link->R_rel[0] + base->R[4] * link->R_rel[1];
-    const ella_real R_yy = base->R[4] * link->R_rel[0] - base->R[3] * link->R_rel[1];
-    const ella_real R_zx = base->R[6] * link->R_rel[0] + base->R[7] * link->R_rel[1];
-    const ella_real R_zy = base->R[7] * link->R_rel[0] - base->R[6] * link->R_rel[1];
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const ella_real R_tip_xx = R_xx * link->R_T[0] + R_xy * link->R_T[1] - base->R[2] * link->R_T[2];
-    tip->R[0] = R_tip_xx;
-    const ella_real R_tip_xy = R_xy * link->R_T[3] - R_xx * link->R_T[1] + base->R[2] * link->R_T[4];
-    tip->R[1] = R_tip_xy;
-    const ella_real R_tip_xz = R_xx * link->R_T[2] + R_xy * link->R_T[4] + base->R[2] * link->R_T[5];
-    tip->R[2] = R_tip_xz;
-    const ella_real R_tip_yx = R_yx * link->R_T[0] + R_yy * link->R_T[1] - base->R[5] * link->R_T[2];
-    tip->R[3] = R_tip_yx;
-    const ella_real R_tip_yy = R_yy * link->R_T[3] - R_yx * link->R_T[1] + base->R[5] * link->R_T[4];
-    tip->R[4] = R_tip_yy;
-    const ella_real R_tip_yz = R_yx * link->R_T[2] + R_yy * link->R_T[4] + base->R[5] * link->R_T[5];
-    tip->R[5] = R_tip_yz;
-    const ella_real R_tip_zx = R_zx * link->R_T[0] + R_zy * link->R_T[1] - base->R[8] * link->R_T[2];
-    tip->R[6] = R_tip_zx;
-    const ella_real R_tip_zy = R_zy * link->R_T[3] - R_zx * link->R_T[1] + base->R[8] * link->R_T[4];
-    tip->R[7] = R_tip_zy;
-    const ella_real R_tip_zz = R_zx * link->R_T[2] + R_zy * link->R_T[4] + base->R[8] * link->R_T[5];
-    tip->R[8] = R_tip_zz;
-    const ella_real r_tip_x = base->r[0]
-        + (R_xx * link->r_T[0] + R_xy * link->r_T[1] + base->R[2] * link->r_T[2]);
-    tip->r[0] = r_tip_x;
-    const ella_real r_tip_y = base->r[1]
-        + (R_yx * link->r_T[0] + R_yy * link->r_T[1] + base->R[5] * link->r_T[2]);
-    tip->r[1] = r_tip_y;
-    const ella_real r_tip_z = base->r[2]
-        + (R_zx * link->r_T[0] + R_zy * link->r_T[1] + base->R[8] * link->r_T[2]);
-    tip->r[2] = r_tip_z;
-    return ELLA_OK;
-}
-
 /* dae kinematics, links like upper_arm: 161 operations */
 static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
     ella_node *restrict tip, const ella_real q[restrict 2], const ella_real twist[restrict 6],
     const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 2])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz = ella_cos(q[0]);
-    const ella_real R_rel_yy = ella_cos(q[1]);
+    ella_real R_rel_xz, R_rel_zz;
+    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    link->A[0] = R_rel_yx;
     link->A[1] = R_rel_yy;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    const ella_real R_rel_yx = ella_sin(q[1]);
-    link->A[0] = R_rel_yx;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    const ella_real R_rel_xz = ella_sin(q[0]);
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
@@ -1437,10 +196,9 @@ static ella_status dae_kinematics_forearm(const ella_link_constants *restrict c,
     ella_node *restrict tip, const ella_real q[restrict 1], const ella_real twist[restrict 6],
     const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -1558,12 +316,734 @@ static ella_status dae_kinematics_forearm(const ella_link_constants *restrict c,
     return ELLA_OK;
 }
 
+/* eliminate, links like upper_arm: 830 operations */
+static ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
+    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], const ella_real w_ext[restrict 6],
+    const ella_real m_eta[restrict 3], const ella_real f_eta[restrict 3], const ella_real tau[restrict 2])
+{
+    /* S: first moment */
+    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
+    const ella_real S_y = eta[1] * c->sigma_y2;
+    const ella_real S_z = eta[2] * c->sigma_y2;
+
+    /* Sdot: rate of the first moment */
+    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
+    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
+    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
+    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
+    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
+    const ella_real L_z2 = eta[2] * c->mu;
+
+    /* Ldot: rate of L */
+    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
+    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
+    const ella_real Ldot_z2 = etadot[2] * c->mu;
+
+    /* J: second moment */
+    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
+    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
+    const ella_real J_yy = L_y2 * eta[1];
+    const ella_real J_yz = L_z2 * eta[1];
+    const ella_real J_zz = L_z2 * eta[2];
+
+    /* I: inertia about the origin, deformed */
+    const ella_real I_xx = c->I_s + J_yy + J_zz;
+    const ella_real I_yy = J_xx + J_zz;
+    const ella_real I_zz = J_xx + J_yy;
+
+    /* Omega: acceleration of a place by the link's turning */
+    const ella_real t1 = link->omega[1] * link->omega[1];
+    const ella_real t2 = link->omega[2] * link->omega[2];
+    const ella_real minus_Omega_xx = t1 + t2;
+    const ella_real Omega_xy = link->omega[0] * link->omega[1];
+    const ella_real t3 = link->omega[0] * link->omega[2];
+    const ella_real Omega_xz = link->alpha_0[1] + t3;
+    const ella_real t4 = link->omega[0] * link->omega[0];
+    const ella_real minus_Omega_yy = t4 + t2;
+    const ella_real t5 = link->omega[1] * link->omega[2];
+    const ella_real Omega_yz = t5 - link->alpha_0[0];
+    const ella_real Omega_zx = t3 - link->alpha_0[1];
+    const ella_real Omega_zy = link->alpha_0[0] + t5;
+    const ella_real minus_Omega_zz = t4 + t1;
+
+    /* B: moment of the elastic velocity */
+    const ella_real B_xx = L_x1 * etadot[0];
+    const ella_real B_xy = L_y1 * etadot[0];
+    const ella_real B_xz = L_z1 * etadot[0];
+    const ella_real B_yx = L_x2 * etadot[1];
+    const ella_real B_yy = L_y2 * etadot[1];
+    const ella_real B_yz = L_z2 * etadot[1];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
+
+    /* h_c: half of the Coriolis wrench */
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
+        - B_xz * link->omega[2];
+    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
+        - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
+        - B_zy * link->omega[1];
+    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
+    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const ella_real t8 = c->I_s * link->omega[0];
+    const ella_real H_star_2 = t7 + t8 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
+        - S_x * link->alpha_0[5];
+    const ella_real t9 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + S_x * link->alpha_0[4];
+    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t8 * link->omega[1];
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->mu;
+    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->mu;
+
+    /* h_V: bias of the twist rows, angular acceleration included */
+    const ella_real h_V_1 = H_star_1 + h_c_1;
+    const ella_real h_V_2 = H_star_2 + h_c_2;
+    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_4 = H_star_4 + h_c_4;
+    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const ella_real t10 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
+        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
+    const ella_real h_eta_1 = t10 - Ldot_y1 * 2 * link->omega[2];
+    const ella_real t11 = Ldot_x2 * 2;
+    const ella_real t12 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
+        + link->alpha_0[4] * c->sigma_y2 + t11 * link->omega[2];
+    const ella_real h_eta_2 = t12 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real t13 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = t13 - t11 * link->omega[1];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const ella_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
+    const ella_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
+    const ella_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
+    const ella_real p_T_1 = tip->p[0]
+        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const ella_real p_T_2 = tip->p[1]
+        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+    const ella_real p_T_3 = tip->p[2]
+        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+    const ella_real p_T_4 = tip->p[3] + c->body0_mass * tip->alpha_0[3]
+        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const ella_real p_T_5 = tip->p[4] + c->body0_mass * tip->alpha_0[4]
+        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const ella_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5]
+        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
+    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
+    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
+    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
+    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
+    const ella_real t14 = link->r_T[2] * tip->Lambda[16];
+    const ella_real t15 = link->r_T[1] * tip->Lambda[17];
+    const ella_real t16 = link->r_T[0] * tip->Lambda[19];
+    const ella_real M_loaded_14 = tip->Lambda[3] + (t15 - t14);
+    const ella_real t17 = tip->Lambda[4] + (link->r_T[1] * tip->Lambda[19] - link->r_T[2] * Lambda_T_55);
+    const ella_real t18 = tip->Lambda[5] + (link->r_T[1] * Lambda_T_66 - link->r_T[2] * tip->Lambda[19]);
+    const ella_real t19 = tip->Lambda[8] + (link->r_T[2] * Lambda_T_44 - link->r_T[0] * tip->Lambda[17]);
+    const ella_real M_loaded_25 = tip->Lambda[9] + (t14 - t16);
+    const ella_real t20 = tip->Lambda[10] + (link->r_T[2] * tip->Lambda[17] - link->r_T[0] * Lambda_T_66);
+    const ella_real t21 = tip->Lambda[12] + (link->r_T[0] * tip->Lambda[16] - link->r_T[1] * Lambda_T_44);
+    const ella_real t22 = tip->Lambda[13] + (link->r_T[0] * Lambda_T_55 - link->r_T[1] * tip->Lambda[16]);
+    const ella_real M_loaded_36 = tip->Lambda[14] + (t16 - t15);
+    const ella_real t23 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[2] - tip->Lambda[5] * link->r_T[1])
+        + (link->r_T[1] * t18 - link->r_T[2] * t17);
+    const ella_real t24 = tip->Lambda[1] - (tip->Lambda[5] * link->r_T[0] - tip->Lambda[3] * link->r_T[2])
+        + (link->r_T[1] * t20 - link->r_T[2] * M_loaded_25);
+    const ella_real t25 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[1] - tip->Lambda[4] * link->r_T[0])
+        + (link->r_T[1] * M_loaded_36 - link->r_T[2] * t22);
+    const ella_real t26 = tip->Lambda[6] - (tip->Lambda[10] * link->r_T[0] - tip->Lambda[8] * link->r_T[2])
+        + (link->r_T[2] * t19 - link->r_T[0] * t20);
+    const ella_real t27 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[1] - tip->Lambda[9] * link->r_T[0])
+        + (link->r_T[2] * t21 - link->r_T[0] * M_loaded_36);
+    const ella_real t28 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[1] - tip->Lambda[13] * link->r_T[0])
+        + (link->r_T[0] * t22 - link->r_T[1] * t21);
+    const ella_real M_loaded_11 = I_xx + t23;
+    const ella_real M_loaded_12 = t24 - J_xy;
+    const ella_real M_loaded_13 = t25 - J_xz;
+    const ella_real M_loaded_15 = t17 - S_z;
+    const ella_real M_loaded_16 = S_y + t18;
+    const ella_real M_loaded_22 = I_yy + t26;
+    const ella_real M_loaded_23 = t27 - J_yz;
+    const ella_real M_loaded_24 = S_z + t19;
+    const ella_real M_loaded_26 = t20 - S_x;
+    const ella_real M_loaded_33 = I_zz + t28;
+    const ella_real M_loaded_34 = t21 - S_y;
+    const ella_real M_loaded_35 = S_x + t22;
+    const ella_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5));
+    const ella_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6));
+    const ella_real h_loaded_3 = h_V_3 + (p_T_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4));
+    const ella_real h_loaded_4 = h_V_4 + p_T_4;
+    const ella_real h_loaded_5 = h_V_5 + p_T_5;
+    const ella_real h_loaded_6 = h_V_6 + p_T_6;
+    const ella_real t29 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
+        + tip->Lambda[4] * 2;
+    const ella_real t30 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13 + tip->Lambda[2] * Theta_33
+        + tip->Lambda[5] * 2;
+    const ella_real t31 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
+        + tip->Lambda[9] * 2;
+    const ella_real t32 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13 + tip->Lambda[7] * Theta_33
+        + tip->Lambda[10] * 2;
+    const ella_real t33 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
+        + tip->Lambda[13] * 2;
+    const ella_real t34 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13
+        + tip->Lambda[11] * Theta_33 + tip->Lambda[14] * 2;
+    const ella_real t35 = Lambda_T_44 * REAL(1.4142135623730951);
+    const ella_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
+        + tip->Lambda[16] * 2;
+    const ella_real C_43 = tip->Lambda[8] * Theta_23 - tip->Lambda[3] * minus_Theta_13
+        + tip->Lambda[12] * Theta_33 + tip->Lambda[17] * 2;
+    const ella_real C_51 = tip->Lambda[16] * REAL(1.4142135623730951);
+    const ella_real t36 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
+        + Lambda_T_55 * 2;
+    const ella_real t37 = tip->Lambda[19] * 2;
+    const ella_real C_53 = tip->Lambda[9] * Theta_23 - tip->Lambda[4] * minus_Theta_13
+        + tip->Lambda[13] * Theta_33 + t37;
+    const ella_real C_61 = tip->Lambda[17] * REAL(1.4142135623730951);
+    const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32
+        + t37;
+    const ella_real t38 = tip->Lambda[10] * Theta_23 - tip->Lambda[5] * minus_Theta_13
+        + tip->Lambda[14] * Theta_33 + Lambda_T_66 * 2;
+    const ella_real C_11 = tip->Lambda[3] * REAL(1.4142135623730951)
+        + (link->r_T[1] * C_61 - link->r_T[2] * C_51);
+    const ella_real C_22 = t31 + (link->r_T[2] * C_42 - link->r_T[0] * C_62);
+    const ella_real C_33 = t34 + (link->r_T[0] * C_53 - link->r_T[1] * C_43);
+    const ella_real C_12 = t29 + (link->r_T[1] * C_62 - link->r_T[2] * t36) - L_z2;
+    const ella_real C_13 = L_y2 + (t30 + (link->r_T[1] * t38 - link->r_T[2] * C_53));
+    const ella_real C_21 = L_z1
+        + (tip->Lambda[8] * REAL(1.4142135623730951) + (link->r_T[2] * t35 - link->r_T[0] * C_61));
+    const ella_real C_23 = t32 + (link->r_T[2] * C_43 - link->r_T[0] * t38) - L_x2;
+    const ella_real C_31 = tip->Lambda[12] * REAL(1.4142135623730951)
+        + (link->r_T[0] * C_51 - link->r_T[1] * t35) - L_y1;
+    const ella_real C_32 = L_x2 + (t33 + (link->r_T[0] * t36 - link->r_T[1] * C_42));
+    const ella_real C_41 = c->sigma_x1 + t35;
+    const ella_real C_52 = c->sigma_y2 + t36;
+    const ella_real C_63 = c->sigma_y2 + t38;
+    const ella_real modal_inertia_11 = Lambda_T_44 * REAL(2.0000000000000004) + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modal_inertia_12 = C_42 * REAL(1.4142135623730951);
+    const ella_real modal_inertia_13 = C_43 * REAL(1.4142135623730951);
+    const ella_real modal_inertia_22 = Theta_12 * t29 + Theta_22 * t31 + Theta_32 * t33 + t36 * 2 + m_eta[1];
+    const ella_real modal_inertia_23 = Theta_12 * t30 + Theta_22 * t32 + Theta_32 * t34 + C_53 * 2;
+    const ella_real modal_inertia_33 = Theta_23 * t32 - minus_Theta_13 * t30 + Theta_33 * t34 + t38 * 2
+        + m_eta[2];
+    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
+    const ella_real h_phi_2 = h_eta_2 + f_eta[1]
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * 2);
+    const ella_real h_phi_3 = h_eta_3 + f_eta[2]
+        + (Theta_23 * p_T_2 - minus_Theta_13 * p_T_1 + Theta_33 * p_T_3 + p_T_6 * 2);
+    const ella_real modes_inverse_1 = 1 / modal_inertia_11;
+    const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const ella_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
+    link->modes_L[1] = modes_L_31;
+    const ella_real t39 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t39 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_2 = 1 / t39;
+    const ella_real t40 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const ella_real modes_L_32 = t40 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const ella_real t41 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t40 * modes_L_32);
+    if (!(t41 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_3 = 1 / t41;
+    const ella_real t42 = C_12 - modes_L_21 * C_11;
+    const ella_real t43 = C_22 - modes_L_21 * C_21;
+    const ella_real t44 = C_32 - modes_L_21 * C_31;
+    const ella_real t45 = C_42 - modes_L_21 * C_41;
+    const ella_real t46 = C_52 - modes_L_21 * C_51;
+    const ella_real t47 = C_62 - modes_L_21 * C_61;
+    const ella_real t48 = C_13 - modes_L_31 * C_11 - modes_L_32 * t42;
+    const ella_real t49 = C_23 - modes_L_31 * C_21 - modes_L_32 * t43;
+    const ella_real t50 = C_33 - modes_L_31 * C_31 - modes_L_32 * t44;
+    const ella_real t51 = h_phi_2 - modes_L_21 * h_phi_1;
+    const ella_real t52 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t51;
+    const ella_real modes_W_11 = C_11 * modes_inverse_1;
+    link->modes_W[0] = modes_W_11;
+    const ella_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const ella_real modes_W_13 = C_31 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const ella_real modes_W_14 = C_41 * modes_inverse_1;
+    const ella_real modes_W_15 = C_51 * modes_inverse_1;
+    const ella_real modes_W_16 = C_61 * modes_inverse_1;
+    const ella_real modes_W_21 = t42 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const ella_real modes_W_22 = t43 * modes_inverse_2;
+    link->modes_W[7] = modes_W_22;
+    const ella_real modes_W_23 = t44 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const ella_real modes_W_24 = t45 * modes_inverse_2;
+    const ella_real modes_W_25 = t46 * modes_inverse_2;
+    const ella_real modes_W_26 = t47 * modes_inverse_2;
+    const ella_real modes_W_31 = t48 * modes_inverse_3;
+    link->modes_W[12] = modes_W_31;
+    const ella_real modes_W_32 = t49 * modes_inverse_3;
+    link->modes_W[13] = modes_W_32;
+    const ella_real modes_W_33 = t50 * modes_inverse_3;
+    link->modes_W[14] = modes_W_33;
+    const ella_real modes_W_34 = (C_43 - modes_L_31 * C_41 - modes_L_32 * t45) * modes_inverse_3;
+    const ella_real modes_W_35 = (C_53 - modes_L_31 * C_51 - modes_L_32 * t46) * modes_inverse_3;
+    const ella_real modes_W_36 = (C_63 - modes_L_31 * C_61 - modes_L_32 * t47) * modes_inverse_3;
+    const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const ella_real modes_w_2 = t51 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const ella_real modes_w_3 = t52 * modes_inverse_3;
+    link->modes_w[2] = modes_w_3;
+    const ella_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t42 * modes_W_21 + t48 * modes_W_31);
+    const ella_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t42 * modes_W_22 + t48 * modes_W_32);
+    const ella_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t42 * modes_W_23 + t48 * modes_W_33);
+    const ella_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t42 * modes_W_24 + t48 * modes_W_34);
+    const ella_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t42 * modes_W_25 + t48 * modes_W_35);
+    const ella_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t42 * modes_W_26 + t48 * modes_W_36);
+    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t43 * modes_W_22 + t49 * modes_W_32);
+    const ella_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t43 * modes_W_23 + t49 * modes_W_33);
+    const ella_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t43 * modes_W_24 + t49 * modes_W_34);
+    const ella_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t43 * modes_W_25 + t49 * modes_W_35);
+    const ella_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t43 * modes_W_26 + t49 * modes_W_36);
+    const ella_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t44 * modes_W_23 + t50 * modes_W_33);
+    const ella_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t44 * modes_W_24 + t50 * modes_W_34);
+    const ella_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t44 * modes_W_25 + t50 * modes_W_35);
+    const ella_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t44 * modes_W_26 + t50 * modes_W_36);
+    const ella_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t51 + modes_W_31 * t52);
+    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t51 + modes_W_32 * t52);
+    const ella_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t51 + modes_W_33 * t52);
+    const ella_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t51 + modes_W_34 * t52);
+    const ella_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t51 + modes_W_35 * t52);
+    const ella_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t51 + modes_W_36 * t52);
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const ella_real U_11 = M_i_11 * link->A[0] + M_i_12 * link->A[1];
+    const ella_real U_21 = M_i_12 * link->A[0] + M_i_22 * link->A[1];
+    const ella_real U_31 = M_i_13 * link->A[0] + M_i_23 * link->A[1];
+    const ella_real U_41 = M_i_14 * link->A[0] + M_i_24 * link->A[1];
+    const ella_real U_51 = M_i_15 * link->A[0] + M_i_25 * link->A[1];
+    const ella_real U_61 = M_i_16 * link->A[0] + M_i_26 * link->A[1];
+    const ella_real joint_inertia_11 = link->A[0] * U_11 + link->A[1] * U_21;
+    const ella_real t53 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
+    if (!(joint_inertia_11 - t53 > 0)) { return ELLA_SINGULAR; }
+    const ella_real joint_inverse_1 = 1 / joint_inertia_11;
+    const ella_real joint_L_21 = U_31 * joint_inverse_1;
+    link->joint_L[0] = joint_L_21;
+    const ella_real t54 = M_i_33 - U_31 * joint_L_21;
+    if (!(t54 - t53 > 0)) { return ELLA_SINGULAR; }
+    const ella_real joint_inverse_2 = 1 / t54;
+    const ella_real t55 = tau[0] - (link->A[0] * h_i_1 + link->A[1] * h_i_2);
+    const ella_real t56 = tau[1] - h_i_3 - joint_L_21 * t55;
+    const ella_real joint_w_1 = t55 * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const ella_real joint_w_2 = t56 * joint_inverse_2;
+    link->joint_w[1] = joint_w_2;
+    const ella_real p_i_1 = h_i_1 + (U_11 * joint_w_1 + (M_i_13 - joint_L_21 * U_11) * joint_w_2);
+    link->p_i[0] = p_i_1;
+    const ella_real p_i_2 = h_i_2 + (U_21 * joint_w_1 + (M_i_23 - joint_L_21 * U_21) * joint_w_2);
+    link->p_i[1] = p_i_2;
+    const ella_real p_i_3 = h_i_3 + (U_31 * joint_w_1 + t56);
+    link->p_i[2] = p_i_3;
+    const ella_real p_i_4 = h_i_4 + (U_41 * joint_w_1 + (M_i_34 - joint_L_21 * U_41) * joint_w_2);
+    link->p_i[3] = p_i_4;
+    const ella_real p_i_5 = h_i_5 + (U_51 * joint_w_1 + (M_i_35 - joint_L_21 * U_51) * joint_w_2);
+    link->p_i[4] = p_i_5;
+    const ella_real p_i_6 = h_i_6 + (U_61 * joint_w_1 + (M_i_36 - joint_L_21 * U_61) * joint_w_2);
+    link->p_i[5] = p_i_6;
+    return ELLA_OK;
+}
+
+/* eliminate, links like forearm: 620 operations */
+static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
+    const ella_node *restrict tip, const ella_real eta[restrict 3], const ella_real etadot[restrict 3],
+    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 3],
+    const ella_real f_eta[restrict 3], const ella_real tau[restrict 1])
+{
+    /* S: first moment */
+    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
+    const ella_real S_y = eta[1] * c->sigma_y2;
+    const ella_real S_z = eta[2] * c->sigma_y2;
+
+    /* Sdot: rate of the first moment */
+    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
+    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
+    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
+    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
+    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
+    const ella_real L_z2 = eta[2] * c->mu;
+
+    /* Ldot: rate of L */
+    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
+    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
+    const ella_real Ldot_z2 = etadot[2] * c->mu;
+
+    /* J: second moment */
+    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
+    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
+    const ella_real J_yy = L_y2 * eta[1];
+    const ella_real J_yz = L_z2 * eta[1];
+    const ella_real J_zz = L_z2 * eta[2];
+
+    /* I: inertia about the origin, deformed */
+    const ella_real I_xx = c->I_s + J_yy + J_zz;
+    const ella_real I_yy = J_xx + J_zz;
+    const ella_real I_zz = J_xx + J_yy;
+
+    /* Omega: acceleration of a place by the link's turning */
+    const ella_real t1 = link->omega[1] * link->omega[1];
+    const ella_real t2 = link->omega[2] * link->omega[2];
+    const ella_real minus_Omega_xx = t1 + t2;
+    const ella_real t3 = link->omega[0] * link->omega[1];
+    const ella_real Omega_xy = t3 - link->alpha_0[2];
+    const ella_real t4 = link->omega[0] * link->omega[2];
+    const ella_real Omega_xz = link->alpha_0[1] + t4;
+    const ella_real Omega_yx = link->alpha_0[2] + t3;
+    const ella_real t5 = link->omega[0] * link->omega[0];
+    const ella_real minus_Omega_yy = t5 + t2;
+    const ella_real t6 = link->omega[1] * link->omega[2];
+    const ella_real Omega_yz = t6 - link->alpha_0[0];
+    const ella_real Omega_zx = t4 - link->alpha_0[1];
+    const ella_real Omega_zy = link->alpha_0[0] + t6;
+    const ella_real minus_Omega_zz = t5 + t1;
+
+    /* B: moment of the elastic velocity */
+    const ella_real B_xx = L_x1 * etadot[0];
+    const ella_real B_xy = L_y1 * etadot[0];
+    const ella_real B_xz = L_z1 * etadot[0];
+    const ella_real B_yx = L_x2 * etadot[1];
+    const ella_real B_yy = L_y2 * etadot[1];
+    const ella_real B_yz = L_z2 * etadot[1];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
+
+    /* h_c: half of the Coriolis wrench */
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
+        - B_xz * link->omega[2];
+    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
+        - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
+        - B_zy * link->omega[1];
+    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
+    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const ella_real t9 = c->I_s * link->omega[0];
+    const ella_real H_star_2 = t8 + t9 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
+        - S_x * link->alpha_0[5];
+    const ella_real t10 = h_c_3 + J_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + S_x * link->alpha_0[4];
+    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t9 * link->omega[1];
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->mu;
+    const ella_real H_star_5 = h_c_5 + Omega_yx * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->mu;
+
+    /* h_V: bias of the twist rows, angular acceleration included */
+    const ella_real h_V_1 = H_star_1 + h_c_1;
+    const ella_real h_V_2 = H_star_2 + h_c_2;
+    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_4 = H_star_4 + h_c_4;
+    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const ella_real t11 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
+        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
+    const ella_real h_eta_1 = t11 - Ldot_y1 * 2 * link->omega[2];
+    const ella_real t12 = Ldot_x2 * 2;
+    const ella_real t13 = L_x2 * Omega_yx - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
+        + link->alpha_0[4] * c->sigma_y2 + t12 * link->omega[2];
+    const ella_real h_eta_2 = t13 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real t14 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = t14 - t12 * link->omega[1];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const ella_real minus_p_T_1 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
+    const ella_real minus_p_T_2 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
+    const ella_real minus_p_T_3 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
+    const ella_real p_T_4 = c->body0_mass * tip->alpha_0[3]
+        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const ella_real p_T_5 = c->body0_mass * tip->alpha_0[4]
+        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const ella_real p_T_6 = c->body0_mass * tip->alpha_0[5]
+        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
+    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
+    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
+    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
+    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
+    const ella_real t15 = link->r_T[2] * c->body0_mass;
+    const ella_real t16 = link->r_T[1] * c->body0_mass;
+    const ella_real t17 = link->r_T[0] * c->body0_mass;
+    const ella_real t18 = link->r_T[2] * t15;
+    const ella_real t19 = link->r_T[1] * t16;
+    const ella_real t20 = link->r_T[0] * t17;
+    const ella_real M_loaded_11 = I_xx + (t19 + t18);
+    const ella_real minus_M_loaded_12 = link->r_T[1] * t17 + J_xy;
+    const ella_real minus_M_loaded_13 = link->r_T[2] * t17 + J_xz;
+    const ella_real minus_M_loaded_15 = t15 + S_z;
+    const ella_real M_loaded_16 = S_y + t16;
+    const ella_real M_loaded_22 = I_yy + (t18 + t20);
+    const ella_real minus_M_loaded_23 = link->r_T[2] * t16 + J_yz;
+    const ella_real minus_M_loaded_26 = t17 + S_x;
+    const ella_real M_loaded_33 = I_zz + (t20 + t19);
+    const ella_real M_loaded_44 = c->mu + c->body0_mass;
+    const ella_real h_loaded_1 = h_V_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5 - minus_p_T_1);
+    const ella_real h_loaded_2 = h_V_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6 - minus_p_T_2);
+    const ella_real h_loaded_3 = h_V_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4 - minus_p_T_3);
+    const ella_real h_loaded_4 = h_V_4 + p_T_4;
+    const ella_real h_loaded_5 = h_V_5 + p_T_5;
+    const ella_real h_loaded_6 = h_V_6 + p_T_6;
+    const ella_real t21 = c->body0_mass * REAL(1.4142135623730951);
+    const ella_real t22 = c->body0_mass * 2;
+    const ella_real minus_C_12 = link->r_T[2] * t22 + L_z2;
+    const ella_real C_13 = L_y2 + link->r_T[1] * t22;
+    const ella_real C_21 = L_z1 + link->r_T[2] * t21;
+    const ella_real minus_C_23 = link->r_T[0] * t22 + L_x2;
+    const ella_real minus_C_31 = link->r_T[1] * t21 + L_y1;
+    const ella_real C_41 = c->sigma_x1 + t21;
+    const ella_real C_52 = c->sigma_y2 + t22;
+    const ella_real modal_inertia_11 = c->body0_mass * REAL(2.0000000000000004) + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t23 = c->body0_mass * 4;
+    const ella_real modal_inertia_22 = t23 + m_eta[1];
+    if (!(modal_inertia_22 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modal_inertia_33 = t23 + m_eta[2];
+    if (!(modal_inertia_33 > 0)) { return ELLA_SINGULAR; }
+    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
+    const ella_real h_phi_2 = h_eta_2 + f_eta[1]
+        + (p_T_5 * 2 - (Theta_12 * minus_p_T_1 + Theta_22 * minus_p_T_2 + Theta_32 * minus_p_T_3));
+    const ella_real h_phi_3 = h_eta_3 + f_eta[2]
+        + (minus_Theta_13 * minus_p_T_1 - Theta_23 * minus_p_T_2 - Theta_33 * minus_p_T_3 + p_T_6 * 2);
+    const ella_real modes_inverse_1 = 1 / modal_inertia_11;
+    const ella_real modes_inverse_2 = 1 / modal_inertia_22;
+    const ella_real modes_inverse_3 = 1 / modal_inertia_33;
+    const ella_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const ella_real minus_modes_W_13 = minus_C_31 * modes_inverse_1;
+    link->modes_W[2] = -minus_modes_W_13;
+    const ella_real modes_W_14 = C_41 * modes_inverse_1;
+    link->modes_W[3] = modes_W_14;
+    const ella_real minus_modes_W_21 = minus_C_12 * modes_inverse_2;
+    link->modes_W[6] = -minus_modes_W_21;
+    const ella_real modes_W_23 = minus_C_23 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const ella_real modes_W_25 = C_52 * modes_inverse_2;
+    link->modes_W[10] = modes_W_25;
+    const ella_real modes_W_31 = C_13 * modes_inverse_3;
+    link->modes_W[12] = modes_W_31;
+    const ella_real minus_modes_W_32 = minus_C_23 * modes_inverse_3;
+    link->modes_W[13] = -minus_modes_W_32;
+    const ella_real modes_W_36 = C_52 * modes_inverse_3;
+    link->modes_W[17] = modes_W_36;
+    const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const ella_real modes_w_2 = h_phi_2 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const ella_real modes_w_3 = h_phi_3 * modes_inverse_3;
+    link->modes_w[2] = modes_w_3;
+    const ella_real M_i_11 = M_loaded_11 - (minus_C_12 * minus_modes_W_21 + C_13 * modes_W_31);
+    const ella_real M_i_12 = C_13 * minus_modes_W_32 - minus_M_loaded_12;
+    const ella_real M_i_13 = minus_C_12 * modes_W_23 - minus_M_loaded_13;
+    const ella_real M_i_15 = minus_C_12 * modes_W_25 - minus_M_loaded_15;
+    const ella_real M_i_16 = M_loaded_16 - C_13 * modes_W_36;
+    link->Lambda_i[4] = M_i_16;
+    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + minus_C_23 * minus_modes_W_32);
+    const ella_real M_i_23 = C_21 * minus_modes_W_13 - minus_M_loaded_23;
+    const ella_real M_i_24 = minus_M_loaded_15 - C_21 * modes_W_14;
+    const ella_real M_i_26 = minus_C_23 * modes_W_36 - minus_M_loaded_26;
+    link->Lambda_i[8] = M_i_26;
+    const ella_real M_i_33 = M_loaded_33 - (minus_C_31 * minus_modes_W_13 + minus_C_23 * modes_W_23);
+    const ella_real M_i_34 = minus_C_31 * modes_W_14 - M_loaded_16;
+    const ella_real M_i_35 = minus_M_loaded_26 - minus_C_23 * modes_W_25;
+    const ella_real M_i_44 = M_loaded_44 - C_41 * modes_W_14;
+    const ella_real M_i_55 = M_loaded_44 - C_52 * modes_W_25;
+    const ella_real M_i_66 = M_loaded_44 - C_52 * modes_W_36;
+    link->Lambda_i[14] = M_i_66;
+    const ella_real h_i_1 = h_loaded_1 - (modes_W_31 * h_phi_3 - minus_modes_W_21 * h_phi_2);
+    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 - minus_modes_W_32 * h_phi_3);
+    const ella_real h_i_3 = h_loaded_3 - (modes_W_23 * h_phi_2 - minus_modes_W_13 * h_phi_1);
+    const ella_real h_i_4 = h_loaded_4 - modes_W_14 * h_phi_1;
+    const ella_real h_i_5 = h_loaded_5 - modes_W_25 * h_phi_2;
+    const ella_real h_i_6 = h_loaded_6 - modes_W_36 * h_phi_3;
+    link->p_i[5] = h_i_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    if (!(M_i_33 - ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return ELLA_SINGULAR; }
+    const ella_real joint_inverse_1 = 1 / M_i_33;
+    const ella_real joint_W_11 = M_i_13 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const ella_real joint_W_12 = M_i_23 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const ella_real joint_W_14 = M_i_34 * joint_inverse_1;
+    link->joint_W[2] = joint_W_14;
+    const ella_real joint_W_15 = M_i_35 * joint_inverse_1;
+    link->joint_W[3] = joint_W_15;
+    const ella_real joint_w_1 = (tau[0] - h_i_3) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const ella_real Lambda_i_11 = M_i_11 - M_i_13 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const ella_real Lambda_i_12 = M_i_12 - M_i_13 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const ella_real minus_Lambda_i_14 = M_i_13 * joint_W_14;
+    link->Lambda_i[2] = -minus_Lambda_i_14;
+    const ella_real Lambda_i_15 = M_i_15 - M_i_13 * joint_W_15;
+    link->Lambda_i[3] = Lambda_i_15;
+    const ella_real Lambda_i_22 = M_i_22 - M_i_23 * joint_W_12;
+    link->Lambda_i[5] = Lambda_i_22;
+    const ella_real Lambda_i_24 = M_i_24 - M_i_23 * joint_W_14;
+    link->Lambda_i[6] = Lambda_i_24;
+    const ella_real minus_Lambda_i_25 = M_i_23 * joint_W_15;
+    link->Lambda_i[7] = -minus_Lambda_i_25;
+    const ella_real Lambda_i_44 = M_i_44 - M_i_34 * joint_W_14;
+    link->Lambda_i[9] = Lambda_i_44;
+    const ella_real minus_Lambda_i_45 = M_i_34 * joint_W_15;
+    link->Lambda_i[10] = -minus_Lambda_i_45;
+    const ella_real Lambda_i_55 = M_i_55 - M_i_35 * joint_W_15;
+    link->Lambda_i[12] = Lambda_i_55;
+    const ella_real p_i_1 = h_i_1 + M_i_13 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const ella_real p_i_2 = h_i_2 + M_i_23 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const ella_real p_i_4 = h_i_4 + M_i_34 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const ella_real p_i_5 = h_i_5 + M_i_35 * joint_w_1;
+    link->p_i[4] = p_i_5;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const ella_real t24 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
+    const ella_real t25 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
+    const ella_real t26 = Lambda_i_12 * link->R_P[3] + Lambda_i_22 * link->R_P[4];
+    const ella_real t27 = Lambda_i_12 * link->R_P[6] + Lambda_i_22 * link->R_P[7];
+    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] + Lambda_i_12 * link->R_P[1])
+        + link->R_P[1] * (Lambda_i_12 * link->R_P[0] + Lambda_i_22 * link->R_P[1]);
+    base->Lambda[0] = Lambda_1;
+    const ella_real Lambda_2 = link->R_P[0] * t24 + link->R_P[1] * t26;
+    base->Lambda[1] = Lambda_2;
+    const ella_real Lambda_3 = link->R_P[0] * t25 + link->R_P[1] * t27;
+    base->Lambda[2] = Lambda_3;
+    const ella_real Lambda_7 = link->R_P[3] * t24 + link->R_P[4] * t26;
+    base->Lambda[6] = Lambda_7;
+    const ella_real Lambda_8 = link->R_P[3] * t25 + link->R_P[4] * t27;
+    base->Lambda[7] = Lambda_8;
+    const ella_real Lambda_12 = link->R_P[6] * t25 + link->R_P[7] * t27;
+    base->Lambda[11] = Lambda_12;
+    const ella_real t28 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
+    const ella_real t29 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
+    const ella_real t30 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
+    const ella_real t31 = Lambda_i_24 * link->R_P[0] - minus_Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
+    const ella_real t32 = Lambda_i_24 * link->R_P[3] - minus_Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
+    const ella_real t33 = Lambda_i_24 * link->R_P[6] - minus_Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
+    const ella_real Lambda_4 = link->R_P[0] * t28 + link->R_P[1] * t31;
+    base->Lambda[3] = Lambda_4;
+    const ella_real Lambda_5 = link->R_P[0] * t29 + link->R_P[1] * t32;
+    base->Lambda[4] = Lambda_5;
+    const ella_real Lambda_6 = link->R_P[0] * t30 + link->R_P[1] * t33;
+    base->Lambda[5] = Lambda_6;
+    const ella_real Lambda_9 = link->R_P[3] * t28 + link->R_P[4] * t31;
+    base->Lambda[8] = Lambda_9;
+    const ella_real Lambda_10 = link->R_P[3] * t29 + link->R_P[4] * t32;
+    base->Lambda[9] = Lambda_10;
+    const ella_real Lambda_11 = link->R_P[3] * t30 + link->R_P[4] * t33;
+    base->Lambda[10] = Lambda_11;
+    const ella_real Lambda_13 = link->R_P[6] * t28 + link->R_P[7] * t31;
+    base->Lambda[12] = Lambda_13;
+    const ella_real Lambda_14 = link->R_P[6] * t29 + link->R_P[7] * t32;
+    base->Lambda[13] = Lambda_14;
+    const ella_real Lambda_15 = link->R_P[6] * t30 + link->R_P[7] * t33;
+    base->Lambda[14] = Lambda_15;
+    const ella_real t34 = (Lambda_i_44 - M_i_66) * REAL(0.5);
+    const ella_real t35 = t34 * link->R_P[0] - minus_Lambda_i_45 * link->R_P[1];
+    const ella_real t36 = t34 * link->R_P[3] - minus_Lambda_i_45 * link->R_P[4];
+    const ella_real t37 = t34 * link->R_P[6] - minus_Lambda_i_45 * link->R_P[7];
+    const ella_real t38 = (Lambda_i_55 - M_i_66) * REAL(0.5);
+    const ella_real t39 = t38 * link->R_P[1];
+    const ella_real t40 = t38 * link->R_P[4];
+    const ella_real t41 = t38 * link->R_P[7];
+    const ella_real Lambda_16 = (link->R_P[0] * t35 + link->R_P[1] * t39) * 2 + M_i_66;
+    base->Lambda[15] = Lambda_16;
+    const ella_real Lambda_17 = link->R_P[0] * t36 + link->R_P[1] * t40
+        + (link->R_P[3] * t35 + link->R_P[4] * t39);
+    base->Lambda[16] = Lambda_17;
+    const ella_real Lambda_18 = link->R_P[0] * t37 + link->R_P[1] * t41
+        + (link->R_P[6] * t35 + link->R_P[7] * t39);
+    base->Lambda[17] = Lambda_18;
+    const ella_real Lambda_19 = (link->R_P[3] * t36 + link->R_P[4] * t40) * 2 + M_i_66;
+    base->Lambda[18] = Lambda_19;
+    const ella_real Lambda_20 = link->R_P[3] * t37 + link->R_P[4] * t41
+        + (link->R_P[6] * t36 + link->R_P[7] * t40);
+    base->Lambda[19] = Lambda_20;
+    const ella_real Lambda_21 = (link->R_P[6] * t37 + link->R_P[7] * t41) * 2 + M_i_66;
+    base->Lambda[20] = Lambda_21;
+    const ella_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * tau[0];
+    base->p[0] = p_1;
+    const ella_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * tau[0];
+    base->p[1] = p_2;
+    const ella_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * tau[0];
+    base->p[2] = p_3;
+    const ella_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * h_i_6;
+    base->p[3] = p_4;
+    const ella_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * h_i_6;
+    base->p[4] = p_5;
+    const ella_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * h_i_6;
+    base->p[5] = p_6;
+
+    /* outputs */
+    link->p_i[2] = tau[0];
+    return ELLA_OK;
+}
+
 /* accelerate, links like upper_arm: 62 operations */
-static ella_status accelerate_upper_arm_2(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
+static ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
     ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
     ella_real etaddot[restrict 3])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real qddot_1 = link->joint_w[0] - link->joint_L[0] * link->joint_w[1];
     qddot[0] = qddot_1;
@@ -1625,10 +1105,9 @@ static ella_status accelerate_upper_arm_2(const ella_link_constants *restrict c,
 }
 
 /* accelerate, links like forearm: 109 operations */
-static ella_status accelerate_forearm_2(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
+static ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
     ella_real wrench[restrict 6], ella_real alpha[restrict 6], ella_real etaddot[restrict 3])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -1703,7 +1182,6 @@ static ella_status accelerate_forearm_2(const ella_link_store *restrict link, co
 static ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 4], const ella_real gravity[restrict 3],
     const ella_real alpha[restrict 6], const ella_real twist[restrict 6], ella_real Vdot[restrict 6])
 {
-
     const ella_real t1 = quaternion[1] * quaternion[1];
     const ella_real t2 = quaternion[2] * quaternion[2];
     const ella_real t3 = quaternion[3] * quaternion[3];
@@ -1740,7 +1218,6 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
     const ella_real eta[3], const ella_real etadot[3], const ella_real quaternion[4], ella_real new_q[2],
     ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
-
     const ella_real t1 = quaternion[1] * quaternion[1];
     const ella_real t2 = quaternion[2] * quaternion[2];
     const ella_real t3 = quaternion[3] * quaternion[3];
@@ -1763,12 +1240,12 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
     const ella_real t20 = 1 + t4 * (t3 - t5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz = ella_cos(q[0]);
-    const ella_real R_rel_yy = ella_cos(q[1]);
+    ella_real R_rel_xz, R_rel_zz;
+    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    const ella_real R_rel_yx = ella_sin(q[1]);
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    const ella_real R_rel_xz = ella_sin(q[0]);
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
@@ -1786,12 +1263,12 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
     const ella_real t28 = q[1] + t24 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz_2 = ella_cos(t27);
-    const ella_real R_rel_yy_2 = ella_cos(t28);
+    ella_real R_rel_xz_2, R_rel_zz_2;
+    ella_sine_cosine(t27, &R_rel_xz_2, &R_rel_zz_2);
+    ella_real R_rel_yx_2, R_rel_yy_2;
+    ella_sine_cosine(t28, &R_rel_yx_2, &R_rel_yy_2);
     const ella_real R_rel_xx_2 = R_rel_zz_2 * R_rel_yy_2;
-    const ella_real R_rel_yx_2 = ella_sin(t28);
     const ella_real minus_R_rel_xy_2 = R_rel_yx_2 * R_rel_zz_2;
-    const ella_real R_rel_xz_2 = ella_sin(t27);
     const ella_real minus_R_rel_zx_2 = R_rel_xz_2 * R_rel_yy_2;
     const ella_real R_rel_zy_2 = R_rel_xz_2 * R_rel_yx_2;
 
@@ -1808,12 +1285,12 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
     const ella_real new_q_2 = t28 + t33 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz_3 = ella_cos(new_q_1);
-    const ella_real R_rel_yy_3 = ella_cos(new_q_2);
+    ella_real R_rel_xz_3, R_rel_zz_3;
+    ella_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_zz_3);
+    ella_real R_rel_yx_3, R_rel_yy_3;
+    ella_sine_cosine(new_q_2, &R_rel_yx_3, &R_rel_yy_3);
     const ella_real R_rel_xx_3 = R_rel_zz_3 * R_rel_yy_3;
-    const ella_real R_rel_yx_3 = ella_sin(new_q_2);
     const ella_real minus_R_rel_xy_3 = R_rel_yx_3 * R_rel_zz_3;
-    const ella_real R_rel_xz_3 = ella_sin(new_q_1);
     const ella_real minus_R_rel_zx_3 = R_rel_xz_3 * R_rel_yy_3;
     const ella_real R_rel_zy_3 = R_rel_xz_3 * R_rel_yx_3;
 
@@ -1878,11 +1355,11 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
     const ella_real omega_J_y = R_rel_yy_3 * t36;
 
     const ella_real t42 = new_q_1 * REAL(0.5);
-    const ella_real t43 = ella_sin(t42);
-    const ella_real t44 = ella_cos(t42);
+    ella_real t43, t44;
+    ella_sine_cosine(t42, &t43, &t44);
     const ella_real t45 = new_q_2 * REAL(0.5);
-    const ella_real t46 = ella_sin(t45);
-    const ella_real t47 = ella_cos(t45);
+    ella_real t46, t47;
+    ella_sine_cosine(t45, &t46, &t47);
     const ella_real new_quaternion_1 = t44 * t47;
     const ella_real new_quaternion_4 = t44 * t46;
     const ella_real new_quaternion_3 = t47 * t43;
@@ -1969,7 +1446,6 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
 static ella_status project_forearm(const ella_node *base, const ella_real q[1], const ella_real twist[6], const ella_real quaternion[4],
     ella_real new_q[1], ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
-
     const ella_real t1 = quaternion[1] * quaternion[1];
     const ella_real t2 = quaternion[2] * quaternion[2];
     const ella_real t3 = quaternion[3] * quaternion[3];
@@ -1989,23 +1465,23 @@ static ella_status project_forearm(const ella_node *base, const ella_real q[1], 
     const ella_real t17 = base->R_m[1] * t8 + base->R_m[4] * t13 + base->R_m[7] * t11;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     const ella_real t18 = q[0]
         + (R_rel_xx * t16 - minus_R_rel_xy * t14 - (R_rel_xx * t15 + minus_R_rel_xy * t17)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx_2 = ella_cos(t18);
-    const ella_real minus_R_rel_xy_2 = ella_sin(t18);
+    ella_real minus_R_rel_xy_2, R_rel_xx_2;
+    ella_sine_cosine(t18, &minus_R_rel_xy_2, &R_rel_xx_2);
 
     const ella_real t19 = (R_rel_xx_2 * t16 - minus_R_rel_xy_2 * t14
         - (R_rel_xx_2 * t15 + minus_R_rel_xy_2 * t17)) * REAL(0.5);
     const ella_real new_q_1 = t18 + t19;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx_3 = ella_cos(new_q_1);
-    const ella_real minus_R_rel_xy_3 = ella_sin(new_q_1);
+    ella_real minus_R_rel_xy_3, R_rel_xx_3;
+    ella_sine_cosine(new_q_1, &minus_R_rel_xy_3, &R_rel_xx_3);
 
     const ella_real t20 = twist[2] - base->omega_m[2];
 
@@ -2021,8 +1497,8 @@ static ella_status project_forearm(const ella_node *base, const ella_real q[1], 
     const ella_real v_R_y = R_rel_xx_3 * base->v[1] - minus_R_rel_xy_3 * base->v[0];
 
     const ella_real t21 = new_q_1 * REAL(0.5);
-    const ella_real t22 = ella_sin(t21);
-    const ella_real t23 = ella_cos(t21);
+    ella_real t22, t23;
+    ella_sine_cosine(t21, &t22, &t23);
     const ella_real new_quaternion_1 = base->Q[0] * t23 - base->Q[3] * t22;
     const ella_real new_quaternion_4 = base->Q[0] * t22 + t23 * base->Q[3];
     const ella_real new_quaternion_2 = t23 * base->Q[1] + base->Q[2] * t22;
@@ -2051,14 +1527,13 @@ static ella_status forward_kinematics_upper_arm(const ella_link_constants *c, el
     const ella_real eta[3], const ella_real etadot[3], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz = ella_cos(q[0]);
-    const ella_real R_rel_yy = ella_cos(q[1]);
+    ella_real R_rel_xz, R_rel_zz;
+    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    const ella_real R_rel_yx = ella_sin(q[1]);
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    const ella_real R_rel_xz = ella_sin(q[0]);
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
@@ -2067,11 +1542,11 @@ static ella_status forward_kinematics_upper_arm(const ella_link_constants *c, el
     const ella_real omega_J_y = R_rel_yy * qdot[0];
 
     const ella_real t1 = q[0] * REAL(0.5);
-    const ella_real t2 = ella_sin(t1);
-    const ella_real t3 = ella_cos(t1);
+    ella_real t2, t3;
+    ella_sine_cosine(t1, &t2, &t3);
     const ella_real t4 = q[1] * REAL(0.5);
-    const ella_real t5 = ella_sin(t4);
-    const ella_real t6 = ella_cos(t4);
+    ella_real t5, t6;
+    ella_sine_cosine(t4, &t5, &t6);
     const ella_real new_quaternion_1 = t3 * t6;
     const ella_real new_quaternion_4 = t3 * t5;
     const ella_real new_quaternion_3 = t6 * t2;
@@ -2206,10 +1681,9 @@ static ella_status forward_kinematics_forearm(const ella_link_constants *c, cons
     const ella_real qdot[1], const ella_real eta[3], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* omega_R: angular velocity of the parent's tip */
     const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
@@ -2229,8 +1703,8 @@ static ella_status forward_kinematics_forearm(const ella_link_constants *c, cons
     const ella_real t5 = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
     const ella_real t6 = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
     const ella_real t7 = q[0] * REAL(0.5);
-    const ella_real t8 = ella_sin(t7);
-    const ella_real t9 = ella_cos(t7);
+    ella_real t8, t9;
+    ella_sine_cosine(t7, &t8, &t9);
     const ella_real new_quaternion_1 = base->Q[0] * t9 - base->Q[3] * t8;
     const ella_real new_quaternion_4 = base->Q[0] * t8 + t9 * base->Q[3];
     const ella_real new_quaternion_2 = t9 * base->Q[1] + base->Q[2] * t8;
@@ -2311,17 +1785,16 @@ static ella_status forward_kinematics_forearm(const ella_link_constants *c, cons
 }
 
 /* kinematics, links like upper_arm: 150 operations */
-static ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
+static ella_status kinematics_upper_arm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
     const ella_real q[2], const ella_real qdot[2], const ella_real eta[3], const ella_real etadot[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_zz = ella_cos(q[0]);
-    const ella_real R_rel_yy = ella_cos(q[1]);
+    ella_real R_rel_xz, R_rel_zz;
+    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    const ella_real R_rel_yx = ella_sin(q[1]);
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    const ella_real R_rel_xz = ella_sin(q[0]);
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
@@ -2471,13 +1944,12 @@ static ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_lin
 }
 
 /* kinematics, links like forearm: 143 operations */
-static ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
+static ella_status kinematics_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
     const ella_real q[1], const ella_real qdot[1], const ella_real eta[3], const ella_real etadot[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -2597,7 +2069,6 @@ static ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_
 static ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
     const ella_real etaddot[3])
 {
-
     const ella_real delta_1 = link->A[0] * qddot[0];
     const ella_real delta_2 = link->A[1] * qddot[0];
     const ella_real t1 = c->Psi_c_y3 * etaddot[2];
@@ -2627,7 +2098,6 @@ static ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_
 static ella_status inverse_outward_forearm(ella_link_store *link, const ella_node *base, ella_node *tip, const ella_real qddot[1],
     const ella_real etaddot[3])
 {
-
     const ella_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
     const ella_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
@@ -2658,60 +2128,59 @@ static ella_status inverse_outward_forearm(ella_link_store *link, const ella_nod
     return ELLA_OK;
 }
 
-/* inverse inward, links like upper_arm: 392 operations */
+/* inverse inward, links like upper_arm: 364 operations */
 static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
     const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
     ella_real force[2], ella_real wrench[6])
 {
-
     /* S: first moment */
     const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
     const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
+    const ella_real S_z = eta[2] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* Ldot: rate of L */
     const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
     const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
     const ella_real Ldot_z2 = etadot[2] * c->mu;
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
     const ella_real I_yy = J_xx + J_zz;
     const ella_real I_zz = J_xx + J_yy;
 
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
     const ella_real t2 = link->omega[2] * link->omega[2];
     const ella_real minus_Omega_xx = t1 + t2;
     const ella_real Omega_xy = link->omega[0] * link->omega[1];
-    const ella_real Omega_xz = link->omega[0] * link->omega[2];
-    const ella_real t3 = link->omega[0] * link->omega[0];
-    const ella_real minus_Omega_yy = t3 + t2;
-    const ella_real Omega_yz = link->omega[1] * link->omega[2];
-    const ella_real minus_Omega_zz = t3 + t1;
+    const ella_real t3 = link->omega[0] * link->omega[2];
+    const ella_real Omega_xz = link->alpha_0[1] + t3;
+    const ella_real t4 = link->omega[0] * link->omega[0];
+    const ella_real minus_Omega_yy = t4 + t2;
+    const ella_real t5 = link->omega[1] * link->omega[2];
+    const ella_real Omega_yz = t5 - link->alpha_0[0];
+    const ella_real Omega_zx = t3 - link->alpha_0[1];
+    const ella_real Omega_zy = link->alpha_0[0] + t5;
+    const ella_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
     const ella_real B_xx = L_x1 * etadot[0];
@@ -2720,9 +2189,9 @@ static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const 
     const ella_real B_yx = L_x2 * etadot[1];
     const ella_real B_yy = L_y2 * etadot[1];
     const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
 
     /* h_c: half of the Coriolis wrench */
     const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
@@ -2732,76 +2201,70 @@ static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const 
     const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
         - B_zy * link->omega[1];
 
-    /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const ella_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
-    const ella_real t6 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t5 + t6 * link->omega[2] - J_xx * Omega_xz - J_xy * Omega_yz
+    const ella_real t8 = c->I_s * link->omega[0];
+    const ella_real H_star_2 = t7 + t8 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
         - S_x * link->alpha_0[5];
-    const ella_real t7 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+    const ella_real t9 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
         + S_x * link->alpha_0[4];
-    const ella_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
+    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t8 * link->omega[1];
 
-    /* h_V: bias of the twist rows */
+    /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
     const ella_real h_V_2 = H_star_2 + h_c_2;
     const ella_real h_V_3 = H_star_3 + h_c_3;
 
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t8 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const ella_real t10 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
         + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t8 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t9 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + Ldot_x2 * 2 * link->omega[2];
-    const ella_real h_eta_2 = t9 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t10 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz
-        + link->alpha_0[5] * c->sigma_z3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t10 - Ldot_x3 * 2 * link->omega[1];
+    const ella_real h_eta_1 = t10 - Ldot_y1 * 2 * link->omega[2];
+    const ella_real t11 = Ldot_x2 * 2;
+    const ella_real t12 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
+        + link->alpha_0[4] * c->sigma_y2 + t11 * link->omega[2];
+    const ella_real h_eta_2 = t12 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real t13 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = t13 - t11 * link->omega[1];
 
-    /* h_0: bias at alpha_0, its angular part included */
-    const ella_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1]);
-    const ella_real h_0_2 = h_V_2 + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0]);
-    const ella_real h_0_3 = h_V_3 - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]);
-    const ella_real h_eta_0_1 = h_eta_1 + L_z1 * link->alpha_0[1];
-    const ella_real h_eta_0_2 = h_eta_2 - L_z2 * link->alpha_0[0];
-    const ella_real h_eta_0_3 = h_eta_3 + (L_y3 * link->alpha_0[0] - L_x3 * link->alpha_0[1]);
-
-    const ella_real t11 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+    const ella_real t14 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
         - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t12 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+    const ella_real t15 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
         - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real t13 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+    const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
         - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-    const ella_real t14 = tip->p[0]
+    const ella_real t17 = tip->p[0]
         - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real t15 = tip->p[1]
+    const ella_real t18 = tip->p[1]
         - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const ella_real t16 = tip->p[2]
+    const ella_real t19 = tip->p[2]
         - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const ella_real t17 = t11 + tip->p[3];
-    const ella_real t18 = t12 + tip->p[4];
-    const ella_real t19 = t13 + tip->p[5];
-    const ella_real t20 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        + (L_y3 * etaddot[2] - L_z2 * etaddot[1]);
-    const ella_real t21 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + (L_z1 * etaddot[0] - L_x3 * etaddot[2]);
-    const ella_real t22 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+    const ella_real t20 = t14 + tip->p[3];
+    const ella_real t21 = t15 + tip->p[4];
+    const ella_real t22 = t16 + tip->p[5];
+    const ella_real t23 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        + (L_y2 * etaddot[2] - L_z2 * etaddot[1]);
+    const ella_real t24 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + (L_z1 * etaddot[0] - L_x2 * etaddot[2]);
+    const ella_real t25 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         + (L_x2 * etaddot[1] - L_y1 * etaddot[0]);
-    const ella_real wrench_1 = t20 + h_0_1 + (t14 + (link->r_T[1] * t19 - link->r_T[2] * t18));
-    const ella_real wrench_2 = t21 + h_0_2 + (t15 + (link->r_T[2] * t17 - link->r_T[0] * t19));
-    const ella_real force_2 = t22 + h_0_3 + (t16 + (link->r_T[0] * t18 - link->r_T[1] * t17));
-    const ella_real t23 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1] + h_eta_0_2
-        + f_eta[1] + c->Psi_c_z2 * (link->J_l[2] * t14 + link->J_l[4] * t15 + link->J_l[5] * t16);
-    const ella_real t24 = L_y3 * link->delta[0] - L_x3 * link->delta[1] + m_eta[2] * etaddot[2] + h_eta_0_3
-        + f_eta[2] + c->Psi_c_y3 * (link->J_l[3] * t15 - link->J_l[1] * t14 + link->J_l[4] * t16);
-    const ella_real force_eta_1 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + m_eta[0] * etaddot[0]
-        + h_eta_0_1 + f_eta[0] + t17 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t23 + t18 * 2;
-    const ella_real force_eta_3 = t24 + t19 * 2;
+    const ella_real wrench_1 = t23 + h_V_1 + (t17 + (link->r_T[1] * t22 - link->r_T[2] * t21));
+    const ella_real wrench_2 = t24 + h_V_2 + (t18 + (link->r_T[2] * t20 - link->r_T[0] * t22));
+    const ella_real force_2 = t25 + h_V_3 + (t19 + (link->r_T[0] * t21 - link->r_T[1] * t20));
+    const ella_real t26 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1] + h_eta_2
+        + f_eta[1] + c->Psi_c_z2 * (link->J_l[2] * t17 + link->J_l[4] * t18 + link->J_l[5] * t19);
+    const ella_real t27 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + m_eta[2] * etaddot[2] + h_eta_3
+        + f_eta[2] + c->Psi_c_y3 * (link->J_l[3] * t18 - link->J_l[1] * t17 + link->J_l[4] * t19);
+    const ella_real force_eta_1 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + m_eta[0] * etaddot[0] + h_eta_1
+        + f_eta[0] + t20 * REAL(1.4142135623730951);
+    const ella_real force_eta_2 = t26 + t21 * 2;
+    const ella_real force_eta_3 = t27 + t22 * 2;
     const ella_real force_1 = link->A[0] * wrench_1 + link->A[1] * wrench_2;
 
     /* outputs */
@@ -2815,37 +2278,32 @@ static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const 
         /* Sdot: rate of the first moment */
         const ella_real Sdot_x = etadot[0] * c->sigma_x1;
         const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-        const ella_real Sdot_z = etadot[2] * c->sigma_z3;
+        const ella_real Sdot_z = etadot[2] * c->sigma_y2;
 
         /* h_c: half of the Coriolis wrench */
         const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
         const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
         const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
 
-        /* H_star: gyroscopic wrench and weight (29) */
+        /* H_star: gyroscopic wrench and weight, angular acceleration included */
         const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
             + link->alpha_0[3] * c->mu;
         const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
             + link->alpha_0[4] * c->mu;
-        const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z
+        const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
             + link->alpha_0[5] * c->mu;
 
-        /* h_V: bias of the twist rows */
+        /* h_V: bias of the twist rows, angular acceleration included */
         const ella_real h_V_4 = H_star_4 + h_c_4;
         const ella_real h_V_5 = H_star_5 + h_c_5;
         const ella_real h_V_6 = H_star_6 + h_c_6;
 
-        /* h_0: bias at alpha_0, its angular part included */
-        const ella_real h_0_4 = h_V_4 + S_z * link->alpha_0[1];
-        const ella_real h_0_5 = h_V_5 - S_z * link->alpha_0[0];
-        const ella_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - S_x * link->alpha_0[1]);
-
-        const ella_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->sigma_x1 * etaddot[0] + h_0_4
-            + t17;
-        const ella_real wrench_5 = S_x * link->delta[2] - S_z * link->delta[0] + c->sigma_y2 * etaddot[1] + h_0_5
-            + t18;
-        const ella_real wrench_6 = S_y * link->delta[0] - S_x * link->delta[1] + c->sigma_z3 * etaddot[2] + h_0_6
-            + t19;
+        const ella_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->sigma_x1 * etaddot[0] + h_V_4
+            + t20;
+        const ella_real wrench_5 = S_x * link->delta[2] - S_z * link->delta[0] + c->sigma_y2 * etaddot[1] + h_V_5
+            + t21;
+        const ella_real wrench_6 = S_y * link->delta[0] - S_x * link->delta[1] + c->sigma_y2 * etaddot[2] + h_V_6
+            + t22;
 
         /* outputs */
         wrench[0] = wrench_1;
@@ -2858,65 +2316,66 @@ static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const 
     return ELLA_OK;
 }
 
-/* inverse inward, links like forearm: 451 operations */
+/* inverse inward, links like forearm: 411 operations */
 static ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
     const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
     ella_real force[1], ella_real wrench[6])
 {
-
     /* S: first moment */
     const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
     const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
+    const ella_real S_z = eta[2] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
     const ella_real Sdot_x = etadot[0] * c->sigma_x1;
     const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_z3;
+    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* Ldot: rate of L */
     const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
     const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
     const ella_real Ldot_z2 = etadot[2] * c->mu;
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
     const ella_real I_yy = J_xx + J_zz;
     const ella_real I_zz = J_xx + J_yy;
 
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
     const ella_real t2 = link->omega[2] * link->omega[2];
     const ella_real minus_Omega_xx = t1 + t2;
-    const ella_real Omega_xy = link->omega[0] * link->omega[1];
-    const ella_real Omega_xz = link->omega[0] * link->omega[2];
-    const ella_real t3 = link->omega[0] * link->omega[0];
-    const ella_real minus_Omega_yy = t3 + t2;
-    const ella_real Omega_yz = link->omega[1] * link->omega[2];
-    const ella_real minus_Omega_zz = t3 + t1;
+    const ella_real t3 = link->omega[0] * link->omega[1];
+    const ella_real Omega_xy = t3 - link->alpha_0[2];
+    const ella_real t4 = link->omega[0] * link->omega[2];
+    const ella_real Omega_xz = link->alpha_0[1] + t4;
+    const ella_real Omega_yx = link->alpha_0[2] + t3;
+    const ella_real t5 = link->omega[0] * link->omega[0];
+    const ella_real minus_Omega_yy = t5 + t2;
+    const ella_real t6 = link->omega[1] * link->omega[2];
+    const ella_real Omega_yz = t6 - link->alpha_0[0];
+    const ella_real Omega_zx = t4 - link->alpha_0[1];
+    const ella_real Omega_zy = link->alpha_0[0] + t6;
+    const ella_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
     const ella_real B_xx = L_x1 * etadot[0];
@@ -2925,9 +2384,9 @@ static ella_status inverse_inward_forearm(const ella_link_constants *c, const el
     const ella_real B_yx = L_x2 * etadot[1];
     const ella_real B_yy = L_y2 * etadot[1];
     const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
 
     /* h_c: half of the Coriolis wrench */
     const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
@@ -2940,27 +2399,28 @@ static ella_status inverse_inward_forearm(const ella_link_constants *c, const el
     const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
     const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
 
-    /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const ella_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
-    const ella_real t6 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t5 + t6 * link->omega[2] - J_xx * Omega_xz - J_xy * Omega_yz
+    const ella_real t9 = c->I_s * link->omega[0];
+    const ella_real H_star_2 = t8 + t9 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
         - S_x * link->alpha_0[5];
-    const ella_real t7 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+    const ella_real t10 = h_c_3 + J_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
         + S_x * link->alpha_0[4];
-    const ella_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
+    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t9 * link->omega[1];
     const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_5 = h_c_5 + Omega_yx * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z
+    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->mu;
 
-    /* h_V: bias of the twist rows */
+    /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
     const ella_real h_V_2 = H_star_2 + h_c_2;
     const ella_real h_V_3 = H_star_3 + h_c_3;
@@ -2968,72 +2428,61 @@ static ella_status inverse_inward_forearm(const ella_link_constants *c, const el
     const ella_real h_V_5 = H_star_5 + h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t8 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const ella_real t11 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
         + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t8 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t9 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + Ldot_x2 * 2 * link->omega[2];
-    const ella_real h_eta_2 = t9 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t10 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz
-        + link->alpha_0[5] * c->sigma_z3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t10 - Ldot_x3 * 2 * link->omega[1];
+    const ella_real h_eta_1 = t11 - Ldot_y1 * 2 * link->omega[2];
+    const ella_real t12 = Ldot_x2 * 2;
+    const ella_real t13 = L_x2 * Omega_yx - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
+        + link->alpha_0[4] * c->sigma_y2 + t12 * link->omega[2];
+    const ella_real h_eta_2 = t13 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real t14 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = t14 - t12 * link->omega[1];
 
-    /* h_0: bias at alpha_0, its angular part included */
-    const ella_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
-    const ella_real h_0_2 = h_V_2 + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
-    const ella_real h_0_3 = h_V_3
-        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
-    const ella_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
-    const ella_real h_0_5 = h_V_5 + (S_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const ella_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - S_x * link->alpha_0[1]);
-    const ella_real h_eta_0_1 = h_eta_1 + (L_z1 * link->alpha_0[1] - L_y1 * link->alpha_0[2]);
-    const ella_real h_eta_0_2 = h_eta_2 + (L_x2 * link->alpha_0[2] - L_z2 * link->alpha_0[0]);
-    const ella_real h_eta_0_3 = h_eta_3 + (L_y3 * link->alpha_0[0] - L_x3 * link->alpha_0[1]);
-
-    const ella_real t11 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
-    const ella_real t12 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
-    const ella_real t13 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
-    const ella_real t14 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+    const ella_real t15 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
+    const ella_real t16 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
+    const ella_real t17 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
+    const ella_real t18 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
         - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t15 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+    const ella_real t19 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
         - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+    const ella_real t20 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
         - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-    const ella_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+    const ella_real t21 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
-    const ella_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+    const ella_real t22 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
         + S_z * link->delta[3] - S_x * link->delta[5];
-    const ella_real t19 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+    const ella_real t23 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + S_x * link->delta[4];
-    const ella_real t20 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3]
-        + c->sigma_x1 * etaddot[0] + h_0_4;
-    const ella_real t21 = S_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
-        + c->sigma_y2 * etaddot[1] + h_0_5;
-    const ella_real t22 = S_y * link->delta[0] - S_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_z3 * etaddot[2] + h_0_6;
-    const ella_real wrench_1 = t17 + (L_y3 * etaddot[2] - L_z2 * etaddot[1]) + h_0_1
-        + (link->r_T[1] * t16 - link->r_T[2] * t15 - t11);
-    const ella_real wrench_2 = t18 + (L_z1 * etaddot[0] - L_x3 * etaddot[2]) + h_0_2
-        + (link->r_T[2] * t14 - link->r_T[0] * t16 - t12);
-    const ella_real force_1 = t19 + (L_x2 * etaddot[1] - L_y1 * etaddot[0]) + h_0_3
-        + (link->r_T[0] * t15 - link->r_T[1] * t14 - t13);
-    const ella_real wrench_4 = t20 + t14;
-    const ella_real wrench_5 = t21 + t15;
-    const ella_real wrench_6 = t22 + t16;
-    const ella_real t23 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + c->sigma_x1 * link->delta[3]
+    const ella_real t24 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3]
+        + c->sigma_x1 * etaddot[0] + h_V_4;
+    const ella_real t25 = S_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + c->sigma_y2 * etaddot[1] + h_V_5;
+    const ella_real t26 = S_y * link->delta[0] - S_x * link->delta[1] + c->mu * link->delta[5]
+        + c->sigma_y2 * etaddot[2] + h_V_6;
+    const ella_real wrench_1 = t21 + (L_y2 * etaddot[2] - L_z2 * etaddot[1]) + h_V_1
+        + (link->r_T[1] * t20 - link->r_T[2] * t19 - t15);
+    const ella_real wrench_2 = t22 + (L_z1 * etaddot[0] - L_x2 * etaddot[2]) + h_V_2
+        + (link->r_T[2] * t18 - link->r_T[0] * t20 - t16);
+    const ella_real force_1 = t23 + (L_x2 * etaddot[1] - L_y1 * etaddot[0]) + h_V_3
+        + (link->r_T[0] * t19 - link->r_T[1] * t18 - t17);
+    const ella_real wrench_4 = t24 + t18;
+    const ella_real wrench_5 = t25 + t19;
+    const ella_real wrench_6 = t26 + t20;
+    const ella_real t27 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + c->sigma_x1 * link->delta[3]
         + m_eta[0] * etaddot[0];
-    const ella_real t24 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
+    const ella_real t28 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const ella_real t25 = L_y3 * link->delta[0] - L_x3 * link->delta[1] + c->sigma_z3 * link->delta[5]
+    const ella_real t29 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + c->sigma_y2 * link->delta[5]
         + m_eta[2] * etaddot[2];
-    const ella_real t26 = t24 + h_eta_0_2 + f_eta[1]
-        - c->Psi_c_z2 * (link->J_l[2] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13);
-    const ella_real t27 = t25 + h_eta_0_3 + f_eta[2]
-        + c->Psi_c_y3 * (link->J_l[1] * t11 - link->J_l[3] * t12 - link->J_l[4] * t13);
-    const ella_real force_eta_1 = t23 + h_eta_0_1 + f_eta[0] + t14 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t26 + t15 * 2;
-    const ella_real force_eta_3 = t27 + t16 * 2;
+    const ella_real t30 = t28 + h_eta_2 + f_eta[1]
+        - c->Psi_c_z2 * (link->J_l[2] * t15 + link->J_l[4] * t16 + link->J_l[5] * t17);
+    const ella_real t31 = t29 + h_eta_3 + f_eta[2]
+        + c->Psi_c_y3 * (link->J_l[1] * t15 - link->J_l[3] * t16 - link->J_l[4] * t17);
+    const ella_real force_eta_1 = t27 + h_eta_1 + f_eta[0] + t18 * REAL(1.4142135623730951);
+    const ella_real force_eta_2 = t30 + t19 * 2;
+    const ella_real force_eta_3 = t31 + t20 * 2;
     const ella_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * force_1;
     const ella_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * force_1;
     const ella_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * force_1;
@@ -3066,13 +2515,12 @@ static ella_status inverse_inward_forearm(const ella_link_constants *c, const el
 }
 
 /* kinematics, links like upper_arm: 38 operations */
-static ella_status kinematics_upper_arm_3(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
+static ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
     const ella_real eta[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_yy = ella_cos(q[1]);
-    const ella_real R_rel_yx = ella_sin(q[1]);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
 
     /* r_T: tip point (11) */
     const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
@@ -3139,13 +2587,12 @@ static ella_status kinematics_upper_arm_3(const ella_link_constants *c, ella_lin
 }
 
 /* kinematics, links like forearm: 24 operations */
-static ella_status kinematics_forearm_3(const ella_link_constants *c, ella_link_store *link, const ella_node *base, const ella_real q[1],
+static ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, const ella_real q[1],
     const ella_real eta[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -3176,30 +2623,26 @@ static ella_status kinematics_forearm_3(const ella_link_constants *c, ella_link_
     return ELLA_OK;
 }
 
-/* inverse inward, links like upper_arm: 115 operations */
+/* inverse inward, links like upper_arm: 111 operations */
 static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
     ella_real force[2])
 {
-
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
@@ -3210,9 +2653,9 @@ static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, cons
     const ella_real t2 = c->body0_mass * tip->delta[4] + tip->p[4];
     const ella_real t3 = c->body0_mass * tip->delta[5] + tip->p[5];
     const ella_real t4 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        + (L_y3 * etaddot[2] - L_z2 * etaddot[1]);
+        + (L_y2 * etaddot[2] - L_z2 * etaddot[1]);
     const ella_real t5 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + (L_z1 * etaddot[0] - L_x3 * etaddot[2]);
+        + (L_z1 * etaddot[0] - L_x2 * etaddot[2]);
     const ella_real t6 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         + (L_x2 * etaddot[1] - L_y1 * etaddot[0]);
     const ella_real wrench_1 = t4 + (tip->p[0] + (link->r_T[1] * t3 - link->r_T[2] * t2));
@@ -3220,7 +2663,7 @@ static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, cons
     const ella_real force_2 = t6 + (tip->p[2] + (link->r_T[0] * t2 - link->r_T[1] * t1));
     const ella_real t7 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1]
         + c->Psi_c_z2 * (link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2]);
-    const ella_real t8 = L_y3 * link->delta[0] - L_x3 * link->delta[1] + m_eta[2] * etaddot[2]
+    const ella_real t8 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + m_eta[2] * etaddot[2]
         + c->Psi_c_y3 * (link->J_l[3] * tip->p[1] - link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[2]);
     const ella_real force_eta_1 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + m_eta[0] * etaddot[0]
         + t1 * REAL(1.4142135623730951);
@@ -3237,35 +2680,31 @@ static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, cons
     return ELLA_OK;
 }
 
-/* inverse inward, links like forearm: 168 operations */
+/* inverse inward, links like forearm: 164 operations */
 static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
     ella_real force[1])
 {
-
     /* S: first moment */
     const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
     const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
+    const ella_real S_z = eta[2] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
@@ -3281,9 +2720,9 @@ static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const 
         + S_z * link->delta[3] - S_x * link->delta[5];
     const ella_real t6 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + S_x * link->delta[4];
-    const ella_real wrench_1 = t4 + (L_y3 * etaddot[2] - L_z2 * etaddot[1])
+    const ella_real wrench_1 = t4 + (L_y2 * etaddot[2] - L_z2 * etaddot[1])
         + (link->r_T[1] * t3 - link->r_T[2] * t2);
-    const ella_real wrench_2 = t5 + (L_z1 * etaddot[0] - L_x3 * etaddot[2])
+    const ella_real wrench_2 = t5 + (L_z1 * etaddot[0] - L_x2 * etaddot[2])
         + (link->r_T[2] * t1 - link->r_T[0] * t3);
     const ella_real force_1 = t6 + (L_x2 * etaddot[1] - L_y1 * etaddot[0])
         + (link->r_T[0] * t2 - link->r_T[1] * t1);
@@ -3292,12 +2731,12 @@ static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const 
     const ella_real wrench_5 = S_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
         + c->sigma_y2 * etaddot[1] + t2;
     const ella_real wrench_6 = S_y * link->delta[0] - S_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_z3 * etaddot[2] + t3;
+        + c->sigma_y2 * etaddot[2] + t3;
     const ella_real t7 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + c->sigma_x1 * link->delta[3]
         + m_eta[0] * etaddot[0];
     const ella_real t8 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const ella_real t9 = L_y3 * link->delta[0] - L_x3 * link->delta[1] + c->sigma_z3 * link->delta[5]
+    const ella_real t9 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + c->sigma_y2 * link->delta[5]
         + m_eta[2] * etaddot[2];
     const ella_real force_eta_1 = t7 + t1 * REAL(1.4142135623730951);
     const ella_real force_eta_2 = t8 + t2 * 2;
@@ -3323,16 +2762,15 @@ static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const 
     return ELLA_OK;
 }
 
-/* joint rows, links like upper_arm: 514 operations */
+/* joint rows, links like upper_arm: 508 operations */
 static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real twist[6],
     const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
     const ella_real eta[3], const ella_real etadot[3], const ella_real tau[2], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_yy = ella_cos(q[1]);
-    const ella_real R_rel_yx = ella_sin(q[1]);
+    ella_real R_rel_yx, R_rel_yy;
+    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
 
     const ella_real t1 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
     if (!(t1 - ELLA_REAL_EPSILON * 64 > 0)) { return ELLA_SINGULAR; }
@@ -3367,39 +2805,35 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
     /* S: first moment */
     const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
     const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
+    const ella_real S_z = eta[2] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
     const ella_real Sdot_x = etadot[0] * c->sigma_x1;
     const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_z3;
+    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* Ldot: rate of L */
     const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
     const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
     const ella_real Ldot_z2 = etadot[2] * c->mu;
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
@@ -3429,9 +2863,9 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
     const ella_real B_yx = L_x2 * etadot[1];
     const ella_real B_yy = L_y2 * etadot[1];
     const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
 
     /* h_c: half of the Coriolis wrench */
     const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0] - B_xy * twist[1] - B_xz * twist[2];
@@ -3468,12 +2902,12 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
     const ella_real t28 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz + a_0_x * c->sigma_x1
         + Ldot_z1 * 2 * twist[1];
     const ella_real h_eta_1 = t28 - Ldot_y1 * 2 * twist[2];
-    const ella_real t29 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
-        + Ldot_x2 * 2 * twist[2];
-    const ella_real h_eta_2 = t29 - Ldot_z2 * 2 * twist[0];
-    const ella_real t30 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz + a_0_z * c->sigma_z3
-        + Ldot_y3 * 2 * twist[0];
-    const ella_real h_eta_3 = t30 - Ldot_x3 * 2 * twist[1];
+    const ella_real t29 = Ldot_x2 * 2;
+    const ella_real h_eta_2 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
+        + t29 * twist[2] - Ldot_z2 * 2 * twist[0];
+    const ella_real t30 = L_x2 * Omega_xz + L_y2 * Omega_yz - L_z2 * minus_Omega_zz + a_0_z * c->sigma_y2
+        + Ldot_y2 * 2 * twist[0];
+    const ella_real h_eta_3 = t30 - t29 * twist[1];
 
     /* r_T: tip point (11) */
     const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
@@ -3623,11 +3057,10 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
     link->M_V[7] = S_x;
     link->M_V[8] = I_zz;
     link->M_D[0] = L_z2;
-    link->M_D[1] = L_y3;
+    link->M_D[1] = L_y2;
     link->M_D[2] = L_z1;
-    link->M_D[3] = L_x3;
+    link->M_D[3] = L_x2;
     link->M_D[4] = L_y1;
-    link->M_D[5] = L_x2;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -3694,16 +3127,15 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
     return ELLA_OK;
 }
 
-/* joint rows, links like forearm: 475 operations */
+/* joint rows, links like forearm: 469 operations */
 static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base, const ella_real twist[6],
     const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
     const ella_real eta[3], const ella_real etadot[3], const ella_real tau[1], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const ella_real R_rel_xx = ella_cos(q[0]);
-    const ella_real minus_R_rel_xy = ella_sin(q[0]);
+    ella_real minus_R_rel_xy, R_rel_xx;
+    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
     const ella_real t1 = -minus_R_rel_xy;
 
     const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
@@ -3743,39 +3175,35 @@ static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_st
     /* S: first moment */
     const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
     const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_z3;
+    const ella_real S_z = eta[2] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
     const ella_real Sdot_x = etadot[0] * c->sigma_x1;
     const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_z3;
+    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->M_Wphi_11 * eta[0];
+    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
     const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_x3 = c->chi_3 + c->Gamma_xz_11 * eta[0];
     const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
-    const ella_real L_y2 = c->M_Wphi_22 * eta[1];
-    const ella_real L_y3 = eta[1] * c->mu;
-    const ella_real L_z1 = c->Gamma_xz_11 * eta[2];
+    const ella_real L_y2 = c->mu * eta[1];
+    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
     const ella_real L_z2 = eta[2] * c->mu;
-    const ella_real L_z3 = c->M_Wphi_33 * eta[2];
 
     /* Ldot: rate of L */
     const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_x3 = c->Gamma_xz_11 * etadot[0];
     const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
-    const ella_real Ldot_y3 = etadot[1] * c->mu;
-    const ella_real Ldot_z1 = c->Gamma_xz_11 * etadot[2];
+    const ella_real Ldot_y2 = c->mu * etadot[1];
+    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
     const ella_real Ldot_z2 = etadot[2] * c->mu;
 
     /* J: second moment */
     const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
     const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_3 * eta[2];
+    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
     const ella_real J_yy = L_y2 * eta[1];
     const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z3 * eta[2];
+    const ella_real J_zz = L_z2 * eta[2];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
@@ -3805,9 +3233,9 @@ static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_st
     const ella_real B_yx = L_x2 * etadot[1];
     const ella_real B_yy = L_y2 * etadot[1];
     const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x3 * etadot[2];
-    const ella_real B_zy = L_y3 * etadot[2];
-    const ella_real B_zz = L_z3 * etadot[2];
+    const ella_real B_zx = L_x2 * etadot[2];
+    const ella_real B_zy = L_y2 * etadot[2];
+    const ella_real B_zz = L_z2 * etadot[2];
 
     /* h_c: half of the Coriolis wrench */
     const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0] - B_xy * twist[1] - B_xz * twist[2];
@@ -3844,12 +3272,12 @@ static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_st
     const ella_real t24 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz + a_0_x * c->sigma_x1
         + Ldot_z1 * 2 * twist[1];
     const ella_real h_eta_1 = t24 - Ldot_y1 * 2 * twist[2];
-    const ella_real t25 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
-        + Ldot_x2 * 2 * twist[2];
-    const ella_real h_eta_2 = t25 - Ldot_z2 * 2 * twist[0];
-    const ella_real t26 = L_x3 * Omega_xz + L_y3 * Omega_yz - L_z3 * minus_Omega_zz + a_0_z * c->sigma_z3
-        + Ldot_y3 * 2 * twist[0];
-    const ella_real h_eta_3 = t26 - Ldot_x3 * 2 * twist[1];
+    const ella_real t25 = Ldot_x2 * 2;
+    const ella_real h_eta_2 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
+        + t25 * twist[2] - Ldot_z2 * 2 * twist[0];
+    const ella_real t26 = L_x2 * Omega_xz + L_y2 * Omega_yz - L_z2 * minus_Omega_zz + a_0_z * c->sigma_y2
+        + Ldot_y2 * 2 * twist[0];
+    const ella_real h_eta_3 = t26 - t25 * twist[1];
 
     /* r_T: tip point (11) */
     const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
@@ -3963,11 +3391,10 @@ static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_st
     link->M_V[7] = S_x;
     link->M_V[8] = I_zz;
     link->M_D[0] = L_z2;
-    link->M_D[1] = L_y3;
+    link->M_D[1] = L_y2;
     link->M_D[2] = L_z1;
-    link->M_D[3] = L_x3;
+    link->M_D[3] = L_x2;
     link->M_D[4] = L_y1;
-    link->M_D[5] = L_x2;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -4039,7 +3466,6 @@ static ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_
     const ella_real m_eta[3], const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3],
     ella_real eta_W[3], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
-
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
     const ella_real t3 = link->h_eta[2] + f_eta[2];
@@ -4129,7 +3555,7 @@ static ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_
     const ella_real V_eta_22 = J_Teta_42 * t16 - J_Teta_52 * t17 + J_Teta_53 * t18;
     const ella_real V_eta_23 = J_Teta_63 * t18 - (link->M_D[3] + minus_J_Teta_43 * t16 + J_Teta_53 * t17);
     const ella_real V_eta_31 = J_Teta_41 * t19 - link->M_D[4] - minus_J_Teta_51 * t20 + J_Teta_61 * t21;
-    const ella_real V_eta_32 = link->M_D[5] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
+    const ella_real V_eta_32 = link->M_D[3] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
     const ella_real V_eta_33 = J_Teta_53 * t20 - minus_J_Teta_43 * t19 + J_Teta_63 * t21;
     const ella_real V_eta_41 = c->sigma_x1 + J_Teta_41 * t22 + minus_J_Teta_51 * t23 + J_Teta_61 * t25;
     const ella_real V_eta_42 = J_Teta_42 * t22 - J_Teta_52 * t23 + J_Teta_53 * t25;
@@ -4140,7 +3566,7 @@ static ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_
     const ella_real V_eta_53 = J_Teta_53 * t27 - minus_J_Teta_43 * t23 + J_Teta_63 * t28;
     const ella_real V_eta_61 = J_Teta_61 * t30 - (J_Teta_41 * t25 + minus_J_Teta_51 * t28);
     const ella_real V_eta_62 = J_Teta_52 * t28 - J_Teta_42 * t25 + J_Teta_53 * t30;
-    const ella_real V_eta_63 = c->sigma_z3 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
+    const ella_real V_eta_63 = c->sigma_y2 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
 
     /* eta_eta: modal rows, modal columns (100) */
     const ella_real t32 = J_Teta_41 * c->body0_mass;
@@ -4484,7 +3910,6 @@ static ella_status link_rows_forearm(const ella_link_constants *c, const ella_li
     const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3], ella_real eta_W[3],
     const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
-
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
     const ella_real t3 = link->h_eta[2] + f_eta[2];
@@ -4574,7 +3999,7 @@ static ella_status link_rows_forearm(const ella_link_constants *c, const ella_li
     const ella_real V_eta_22 = J_Teta_42 * t16 - J_Teta_52 * t17 + J_Teta_53 * t18;
     const ella_real V_eta_23 = J_Teta_63 * t18 - (link->M_D[3] + minus_J_Teta_43 * t16 + J_Teta_53 * t17);
     const ella_real V_eta_31 = J_Teta_41 * t19 - link->M_D[4] - minus_J_Teta_51 * t20 + J_Teta_61 * t21;
-    const ella_real V_eta_32 = link->M_D[5] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
+    const ella_real V_eta_32 = link->M_D[3] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
     const ella_real V_eta_33 = J_Teta_53 * t20 - minus_J_Teta_43 * t19 + J_Teta_63 * t21;
     const ella_real V_eta_41 = c->sigma_x1 + J_Teta_41 * t22 + minus_J_Teta_51 * t23 + J_Teta_61 * t25;
     const ella_real V_eta_42 = J_Teta_42 * t22 - J_Teta_52 * t23 + J_Teta_53 * t25;
@@ -4585,7 +4010,7 @@ static ella_status link_rows_forearm(const ella_link_constants *c, const ella_li
     const ella_real V_eta_53 = J_Teta_53 * t27 - minus_J_Teta_43 * t23 + J_Teta_63 * t28;
     const ella_real V_eta_61 = J_Teta_61 * t30 - (J_Teta_41 * t25 + minus_J_Teta_51 * t28);
     const ella_real V_eta_62 = J_Teta_52 * t28 - J_Teta_42 * t25 + J_Teta_53 * t30;
-    const ella_real V_eta_63 = c->sigma_z3 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
+    const ella_real V_eta_63 = c->sigma_y2 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
 
     /* eta_eta: modal rows, modal columns (100) */
     const ella_real t32 = J_Teta_41 * c->body0_mass;
@@ -4760,58 +4185,6 @@ static ella_status link_rows_forearm(const ella_link_constants *c, const ella_li
     return ELLA_OK;
 }
 
-static ella_status joint_dynamics_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    default:
-        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    }
-}
-
-static ella_status joint_dynamics_eliminate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
-    default:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
-    }
-}
-
-static ella_status joint_dynamics_accelerate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    default:
-        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    }
-}
-
-static ella_status joint_dynamics_poses(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return poses_upper_arm(&chain->links[i], &chain->nodes[i + 1]);
-    default:
-        return poses_forearm(&chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    }
-}
-
 static ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
@@ -4845,9 +4218,9 @@ static ella_status dae_dynamics_accelerate(const ella_constants *c, const ella_c
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     default:
-        return accelerate_forearm_2(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     }
 }
 
@@ -4891,9 +4264,9 @@ static ella_status inverse_kinematics(const ella_constants *c, const ella_call *
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     default:
-        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     }
 }
 
@@ -4930,9 +4303,9 @@ static ella_status inertia_kinematics(const ella_constants *c, const ella_call *
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_upper_arm_3(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     default:
-        return kinematics_forearm_3(&c->links[i], &chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
+        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
     }
 }
 
@@ -4995,45 +4368,6 @@ static void start(const ella_call *call, ella_chain *chain)
     for (k = 0; k < 3; ++k) {
         chain->nodes[0].alpha_0[k + 3] = -call->gravity[k];
     }
-}
-
-ella_status ella_joint_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
-{
-    ella_status status;
-    int i;
-    start(call, chain);
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_kinematics(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = ELLA_NLINKS - 1; i >= 0; --i) {
-        status = joint_dynamics_eliminate(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_accelerate(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    if (!call->tip_pose) {
-        return ELLA_OK;
-    }
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_poses(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    return ELLA_OK;
 }
 
 ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)

@@ -25,10 +25,9 @@ void ella_parameters_default(ella_parameters *p)
     p->links[1].bodies[0].mass = REAL(2.1);
 }
 
-/* links like upper_arm */
-static void constants_of_upper_arm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
+/* links like upper_arm; returns the sum of all, which is finite if they are */
+static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
 {
-
     /* Gamma_xy: products of the shapes in x with those in y */
     const ella_real Gamma_xy_11 = p->length * REAL(0.9586414454254526) * p->rhoA;
 
@@ -39,9 +38,6 @@ static void constants_of_upper_arm(const ella_link_parameters *p, ella_link_cons
     const ella_real t1 = p->length * p->length;
     const ella_real t2 = t1 * p->length;
     const ella_real J_0_xx = t2 * REAL(0.3333333333333333) * p->rhoA;
-
-    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
-    const ella_real M_Wphi_11 = p->length * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
     const ella_real Psi_c_y3 = REAL(-2.7530109693450697) / p->length;
@@ -54,6 +50,9 @@ static void constants_of_upper_arm(const ella_link_parameters *p, ella_link_cons
     const ella_real chi_1 = t1 * REAL(0.5731591682507563) * p->rhoA;
     const ella_real chi_2 = t1 * REAL(0.5688257437099108) * p->rhoA;
 
+    /* mu: mass of the beam */
+    const ella_real mu = p->length * p->rhoA;
+
     /* sigma: momentum of each mode (B1) */
     const ella_real sigma_x1 = p->length * REAL(0.9003163161571061) * p->rhoA;
     const ella_real sigma_y2 = p->length * REAL(0.7829917560396258) * p->rhoA;
@@ -65,39 +64,37 @@ static void constants_of_upper_arm(const ella_link_parameters *p, ella_link_cons
 
     /* outputs */
     c->Gamma_xy_11 = Gamma_xy_11;
-    c->Gamma_xz_11 = Gamma_xy_11;
     c->I_s = I_s;
     c->J_0_xx = J_0_xx;
-    c->M_Wphi_11 = M_Wphi_11;
-    c->M_Wphi_22 = M_Wphi_11;
-    c->M_Wphi_33 = M_Wphi_11;
     c->Psi_c_y3 = Psi_c_y3;
     c->Psi_c_z2 = Psi_c_z2;
     c->S_0_x = S_0_x;
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
     c->chi_2 = chi_2;
-    c->chi_3 = chi_2;
     c->length = p->length;
-    c->mu = M_Wphi_11;
+    c->mu = mu;
     c->sigma_x1 = sigma_x1;
     c->sigma_y2 = sigma_y2;
-    c->sigma_z3 = sigma_y2;
-    M_eta[0] = M_Wphi_11;
-    M_eta[1] = M_Wphi_11;
-    M_eta[2] = M_Wphi_11;
+    M_eta[0] = mu;
+    M_eta[1] = mu;
+    M_eta[2] = mu;
     K[0] = K_full_11;
     K[1] = K_full_22;
     K[2] = K_full_33;
     D[0] = 0;
     D[1] = 0;
     D[2] = 0;
+
+    return (c->Gamma_xy_11 + c->I_s + c->J_0_xx + c->Psi_c_y3 + c->Psi_c_z2 + c->S_0_x)
+        + (c->body0_mass + c->chi_1 + c->chi_2 + c->length + c->mu + c->sigma_x1)
+        + (c->sigma_y2 + M_eta[0] + M_eta[1] + M_eta[2] + K[0] + K[1])
+        + (K[2] + D[0] + D[1] + D[2]);
 }
 
-/* links like forearm */
-static void constants_of_forearm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
+/* links like forearm; returns the sum of all, which is finite if they are */
+static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
 {
-
     /* Gamma_xy: products of the shapes in x with those in y */
     const ella_real Gamma_xy_11 = p->length * REAL(0.9586414454254526) * p->rhoA;
 
@@ -108,9 +105,6 @@ static void constants_of_forearm(const ella_link_parameters *p, ella_link_consta
     const ella_real t1 = p->length * p->length;
     const ella_real t2 = t1 * p->length;
     const ella_real J_0_xx = t2 * REAL(0.3333333333333333) * p->rhoA;
-
-    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
-    const ella_real M_Wphi_11 = p->length * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
     const ella_real Psi_c_y3 = REAL(-2.7530109693450697) / p->length;
@@ -123,6 +117,9 @@ static void constants_of_forearm(const ella_link_parameters *p, ella_link_consta
     const ella_real chi_1 = t1 * REAL(0.5731591682507563) * p->rhoA;
     const ella_real chi_2 = t1 * REAL(0.5688257437099108) * p->rhoA;
 
+    /* mu: mass of the beam */
+    const ella_real mu = p->length * p->rhoA;
+
     /* sigma: momentum of each mode (B1) */
     const ella_real sigma_x1 = p->length * REAL(0.9003163161571061) * p->rhoA;
     const ella_real sigma_y2 = p->length * REAL(0.7829917560396258) * p->rhoA;
@@ -134,37 +131,37 @@ static void constants_of_forearm(const ella_link_parameters *p, ella_link_consta
 
     /* outputs */
     c->Gamma_xy_11 = Gamma_xy_11;
-    c->Gamma_xz_11 = Gamma_xy_11;
     c->I_s = I_s;
     c->J_0_xx = J_0_xx;
-    c->M_Wphi_11 = M_Wphi_11;
-    c->M_Wphi_22 = M_Wphi_11;
-    c->M_Wphi_33 = M_Wphi_11;
     c->Psi_c_y3 = Psi_c_y3;
     c->Psi_c_z2 = Psi_c_z2;
     c->S_0_x = S_0_x;
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
     c->chi_2 = chi_2;
-    c->chi_3 = chi_2;
     c->length = p->length;
-    c->mu = M_Wphi_11;
+    c->mu = mu;
     c->sigma_x1 = sigma_x1;
     c->sigma_y2 = sigma_y2;
-    c->sigma_z3 = sigma_y2;
-    M_eta[0] = M_Wphi_11;
-    M_eta[1] = M_Wphi_11;
-    M_eta[2] = M_Wphi_11;
+    M_eta[0] = mu;
+    M_eta[1] = mu;
+    M_eta[2] = mu;
     K[0] = K_full_11;
     K[1] = K_full_22;
     K[2] = K_full_33;
     D[0] = 0;
     D[1] = 0;
     D[2] = 0;
+
+    return (c->Gamma_xy_11 + c->I_s + c->J_0_xx + c->Psi_c_y3 + c->Psi_c_z2 + c->S_0_x)
+        + (c->body0_mass + c->chi_1 + c->chi_2 + c->length + c->mu + c->sigma_x1)
+        + (c->sigma_y2 + M_eta[0] + M_eta[1] + M_eta[2] + K[0] + K[1])
+        + (K[2] + D[0] + D[1] + D[2]);
 }
 
 ella_status ella_prepare(const ella_parameters *p, ella_constants *c)
 {
+    ella_real sum = 0;
     int i, k;
     if (!p || !c) {
         return ELLA_BAD_ARGUMENT;
@@ -183,18 +180,17 @@ ella_status ella_prepare(const ella_parameters *p, ella_constants *c)
             }
         }
     }
-    memset(c, 0, sizeof *c);
     for (i = 0; i < 3; ++i) {
         c->gravity[i] = p->gravity[i];
     }
-    constants_of_upper_arm(&p->links[0], &c->links[0], c->M_eta + 0, c->K + 0, c->D + 0);
-    constants_of_forearm(&p->links[1], &c->links[1], c->M_eta + 3, c->K + 3, c->D + 3);
+    sum += constants_of_upper_arm(&p->links[0], &c->links[0], c->M_eta + 0, c->K + 0, c->D + 0);
+    sum += constants_of_forearm(&p->links[1], &c->links[1], c->M_eta + 3, c->K + 3, c->D + 3);
     for (k = 0; k < ELLA_NMODES; ++k) {
-        if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || c->D[k] < 0) {
+        if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || !(c->D[k] >= 0)) {
             return ELLA_BAD_ARGUMENT;
         }
     }
-    if (!ella_finite((const ella_real *)c, (int)(sizeof *c / sizeof(ella_real)))) {
+    if (!ella_finite(&sum, 1)) {
         return ELLA_NONFINITE;
     }
     return ELLA_OK;

@@ -1,36 +1,42 @@
 /* ella_step.c: forward dynamics and the integrators of the joint form. */
 #include "ella_links.h"
 
-/* Inertia and force of every mode. Implicit over dt: m = M + dt D + dt^2 K and f = K (eta + dt etadot) + D etadot,
- * the modal force that the accelerations lead to dt after the state s.
+/* Inertia and force of every mode; returns where the inertia is. Implicit over dt: m = M + dt D + dt^2 K and
+ * f = K (eta + dt etadot) + D etadot, the modal force that the accelerations lead to dt after the state s.
  */
-static void modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
+static const ella_real *modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
 {
     const ella_real *eta = s->q + ELLA_NTAU, *etadot = s->v + ELLA_NTAU;
     int k;
+    if (!(dt > 0)) {
+        for (k = 0; k < ELLA_NMODES; ++k) {
+            work->f_eta[k] = c->K[k] * eta[k] + c->D[k] * etadot[k];
+        }
+        return c->M_eta;
+    }
     for (k = 0; k < ELLA_NMODES; ++k) {
         work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
         work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
     }
+    return work->m_eta;
 }
 
 /* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
-static int sound(const ella_state *s, const ella_input *u, const ella_work *work)
+static int sound(const ella_state *s, const ella_input *u, const ella_real *m_eta)
 {
     return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES)
         && ella_moderate(s->v, ELLA_NV) && ella_finite(u->tau, ELLA_NTAU)
-        && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(work->m_eta, ELLA_NMODES);
+        && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(m_eta, ELLA_NMODES);
 }
 
 /* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
 static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_state *from,
     const ella_input *u, ella_real dt, ella_work *work, int wanted, ella_output *y)
 {
-    ella_status status;
-    modal_terms(c, from, dt, work);
-    status = ella_dynamics(c, s, u, work, wanted, y);
+    const ella_real *const m_eta = modal_terms(c, from, dt, work);
+    const ella_status status = ella_dynamics(c, s, u, m_eta, work, wanted, y);
     if (status != ELLA_OK) {
-        return sound(s, u, work) ? status : ELLA_NONFINITE;
+        return sound(s, u, m_eta) ? status : ELLA_NONFINITE;
     }
     /* a force that no acceleration feels would show in the joint wrenches alone */
     if (!ella_finite(y->vdot, ELLA_NV) || !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS)) {

@@ -40,2939 +40,14 @@ static const int M_PLACE[SIX_LINK_NNZ] = {
 };
 static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 257, 386, 435, 486 };
 
-/* kinematics, links like shoulder: 11 operations */
-static six_link_status kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    link->R_rel[0] = R_rel_xx;
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
-    link->R_rel[1] = minus_R_rel_xy;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
-    link->alpha_0[4] = alpha_0_5;
-    tip->alpha_0[4] = alpha_0_5;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real alpha_0_T_4 = alpha_0_4 - qdot[0] * (qdot[0] * c->length);
-    tip->alpha_0[3] = alpha_0_T_4;
-
-    /* outputs */
-    link->omega[2] = qdot[0];
-    link->alpha_0[5] = base->alpha_0[5];
-    tip->omega[2] = qdot[0];
-    tip->alpha_0[5] = base->alpha_0[5];
-    return SIX_LINK_OK;
-}
-
-/* kinematics, links like upper_arm: 216 operations */
-static six_link_status kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1], const six_link_real eta[restrict 3],
-    const six_link_real etadot[restrict 3])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    link->R_rel[0] = R_rel_xx;
-    link->R_P[0] = R_rel_xx;
-    link->R_P[8] = R_rel_xx;
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
-    link->R_rel[1] = R_rel_xz;
-    link->R_P[2] = R_rel_xz;
-    link->R_P[6] = -R_rel_xz;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
-    link->lever[0] = lever_1;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
-    link->lever[1] = lever_3;
-    const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
-    link->omega[0] = -minus_omega_R_1;
-    const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
-    link->omega[2] = omega_R_3;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real minus_alpha_0_1 = omega_R_3 * qdot[0];
-    link->alpha_0[0] = -minus_alpha_0_1;
-    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * qdot[0];
-    link->alpha_0[2] = -minus_alpha_0_3;
-    const six_link_real t1 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t1;
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = base->alpha_0[4]
-        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
-        - minus_omega_R_1 * t1;
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    link->r_T[0] = r_T_y;
-    const six_link_real r_T_z = eta[1] * 2;
-    link->r_T[1] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
-
-    /* x: squared angle of the tip section */
-    const six_link_real t2 = theta_x * theta_x;
-    const six_link_real t3 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t2 + t3;
-    const six_link_real t4 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t4;
-
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t5 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t5;
-    const six_link_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const six_link_real t6 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t6;
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t3 + t4;
-    const six_link_real theta_hat2_12 = theta_x * theta_y;
-    const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t2 + t4;
-    const six_link_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    link->J_l[0] = J_l_xx;
-    const six_link_real t7 = c3 * theta_hat2_12;
-    const six_link_real t8 = c2 * theta_z;
-    const six_link_real J_l_xy = t7 - t8;
-    link->J_l[1] = J_l_xy;
-    const six_link_real t9 = c2 * theta_y;
-    const six_link_real t10 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t9 + t10;
-    link->J_l[2] = J_l_xz;
-    const six_link_real J_l_yx = t8 + t7;
-    link->J_l[3] = J_l_yx;
-    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[4] = J_l_yy;
-    const six_link_real t11 = c3 * theta_hat2_23;
-    const six_link_real t12 = c2 * theta_x;
-    const six_link_real J_l_yz = t11 - t12;
-    link->J_l[5] = J_l_yz;
-    const six_link_real J_l_zx = t10 - t9;
-    link->J_l[6] = J_l_zx;
-    const six_link_real J_l_zy = t12 + t11;
-    link->J_l[7] = J_l_zy;
-    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[8] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    link->R_T[0] = R_T_xx;
-    tip->R_T[0] = R_T_xx;
-    const six_link_real t13 = c2 * theta_hat2_12;
-    const six_link_real t14 = c1 * theta_z;
-    const six_link_real R_T_xy = t13 - t14;
-    link->R_T[1] = R_T_xy;
-    tip->R_T[1] = R_T_xy;
-    const six_link_real t15 = c1 * theta_y;
-    const six_link_real t16 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t15 + t16;
-    link->R_T[2] = R_T_xz;
-    tip->R_T[2] = R_T_xz;
-    const six_link_real R_T_yx = t14 + t13;
-    link->R_T[3] = R_T_yx;
-    tip->R_T[3] = R_T_yx;
-    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[4] = R_T_yy;
-    tip->R_T[4] = R_T_yy;
-    const six_link_real t17 = c2 * theta_hat2_23;
-    const six_link_real t18 = c1 * theta_x;
-    const six_link_real R_T_yz = t17 - t18;
-    link->R_T[5] = R_T_yz;
-    tip->R_T[5] = R_T_yz;
-    const six_link_real R_T_zx = t16 - t15;
-    link->R_T[6] = R_T_zx;
-    tip->R_T[6] = R_T_zx;
-    const six_link_real R_T_zy = t18 + t17;
-    link->R_T[7] = R_T_zy;
-    tip->R_T[7] = R_T_zy;
-    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[8] = R_T_zz;
-    tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t19 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t20 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t21 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t22 = theta_y * t20 - theta_z * t21;
-    const six_link_real omega_s_x = thetadot_x + c2 * t19 + c3 * t22;
-    const six_link_real t23 = theta_z * t19 - theta_x * t20;
-    const six_link_real omega_s_y = thetadot_y + c2 * t21 + c3 * t23;
-    const six_link_real t24 = theta_x * t21 - theta_y * t19;
-    const six_link_real omega_s_z = thetadot_z + c2 * t20 + c3 * t24;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
-        + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t6 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t5 * REAL(1.5) - t6 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t19 + c3 * (thetadot_y * t20 - thetadot_z * t21) + c3dot * t22;
-    const six_link_real alpha_s_y = c2dot * t21 + c3 * (thetadot_z * t19 - thetadot_x * t20) + c3dot * t23;
-    const six_link_real alpha_s_z = c2dot * t20 + c3 * (thetadot_x * t21 - thetadot_y * t19) + c3dot * t24;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
-    tip->omega[0] = omega_T_1;
-    const six_link_real omega_T_2 = qdot[0] + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1 + (qdot[0] * omega_s_z - omega_R_3 * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
-        - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
-    tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t25 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
-    const six_link_real t27 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t27 - omega_R_3 * t26);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
-        + (omega_R_3 * t25 + minus_omega_R_1 * t27);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
-        - (minus_omega_R_1 * t26 + qdot[0] * t25);
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->omega[1] = qdot[0];
-    return SIX_LINK_OK;
-}
-
-/* kinematics, links like forearm: 287 operations */
-static six_link_status kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1], const six_link_real eta[restrict 2],
-    const six_link_real etadot[restrict 2])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    link->R_rel[0] = R_rel_xx;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    link->R_rel[1] = R_rel_xz;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    link->R_rel[2] = R_rel_yx;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    link->R_rel[3] = R_rel_yz;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    link->R_rel[4] = R_rel_zx;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
-    link->R_rel[5] = R_rel_zz;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
-    link->R_P[0] = R_P_11;
-    const six_link_real R_P_12 = base->R_T[0] * c->R_m_xy + base->R_T[1] * c->R_m_yy + base->R_T[2] * c->R_m_zy;
-    link->R_P[1] = R_P_12;
-    const six_link_real R_P_13 = base->R_T[0] * R_rel_xz + base->R_T[1] * R_rel_yz + base->R_T[2] * R_rel_zz;
-    link->R_P[2] = R_P_13;
-    const six_link_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx + base->R_T[5] * R_rel_zx;
-    link->R_P[3] = R_P_21;
-    const six_link_real R_P_22 = base->R_T[3] * c->R_m_xy + base->R_T[4] * c->R_m_yy + base->R_T[5] * c->R_m_zy;
-    link->R_P[4] = R_P_22;
-    const six_link_real R_P_23 = base->R_T[3] * R_rel_xz + base->R_T[4] * R_rel_yz + base->R_T[5] * R_rel_zz;
-    link->R_P[5] = R_P_23;
-    const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
-    link->R_P[6] = R_P_31;
-    const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
-    link->R_P[7] = R_P_32;
-    const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
-    link->R_P[8] = R_P_33;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
-        + R_rel_zx * c->mount_xyz_z;
-    link->lever[0] = lever_1;
-    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
-    link->lever[1] = lever_2;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
-        + R_rel_zz * c->mount_xyz_z;
-    link->lever[2] = lever_3;
-    const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
-    link->omega[0] = omega_R_1;
-    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
-    link->omega[2] = omega_R_3;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_y = omega_R_2 + qdot[0];
-    link->omega[1] = omega_y;
-    const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2];
-    link->alpha_0[1] = alpha_0_2;
-    const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
-    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot[0];
-    link->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot[0];
-    link->alpha_0[2] = alpha_0_3;
-    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
-    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
-    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
-    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
-        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    link->r_T[0] = r_T_y;
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
-    link->r_T[1] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
-
-    /* x: squared angle of the tip section */
-    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
-
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t8 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
-    const six_link_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const six_link_real t9 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t9;
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const six_link_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const six_link_real J_l_xz = c2 * theta_y;
-    link->J_l[2] = J_l_xz;
-    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const six_link_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
-    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const six_link_real R_T_xx = 1 - c2 * x;
-    link->R_T[0] = R_T_xx;
-    tip->R_T[0] = R_T_xx;
-    const six_link_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    tip->R_T[1] = -minus_R_T_xy;
-    tip->R_T[3] = minus_R_T_xy;
-    const six_link_real R_T_xz = c1 * theta_y;
-    link->R_T[2] = R_T_xz;
-    tip->R_T[2] = R_T_xz;
-    tip->R_T[6] = -R_T_xz;
-    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    tip->R_T[4] = R_T_yy;
-    const six_link_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
-    tip->R_T[5] = R_T_yz;
-    tip->R_T[7] = R_T_yz;
-    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
-    tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t10;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t10;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t10;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t10;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t10 + c3dot * theta_z * t10;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t10 + c3dot * theta_y * t10;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
-    tip->omega[0] = omega_T_1;
-    const six_link_real omega_T_2 = omega_y + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (omega_y * omega_s_z - omega_R_3 * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
-    tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t11 = omega_y * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
-    const six_link_real t13 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_y * t13 - omega_R_3 * t12);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_R_3 * t11 - omega_R_1 * t13);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t12 - omega_y * t11);
-    tip->alpha_0[5] = alpha_0_T_6;
-    return SIX_LINK_OK;
-}
-
-/* kinematics, links like wrist_roll: 84 operations */
-static six_link_status kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    link->R_rel[0] = R_rel_yy;
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
-    link->R_rel[1] = minus_R_rel_yz;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
-    link->R_P[1] = R_P_12;
-    const six_link_real R_P_13 = base->R_T[2] * R_rel_yy - base->R_T[1] * minus_R_rel_yz;
-    link->R_P[2] = R_P_13;
-    const six_link_real R_P_22 = base->R_T[4] * R_rel_yy + base->R_T[5] * minus_R_rel_yz;
-    link->R_P[4] = R_P_22;
-    const six_link_real R_P_23 = base->R_T[5] * R_rel_yy - base->R_T[4] * minus_R_rel_yz;
-    link->R_P[5] = R_P_23;
-    const six_link_real R_P_32 = base->R_T[7] * R_rel_yy + base->R_T[8] * minus_R_rel_yz;
-    link->R_P[7] = R_P_32;
-    const six_link_real R_P_33 = base->R_T[8] * R_rel_yy - base->R_T[7] * minus_R_rel_yz;
-    link->R_P[8] = R_P_33;
-    const six_link_real omega_R_1 = base->R_T[0] * base->omega[0] + base->R_T[3] * base->omega[1]
-        + base->R_T[6] * base->omega[2];
-    const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    link->omega[1] = omega_R_2;
-    tip->omega[1] = omega_R_2;
-    const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
-    link->omega[2] = omega_R_3;
-    tip->omega[2] = omega_R_3;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_x = omega_R_1 + qdot[0];
-    link->omega[0] = omega_x;
-    tip->omega[0] = omega_x;
-    const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
-        + base->R_T[6] * base->alpha_0[2];
-    link->alpha_0[0] = alpha_0_1;
-    tip->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot[0];
-    link->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[1] = alpha_0_2;
-    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
-        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot[0];
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
-    const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
-        + base->R_T[6] * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->R_P[0] = base->R_T[0];
-    link->R_P[3] = base->R_T[3];
-    link->R_P[6] = base->R_T[6];
-    return SIX_LINK_OK;
-}
-
-/* kinematics, links like wrist_pitch: 40 operations */
-static six_link_status kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    link->R_rel[0] = R_rel_xx;
-    link->R_P[0] = R_rel_xx;
-    link->R_P[8] = R_rel_xx;
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
-    link->R_rel[1] = R_rel_xz;
-    link->R_P[2] = R_rel_xz;
-    link->R_P[6] = -R_rel_xz;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    link->omega[0] = omega_R_1;
-    tip->omega[0] = omega_R_1;
-    const six_link_real omega_R_3 = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    link->omega[2] = omega_R_3;
-    tip->omega[2] = omega_R_3;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_y = base->omega[1] + qdot[0];
-    link->omega[1] = omega_y;
-    tip->omega[1] = omega_y;
-    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
-        - omega_R_3 * qdot[0];
-    link->alpha_0[0] = alpha_0_1;
-    tip->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
-        + omega_R_1 * qdot[0];
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_y * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->alpha_0[1] = base->alpha_0[1];
-    link->alpha_0[4] = base->alpha_0[4];
-    tip->alpha_0[1] = base->alpha_0[1];
-    return SIX_LINK_OK;
-}
-
-/* kinematics, links like flange: 40 operations */
-static six_link_status kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real qdot[restrict 1])
-{
-
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    link->R_rel[0] = R_rel_yy;
-    link->R_P[4] = R_rel_yy;
-    link->R_P[8] = R_rel_yy;
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
-    link->R_rel[1] = minus_R_rel_yz;
-    link->R_P[5] = -minus_R_rel_yz;
-    link->R_P[7] = minus_R_rel_yz;
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    link->omega[1] = omega_R_2;
-    tip->omega[1] = omega_R_2;
-    const six_link_real omega_R_3 = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    link->omega[2] = omega_R_3;
-    tip->omega[2] = omega_R_3;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
-    link->omega[0] = omega_x;
-    tip->omega[0] = omega_x;
-    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
-        + omega_R_3 * qdot[0];
-    link->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[1] = alpha_0_2;
-    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
-        - omega_R_2 * qdot[0];
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
-    const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->alpha_0[0] = base->alpha_0[0];
-    link->alpha_0[3] = base->alpha_0[3];
-    tip->alpha_0[0] = base->alpha_0[0];
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like shoulder: 113 operations */
-static six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real minus_H_star_2 = c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
-    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = link->alpha_0[5] * c->mu;
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real Lambda_T_11 = tip->Lambda[0] + c->I_T_xx;
-    const six_link_real Lambda_T_13 = tip->Lambda[2] - c->J_T_xz;
-    const six_link_real Lambda_T_15 = tip->Lambda[4] - c->S_T_z;
-    const six_link_real Lambda_T_22 = tip->Lambda[6] + c->I_T_yy;
-    const six_link_real Lambda_T_23 = tip->Lambda[7] - c->J_T_yz;
-    const six_link_real Lambda_T_26 = tip->Lambda[10] - c->S_T_x;
-    const six_link_real Lambda_T_33 = tip->Lambda[11] + c->I_T_zz;
-    const six_link_real Lambda_T_34 = tip->Lambda[12] - c->S_T_y;
-    const six_link_real Lambda_T_35 = tip->Lambda[13] + c->S_T_x;
-    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
-    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const six_link_real t1 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
-        + tip->omega[2] * (c->J_T_yz * tip->omega[2]);
-    const six_link_real t2 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
-        - tip->omega[2] * (c->J_T_xz * tip->omega[2]);
-    const six_link_real p_T_1 = tip->p[0] + t1 - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] + t2 - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] + (c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]) - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3]
-        + (c->body0_mass * tip->alpha_0[3] - tip->omega[2] * (tip->omega[2] * c->S_T_x)) - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4]
-        + (c->body0_mass * tip->alpha_0[4] - tip->omega[2] * (tip->omega[2] * c->S_T_y)) - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real M_loaded_34 = Lambda_T_34 + c->length * tip->Lambda[16];
-    const six_link_real t3 = Lambda_T_35 + c->length * Lambda_T_55;
-    const six_link_real M_loaded_36 = tip->Lambda[14] + c->length * tip->Lambda[19];
-    const six_link_real M_loaded_13 = Lambda_T_13 + Lambda_T_15 * c->length;
-    const six_link_real M_loaded_23 = Lambda_T_23 + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + Lambda_T_11;
-    const six_link_real M_loaded_22 = c->J_0_xx
-        + (Lambda_T_22 - Lambda_T_26 * c->length - c->length * (Lambda_T_26 - c->length * Lambda_T_66));
-    const six_link_real M_loaded_33 = c->J_0_xx + (Lambda_T_33 + Lambda_T_35 * c->length + c->length * t3);
-    const six_link_real M_loaded_35 = c->S_0_x + t3;
-    const six_link_real h_loaded_2 = p_T_2 - c->length * p_T_6 - minus_H_star_2;
-    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
-    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
-    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_33 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_3) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real p_i_1 = p_T_1 + M_loaded_13 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const six_link_real p_i_2 = h_loaded_2 + M_loaded_23 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const six_link_real p_i_3 = h_loaded_3 + M_loaded_33 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_4 = h_loaded_4 + M_loaded_34 * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const six_link_real p_i_5 = h_loaded_5 + M_loaded_35 * joint_w_1;
-    link->p_i[4] = p_i_5;
-    const six_link_real p_i_6 = h_loaded_6 + M_loaded_36 * joint_w_1;
-    link->p_i[5] = p_i_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like upper_arm: 1245 operations */
-static six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 3],
-    const six_link_real etadot[restrict 3], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 3], const six_link_real f_eta[restrict 3],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* S: first moment */
-    const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_z2;
-
-    /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
-
-    /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
-    const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
-
-    /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
-
-    /* J: second moment */
-    const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_2 * eta[1];
-    const six_link_real J_yy = L_y1 * eta[0];
-    const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z2 * eta[1];
-
-    /* I: inertia about the origin, deformed */
-    const six_link_real I_xx = c->I_s + J_yy + J_zz;
-    const six_link_real I_yy = c->J_0_xx + J_zz;
-    const six_link_real I_zz = c->J_0_xx + J_yy;
-
-    /* Omega: centripetal operator */
-    const six_link_real t1 = link->omega[1] * link->omega[1];
-    const six_link_real t2 = link->omega[2] * link->omega[2];
-    const six_link_real minus_Omega_xx = t1 + t2;
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-    const six_link_real t3 = link->omega[0] * link->omega[0];
-    const six_link_real minus_Omega_yy = t3 + t2;
-    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
-    const six_link_real minus_Omega_zz = t3 + t1;
-
-    /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
-
-    /* h_c: half of the Coriolis wrench */
-    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
-    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
-    const six_link_real h_c_6 = Sdot_y * link->omega[0];
-
-    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
-    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
-    const six_link_real t6 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
-        - c->S_0_x * link->alpha_0[5];
-    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
-    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
-
-    /* h_V: bias of the twist rows */
-    const six_link_real h_V_1 = H_star_1 + h_c_1;
-    const six_link_real h_V_2 = H_star_2 + h_MD_2;
-    const six_link_real h_V_3 = H_star_3 + h_MD_3;
-    const six_link_real h_V_4 = H_star_4 + h_c_4;
-    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
-    const six_link_real h_V_6 = H_star_6 + h_c_6;
-
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xz * link->alpha_0[2]);
-    const six_link_real h_0_2 = h_V_2 - (J_xy * link->alpha_0[0] + J_yz * link->alpha_0[2]);
-    const six_link_real h_0_3 = h_V_3 + (I_zz * link->alpha_0[2] - J_xz * link->alpha_0[0]);
-    const six_link_real h_0_4 = h_V_4 - S_y * link->alpha_0[2];
-    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const six_link_real h_0_6 = h_V_6 + S_y * link->alpha_0[0];
-    const six_link_real h_eta_0_3 = c->sigma_t_3 * link->alpha_0[0];
-    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
-    const six_link_real h_eta_0_2 = h_eta_2 + L_y2 * link->alpha_0[0];
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t8 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
-    const six_link_real t9 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
-    const six_link_real t10 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
-    const six_link_real t11 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
-    const six_link_real t12 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
-    const six_link_real t13 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
-    const six_link_real t14 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
-    const six_link_real t15 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
-    const six_link_real t16 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
-    const six_link_real t17 = link->R_T[0]
-        * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
-        + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
-    const six_link_real t18 = link->R_T[2]
-        * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
-    const six_link_real t19 = t17 + t18;
-    const six_link_real t20 = link->R_T[0] * t11 + link->R_T[1] * t13 + link->R_T[2] * t15;
-    const six_link_real t21 = link->R_T[0] * t12 + link->R_T[1] * t14 + link->R_T[2] * t16;
-    const six_link_real t22 = link->R_T[3] * t11 + link->R_T[4] * t13 + link->R_T[5] * t15;
-    const six_link_real t23 = link->R_T[3] * t12 + link->R_T[4] * t14 + link->R_T[5] * t16;
-    const six_link_real t24 = link->R_T[6] * t12 + link->R_T[7] * t14 + link->R_T[8] * t16;
-    const six_link_real Lambda_T_11 = tip->Lambda[0] + t19;
-    const six_link_real Lambda_T_12 = tip->Lambda[1] + t20;
-    const six_link_real Lambda_T_13 = tip->Lambda[2] + t21;
-    const six_link_real Lambda_T_15 = tip->Lambda[4] - t10;
-    const six_link_real Lambda_T_16 = tip->Lambda[5] + t9;
-    const six_link_real Lambda_T_22 = tip->Lambda[6] + t22;
-    const six_link_real Lambda_T_23 = tip->Lambda[7] + t23;
-    const six_link_real Lambda_T_24 = tip->Lambda[8] + t10;
-    const six_link_real Lambda_T_26 = tip->Lambda[10] - t8;
-    const six_link_real Lambda_T_33 = tip->Lambda[11] + t24;
-    const six_link_real Lambda_T_34 = tip->Lambda[12] - t9;
-    const six_link_real Lambda_T_35 = tip->Lambda[13] + t8;
-    const six_link_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
-    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
-    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const six_link_real t25 = t9 * tip->alpha_0[5] - t10 * tip->alpha_0[4]
-        + (t19 * tip->alpha_0[0] + t20 * tip->alpha_0[1] + t21 * tip->alpha_0[2]);
-    const six_link_real t26 = t10 * tip->alpha_0[3] - t8 * tip->alpha_0[5]
-        + (t20 * tip->alpha_0[0] + t22 * tip->alpha_0[1] + t23 * tip->alpha_0[2]);
-    const six_link_real t27 = t8 * tip->alpha_0[4] - t9 * tip->alpha_0[3]
-        + (t21 * tip->alpha_0[0] + t23 * tip->alpha_0[1] + t24 * tip->alpha_0[2]);
-    const six_link_real t28 = t19 * tip->omega[0] + t20 * tip->omega[1] + t21 * tip->omega[2];
-    const six_link_real t29 = t20 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
-    const six_link_real t30 = t21 * tip->omega[0] + t23 * tip->omega[1] + t24 * tip->omega[2];
-    const six_link_real t31 = tip->omega[1] * t10 - tip->omega[2] * t9;
-    const six_link_real t32 = tip->omega[2] * t8 - tip->omega[0] * t10;
-    const six_link_real t33 = tip->omega[0] * t9 - tip->omega[1] * t8;
-    const six_link_real t34 = c->body0_mass * tip->alpha_0[3]
-        + (tip->alpha_0[1] * t10 - tip->alpha_0[2] * t9 + (tip->omega[1] * t33 - tip->omega[2] * t32));
-    const six_link_real t35 = c->body0_mass * tip->alpha_0[4]
-        + (tip->alpha_0[2] * t8 - tip->alpha_0[0] * t10 + (tip->omega[2] * t31 - tip->omega[0] * t33));
-    const six_link_real t36 = c->body0_mass * tip->alpha_0[5]
-        + (tip->alpha_0[0] * t9 - tip->alpha_0[1] * t8 + (tip->omega[0] * t32 - tip->omega[1] * t31));
-    const six_link_real p_T_1 = tip->p[0] + (t25 + (tip->omega[1] * t30 - tip->omega[2] * t29))
-        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const six_link_real p_T_2 = tip->p[1] + (t26 + (tip->omega[2] * t28 - tip->omega[0] * t30))
-        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
-    const six_link_real p_T_3 = tip->p[2] + (t27 + (tip->omega[0] * t29 - tip->omega[1] * t28))
-        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
-    const six_link_real p_T_4 = tip->p[3] + t34
-        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const six_link_real p_T_5 = tip->p[4] + t35
-        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
-    const six_link_real p_T_6 = tip->p[5] + t36
-        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real Theta_12 = link->J_l[1] * c->Psi_c_y2;
-    const six_link_real Theta_13 = link->J_l[0] * REAL(1.4142135623730951);
-    const six_link_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real Theta_22 = link->J_l[4] * c->Psi_c_y2;
-    const six_link_real Theta_23 = link->J_l[3] * REAL(1.4142135623730951);
-    const six_link_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
-    const six_link_real Theta_32 = link->J_l[7] * c->Psi_c_y2;
-    const six_link_real Theta_33 = link->J_l[6] * REAL(1.4142135623730951);
-    const six_link_real t37 = link->r_T[1] * tip->Lambda[16];
-    const six_link_real t38 = link->r_T[0] * tip->Lambda[17];
-    const six_link_real t39 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_14 = tip->Lambda[3] + (t38 - t37);
-    const six_link_real t40 = Lambda_T_15 + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * Lambda_T_55);
-    const six_link_real t41 = Lambda_T_16 + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * tip->Lambda[19]);
-    const six_link_real t42 = Lambda_T_24 + (link->r_T[1] * Lambda_T_44 - c->length * tip->Lambda[17]);
-    const six_link_real M_loaded_25 = tip->Lambda[9] + (t37 - t39);
-    const six_link_real t43 = Lambda_T_26 + (link->r_T[1] * tip->Lambda[17] - c->length * Lambda_T_66);
-    const six_link_real t44 = Lambda_T_34 + (c->length * tip->Lambda[16] - link->r_T[0] * Lambda_T_44);
-    const six_link_real t45 = Lambda_T_35 + (c->length * Lambda_T_55 - link->r_T[0] * tip->Lambda[16]);
-    const six_link_real M_loaded_36 = tip->Lambda[14] + (t39 - t38);
-    const six_link_real t46 = Lambda_T_11 - (Lambda_T_15 * link->r_T[1] - Lambda_T_16 * link->r_T[0])
-        + (link->r_T[0] * t41 - link->r_T[1] * t40);
-    const six_link_real t47 = Lambda_T_12 - (Lambda_T_16 * c->length - tip->Lambda[3] * link->r_T[1])
-        + (link->r_T[0] * t43 - link->r_T[1] * M_loaded_25);
-    const six_link_real t48 = Lambda_T_13 - (tip->Lambda[3] * link->r_T[0] - Lambda_T_15 * c->length)
-        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t45);
-    const six_link_real t49 = Lambda_T_22 - (Lambda_T_26 * c->length - Lambda_T_24 * link->r_T[1])
-        + (link->r_T[1] * t42 - c->length * t43);
-    const six_link_real t50 = Lambda_T_23 - (Lambda_T_24 * link->r_T[0] - tip->Lambda[9] * c->length)
-        + (link->r_T[1] * t44 - c->length * M_loaded_36);
-    const six_link_real t51 = Lambda_T_33 - (Lambda_T_34 * link->r_T[0] - Lambda_T_35 * c->length)
-        + (c->length * t45 - link->r_T[0] * t44);
-    const six_link_real M_loaded_11 = I_xx + t46;
-    const six_link_real M_loaded_12 = t47 - J_xy;
-    const six_link_real M_loaded_13 = t48 - J_xz;
-    const six_link_real M_loaded_15 = t40 - S_z;
-    const six_link_real M_loaded_16 = S_y + t41;
-    const six_link_real M_loaded_22 = I_yy + t49;
-    const six_link_real M_loaded_23 = t50 - J_yz;
-    const six_link_real M_loaded_24 = S_z + t42;
-    const six_link_real M_loaded_26 = t43 - c->S_0_x;
-    const six_link_real M_loaded_33 = I_zz + t51;
-    const six_link_real M_loaded_34 = t44 - S_y;
-    const six_link_real M_loaded_35 = c->S_0_x + t45;
-    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
-    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
-    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
-    const six_link_real h_loaded_1 = h_0_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
-    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
-    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
-    const six_link_real h_loaded_4 = h_0_4 + p_T_4;
-    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
-    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
-    const six_link_real t52 = Lambda_T_11 * Theta_11 + Lambda_T_12 * Theta_21 + Lambda_T_13 * Theta_31
-        + Lambda_T_15 * 2;
-    const six_link_real t53 = Lambda_T_11 * Theta_12 + Lambda_T_12 * Theta_22 + Lambda_T_13 * Theta_32
-        + Lambda_T_16 * 2;
-    const six_link_real t54 = Lambda_T_11 * Theta_13 + Lambda_T_12 * Theta_23 + Lambda_T_13 * Theta_33;
-    const six_link_real t55 = Lambda_T_12 * Theta_11 + Lambda_T_22 * Theta_21 + Lambda_T_23 * Theta_31
-        + tip->Lambda[9] * 2;
-    const six_link_real t56 = Lambda_T_12 * Theta_12 + Lambda_T_22 * Theta_22 + Lambda_T_23 * Theta_32
-        + Lambda_T_26 * 2;
-    const six_link_real t57 = Lambda_T_12 * Theta_13 + Lambda_T_22 * Theta_23 + Lambda_T_23 * Theta_33;
-    const six_link_real t58 = Lambda_T_13 * Theta_11 + Lambda_T_23 * Theta_21 + Lambda_T_33 * Theta_31
-        + Lambda_T_35 * 2;
-    const six_link_real t59 = Lambda_T_13 * Theta_12 + Lambda_T_23 * Theta_22 + Lambda_T_33 * Theta_32
-        + tip->Lambda[14] * 2;
-    const six_link_real t60 = Lambda_T_13 * Theta_13 + Lambda_T_23 * Theta_23 + Lambda_T_33 * Theta_33;
-    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + Lambda_T_24 * Theta_21 + Lambda_T_34 * Theta_31
-        + tip->Lambda[16] * 2;
-    const six_link_real C_42 = tip->Lambda[3] * Theta_12 + Lambda_T_24 * Theta_22 + Lambda_T_34 * Theta_32
-        + tip->Lambda[17] * 2;
-    const six_link_real C_43 = tip->Lambda[3] * Theta_13 + Lambda_T_24 * Theta_23 + Lambda_T_34 * Theta_33;
-    const six_link_real t61 = Lambda_T_15 * Theta_11 + tip->Lambda[9] * Theta_21 + Lambda_T_35 * Theta_31
-        + Lambda_T_55 * 2;
-    const six_link_real t62 = tip->Lambda[19] * 2;
-    const six_link_real C_52 = Lambda_T_15 * Theta_12 + tip->Lambda[9] * Theta_22 + Lambda_T_35 * Theta_32 + t62;
-    const six_link_real C_53 = Lambda_T_15 * Theta_13 + tip->Lambda[9] * Theta_23 + Lambda_T_35 * Theta_33;
-    const six_link_real C_61 = Lambda_T_16 * Theta_11 + Lambda_T_26 * Theta_21 + tip->Lambda[14] * Theta_31 + t62;
-    const six_link_real t63 = Lambda_T_16 * Theta_12 + Lambda_T_26 * Theta_22 + tip->Lambda[14] * Theta_32
-        + Lambda_T_66 * 2;
-    const six_link_real C_63 = Lambda_T_16 * Theta_13 + Lambda_T_26 * Theta_23 + tip->Lambda[14] * Theta_33;
-    const six_link_real C_21 = t55 + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real C_32 = t59 + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_23 = t57 + (link->r_T[1] * C_43 - c->length * C_63);
-    const six_link_real C_33 = t60 + (c->length * C_53 - link->r_T[0] * C_43);
-    const six_link_real C_11 = t52 + (link->r_T[0] * C_61 - link->r_T[1] * t61) - L_z1;
-    const six_link_real C_12 = L_y2 + (t53 + (link->r_T[0] * t63 - link->r_T[1] * C_52));
-    const six_link_real C_13 = c->sigma_t_3 + (t54 + (link->r_T[0] * C_63 - link->r_T[1] * C_53));
-    const six_link_real C_22 = t56 + (link->r_T[1] * C_42 - c->length * t63) - c->chi_2;
-    const six_link_real C_31 = c->chi_1 + (t58 + (c->length * t61 - link->r_T[0] * C_41));
-    const six_link_real C_51 = c->sigma_y1 + t61;
-    const six_link_real C_62 = c->sigma_z2 + t63;
-    const six_link_real modal_inertia_11 = Theta_11 * t52 + Theta_21 * t55 + Theta_31 * t58 + t61 * 2 + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_12 = Theta_11 * t53 + Theta_21 * t56 + Theta_31 * t59 + C_52 * 2;
-    const six_link_real modal_inertia_13 = Theta_11 * t54 + Theta_21 * t57 + Theta_31 * t60 + C_53 * 2;
-    const six_link_real modal_inertia_22 = Theta_12 * t53 + Theta_22 * t56 + Theta_32 * t59 + t63 * 2 + m_eta[1];
-    const six_link_real modal_inertia_23 = Theta_12 * t54 + Theta_22 * t57 + Theta_32 * t60 + C_63 * 2;
-    const six_link_real modal_inertia_33 = Theta_13 * t54 + Theta_23 * t57 + Theta_33 * t60 + m_eta[2];
-    const six_link_real h_phi_1 = h_eta_0_1 + f_eta[0]
-        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * 2);
-    const six_link_real h_phi_2 = h_eta_0_2 + f_eta[1]
-        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_6 * 2);
-    const six_link_real h_phi_3 = h_eta_0_3 + f_eta[2] + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3);
-    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
-    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
-    link->modes_L[0] = modes_L_21;
-    const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
-    link->modes_L[1] = modes_L_31;
-    const six_link_real t64 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t64 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t64;
-    const six_link_real t65 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const six_link_real modes_L_32 = t65 * modes_inverse_2;
-    link->modes_L[2] = modes_L_32;
-    const six_link_real t66 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t65 * modes_L_32);
-    if (!(t66 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_3 = 1 / t66;
-    const six_link_real t67 = C_12 - modes_L_21 * C_11;
-    const six_link_real t68 = C_22 - modes_L_21 * C_21;
-    const six_link_real t69 = C_32 - modes_L_21 * C_31;
-    const six_link_real t70 = C_42 - modes_L_21 * C_41;
-    const six_link_real t71 = C_52 - modes_L_21 * C_51;
-    const six_link_real t72 = C_62 - modes_L_21 * C_61;
-    const six_link_real t73 = C_13 - modes_L_31 * C_11 - modes_L_32 * t67;
-    const six_link_real t74 = C_23 - modes_L_31 * C_21 - modes_L_32 * t68;
-    const six_link_real t75 = C_33 - modes_L_31 * C_31 - modes_L_32 * t69;
-    const six_link_real t76 = C_43 - modes_L_31 * C_41 - modes_L_32 * t70;
-    const six_link_real t77 = C_53 - modes_L_31 * C_51 - modes_L_32 * t71;
-    const six_link_real t78 = C_63 - modes_L_31 * C_61 - modes_L_32 * t72;
-    const six_link_real t79 = h_phi_2 - modes_L_21 * h_phi_1;
-    const six_link_real t80 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t79;
-    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
-    link->modes_W[0] = modes_W_11;
-    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
-    link->modes_W[1] = modes_W_12;
-    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
-    link->modes_W[2] = modes_W_13;
-    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
-    link->modes_W[3] = modes_W_14;
-    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
-    link->modes_W[4] = modes_W_15;
-    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
-    link->modes_W[5] = modes_W_16;
-    const six_link_real modes_W_21 = t67 * modes_inverse_2;
-    link->modes_W[6] = modes_W_21;
-    const six_link_real modes_W_22 = t68 * modes_inverse_2;
-    link->modes_W[7] = modes_W_22;
-    const six_link_real modes_W_23 = t69 * modes_inverse_2;
-    link->modes_W[8] = modes_W_23;
-    const six_link_real modes_W_24 = t70 * modes_inverse_2;
-    link->modes_W[9] = modes_W_24;
-    const six_link_real modes_W_25 = t71 * modes_inverse_2;
-    link->modes_W[10] = modes_W_25;
-    const six_link_real modes_W_26 = t72 * modes_inverse_2;
-    link->modes_W[11] = modes_W_26;
-    const six_link_real modes_W_31 = t73 * modes_inverse_3;
-    link->modes_W[12] = modes_W_31;
-    const six_link_real modes_W_32 = t74 * modes_inverse_3;
-    link->modes_W[13] = modes_W_32;
-    const six_link_real modes_W_33 = t75 * modes_inverse_3;
-    link->modes_W[14] = modes_W_33;
-    const six_link_real modes_W_34 = t76 * modes_inverse_3;
-    link->modes_W[15] = modes_W_34;
-    const six_link_real modes_W_35 = t77 * modes_inverse_3;
-    link->modes_W[16] = modes_W_35;
-    const six_link_real modes_W_36 = t78 * modes_inverse_3;
-    link->modes_W[17] = modes_W_36;
-    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    link->modes_w[0] = modes_w_1;
-    const six_link_real modes_w_2 = t79 * modes_inverse_2;
-    link->modes_w[1] = modes_w_2;
-    const six_link_real modes_w_3 = t80 * modes_inverse_3;
-    link->modes_w[2] = modes_w_3;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t67 * modes_W_21 + t73 * modes_W_31);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t67 * modes_W_22 + t73 * modes_W_32);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t67 * modes_W_23 + t73 * modes_W_33);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t67 * modes_W_24 + t73 * modes_W_34);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t67 * modes_W_25 + t73 * modes_W_35);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t67 * modes_W_26 + t73 * modes_W_36);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t68 * modes_W_22 + t74 * modes_W_32);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t68 * modes_W_23 + t74 * modes_W_33);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t68 * modes_W_24 + t74 * modes_W_34);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t68 * modes_W_25 + t74 * modes_W_35);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t68 * modes_W_26 + t74 * modes_W_36);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t69 * modes_W_23 + t75 * modes_W_33);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t69 * modes_W_24 + t75 * modes_W_34);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t69 * modes_W_25 + t75 * modes_W_35);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t69 * modes_W_26 + t75 * modes_W_36);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t70 * modes_W_24 + t76 * modes_W_34);
-    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t70 * modes_W_25 + t76 * modes_W_35);
-    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t70 * modes_W_26 + t76 * modes_W_36);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t71 * modes_W_25 + t77 * modes_W_35);
-    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t71 * modes_W_26 + t77 * modes_W_36);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t72 * modes_W_26 + t78 * modes_W_36);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t79 + modes_W_31 * t80);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t79 + modes_W_32 * t80);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t79 + modes_W_33 * t80);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t79 + modes_W_34 * t80);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t79 + modes_W_35 * t80);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t79 + modes_W_36 * t80);
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
-    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
-    link->joint_W[2] = joint_W_13;
-    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
-    link->joint_W[3] = joint_W_14;
-    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
-    link->joint_W[4] = joint_W_15;
-    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
-    link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
-    link->Lambda_i[2] = Lambda_i_13;
-    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
-    link->Lambda_i[3] = Lambda_i_14;
-    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
-    link->Lambda_i[4] = Lambda_i_15;
-    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
-    link->Lambda_i[5] = Lambda_i_16;
-    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
-    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
-    link->Lambda_i[7] = Lambda_i_23;
-    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
-    link->Lambda_i[8] = Lambda_i_24;
-    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
-    link->Lambda_i[9] = Lambda_i_25;
-    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
-    link->Lambda_i[10] = Lambda_i_26;
-    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
-    link->Lambda_i[11] = Lambda_i_33;
-    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
-    link->Lambda_i[12] = Lambda_i_34;
-    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
-    link->Lambda_i[13] = Lambda_i_35;
-    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
-    link->Lambda_i[14] = Lambda_i_36;
-    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
-    link->Lambda_i[15] = Lambda_i_44;
-    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
-    link->Lambda_i[16] = Lambda_i_45;
-    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
-    link->Lambda_i[17] = Lambda_i_46;
-    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
-    link->Lambda_i[18] = Lambda_i_55;
-    base->Lambda[18] = Lambda_i_55;
-    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
-    link->Lambda_i[19] = Lambda_i_56;
-    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
-    link->Lambda_i[20] = Lambda_i_66;
-    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
-    link->p_i[4] = p_i_5;
-    base->p[4] = p_i_5;
-    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
-    link->p_i[5] = p_i_6;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t81 = link->lever[1] * Lambda_i_45;
-    const six_link_real t82 = c->mount_xyz_y * Lambda_i_46;
-    const six_link_real t83 = link->lever[0] * Lambda_i_56;
-    const six_link_real t84 = Lambda_i_14 + (t82 - t81);
-    const six_link_real t85 = Lambda_i_15 + (c->mount_xyz_y * Lambda_i_56 - link->lever[1] * Lambda_i_55);
-    const six_link_real t86 = Lambda_i_16 + (c->mount_xyz_y * Lambda_i_66 - link->lever[1] * Lambda_i_56);
-    const six_link_real t87 = Lambda_i_24 + (link->lever[1] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
-    const six_link_real Lambda_10 = Lambda_i_25 + (t81 - t83);
-    base->Lambda[9] = Lambda_10;
-    const six_link_real t88 = Lambda_i_26 + (link->lever[1] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
-    const six_link_real t89 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - c->mount_xyz_y * Lambda_i_44);
-    const six_link_real t90 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - c->mount_xyz_y * Lambda_i_45);
-    const six_link_real t91 = Lambda_i_36 + (t83 - t82);
-    const six_link_real t92 = Lambda_i_11 - (Lambda_i_15 * link->lever[1] - Lambda_i_16 * c->mount_xyz_y)
-        + (c->mount_xyz_y * t86 - link->lever[1] * t85);
-    const six_link_real t93 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[1])
-        + (c->mount_xyz_y * t88 - link->lever[1] * Lambda_10);
-    const six_link_real t94 = Lambda_i_13 - (Lambda_i_14 * c->mount_xyz_y - Lambda_i_15 * link->lever[0])
-        + (c->mount_xyz_y * t91 - link->lever[1] * t90);
-    const six_link_real Lambda_7 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[1])
-        + (link->lever[1] * t87 - link->lever[0] * t88);
-    base->Lambda[6] = Lambda_7;
-    const six_link_real t95 = Lambda_i_23 - (Lambda_i_24 * c->mount_xyz_y - Lambda_i_25 * link->lever[0])
-        + (link->lever[1] * t89 - link->lever[0] * t91);
-    const six_link_real t96 = Lambda_i_33 - (Lambda_i_34 * c->mount_xyz_y - Lambda_i_35 * link->lever[0])
-        + (link->lever[0] * t90 - c->mount_xyz_y * t89);
-    const six_link_real t97 = (t92 - t96) * REAL(0.5);
-    const six_link_real t98 = t97 * link->R_P[0] + t94 * link->R_P[2];
-    const six_link_real t99 = t97 * link->R_P[6] + t94 * link->R_P[8];
-    const six_link_real Lambda_1 = link->R_P[0] * t98 * 2 + t96;
-    base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_3 = link->R_P[0] * t99 + link->R_P[6] * t98;
-    base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_8 = t95 * link->R_P[8] + link->R_P[6] * t93;
-    base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[6] * t99 * 2 + t96;
-    base->Lambda[11] = Lambda_12;
-    const six_link_real Lambda_11 = t87 * link->R_P[6] + t88 * link->R_P[8];
-    base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_5 = link->R_P[0] * t85 + link->R_P[2] * t90;
-    base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_13 = link->R_P[6] * (t84 * link->R_P[0] + t86 * link->R_P[2])
-        + link->R_P[8] * (t89 * link->R_P[0] + t91 * link->R_P[2]);
-    base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * t85 + link->R_P[8] * t90;
-    base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * (t84 * link->R_P[6] + t86 * link->R_P[8])
-        + link->R_P[8] * (t89 * link->R_P[6] + t91 * link->R_P[8]);
-    base->Lambda[14] = Lambda_15;
-    const six_link_real Lambda_17 = link->R_P[0] * Lambda_i_45 + Lambda_i_56 * link->R_P[2];
-    base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] + link->R_P[6] * Lambda_i_45;
-    base->Lambda[19] = Lambda_20;
-    const six_link_real t100 = link->R_P[6]
-        * ((Lambda_i_44 - Lambda_i_66) * REAL(0.5) * link->R_P[6] + Lambda_i_46 * link->R_P[8]);
-    const six_link_real Lambda_21 = t100 * 2 + Lambda_i_66;
-    base->Lambda[20] = Lambda_21;
-    const six_link_real t101 = p_i_1 + (c->mount_xyz_y * p_i_6 - link->lever[1] * p_i_5);
-    const six_link_real p_2 = p_i_2 + (link->lever[1] * p_i_4 - link->lever[0] * p_i_6);
-    base->p[1] = p_2;
-    const six_link_real t102 = p_i_3 + (link->lever[0] * p_i_5 - c->mount_xyz_y * p_i_4);
-    const six_link_real p_1 = link->R_P[0] * t101 + link->R_P[2] * t102;
-    base->p[0] = p_1;
-    const six_link_real p_3 = link->R_P[6] * t101 + link->R_P[8] * t102;
-    base->p[2] = p_3;
-    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
-    base->p[3] = p_4;
-    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like forearm: 1060 operations */
-static six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 2],
-    const six_link_real etadot[restrict 2], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 2], const six_link_real f_eta[restrict 2],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* S: first moment */
-    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
-
-    /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
-
-    /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
-    const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
-
-    /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
-
-    /* J: second moment */
-    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
-    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
-    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
-
-    /* I: inertia about the origin, deformed */
-    const six_link_real I_xx = c->I_s + J_yy + J_zz;
-    const six_link_real I_yy = c->J_0_xx + J_zz;
-    const six_link_real I_zz = c->J_0_xx + J_yy;
-
-    /* Omega: centripetal operator */
-    const six_link_real t1 = link->omega[1] * link->omega[1];
-    const six_link_real t2 = link->omega[2] * link->omega[2];
-    const six_link_real minus_Omega_xx = t1 + t2;
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-    const six_link_real t3 = link->omega[0] * link->omega[0];
-    const six_link_real minus_Omega_yy = t3 + t2;
-    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
-    const six_link_real minus_Omega_zz = t3 + t1;
-
-    /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
-
-    /* h_c: half of the Coriolis wrench */
-    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
-    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
-    const six_link_real h_c_6 = Sdot_y * link->omega[0];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
-    const six_link_real t6 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
-        - c->S_0_x * link->alpha_0[5];
-    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
-    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->m;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->m;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->m;
-
-    /* h_V: bias of the twist rows */
-    const six_link_real h_V_1 = H_star_1 + h_c_1;
-    const six_link_real h_V_2 = H_star_2 + h_c_2;
-    const six_link_real h_V_3 = H_star_3 + h_c_3;
-    const six_link_real h_V_4 = H_star_4 + h_c_4;
-    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
-    const six_link_real h_V_6 = H_star_6 + h_c_6;
-
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = h_V_1
-        + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
-    const six_link_real h_0_2 = h_V_2
-        + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
-    const six_link_real h_0_3 = h_V_3
-        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
-    const six_link_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
-    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const six_link_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - c->S_0_x * link->alpha_0[1]);
-    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
-    const six_link_real h_eta_0_2 = h_eta_2 + (L_y2 * link->alpha_0[0] - c->chi_2 * link->alpha_0[1]);
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real p_T_1 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const six_link_real p_T_2 = tip->p[1]
-        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const six_link_real p_T_3 = tip->p[2]
-        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const six_link_real p_T_4 = tip->p[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const six_link_real p_T_5 = tip->p[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const six_link_real p_T_6 = tip->p[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real minus_Theta_12 = link->J_l[1] * c->Psi_c_y2;
-    const six_link_real Theta_21 = link->J_l[4] * c->Psi_c_z1;
-    const six_link_real Theta_22 = link->J_l[3] * c->Psi_c_y2;
-    const six_link_real Theta_31 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real Theta_32 = link->J_l[4] * c->Psi_c_y2;
-    const six_link_real t8 = link->r_T[1] * tip->Lambda[16];
-    const six_link_real t9 = link->r_T[0] * tip->Lambda[17];
-    const six_link_real t10 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_14 = tip->Lambda[3] + (t9 - t8);
-    const six_link_real t11 = tip->Lambda[4] + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * tip->Lambda[18]);
-    const six_link_real t12 = tip->Lambda[5] + (link->r_T[0] * tip->Lambda[20] - link->r_T[1] * tip->Lambda[19]);
-    const six_link_real t13 = tip->Lambda[8] + (link->r_T[1] * tip->Lambda[15] - c->length * tip->Lambda[17]);
-    const six_link_real M_loaded_25 = tip->Lambda[9] + (t8 - t10);
-    const six_link_real t14 = tip->Lambda[10] + (link->r_T[1] * tip->Lambda[17] - c->length * tip->Lambda[20]);
-    const six_link_real t15 = tip->Lambda[12] + (c->length * tip->Lambda[16] - link->r_T[0] * tip->Lambda[15]);
-    const six_link_real t16 = tip->Lambda[13] + (c->length * tip->Lambda[18] - link->r_T[0] * tip->Lambda[16]);
-    const six_link_real M_loaded_36 = tip->Lambda[14] + (t10 - t9);
-    const six_link_real t17 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[1] - tip->Lambda[5] * link->r_T[0])
-        + (link->r_T[0] * t12 - link->r_T[1] * t11);
-    const six_link_real t18 = tip->Lambda[1] - (tip->Lambda[5] * c->length - tip->Lambda[3] * link->r_T[1])
-        + (link->r_T[0] * t14 - link->r_T[1] * M_loaded_25);
-    const six_link_real t19 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[0] - tip->Lambda[4] * c->length)
-        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t16);
-    const six_link_real t20 = tip->Lambda[6] - (tip->Lambda[10] * c->length - tip->Lambda[8] * link->r_T[1])
-        + (link->r_T[1] * t13 - c->length * t14);
-    const six_link_real t21 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[0] - tip->Lambda[9] * c->length)
-        + (link->r_T[1] * t15 - c->length * M_loaded_36);
-    const six_link_real t22 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[0] - tip->Lambda[13] * c->length)
-        + (c->length * t16 - link->r_T[0] * t15);
-    const six_link_real M_loaded_11 = I_xx + t17;
-    const six_link_real M_loaded_12 = t18 - J_xy;
-    const six_link_real M_loaded_13 = t19 - J_xz;
-    const six_link_real M_loaded_15 = t11 - S_z;
-    const six_link_real M_loaded_16 = S_y + t12;
-    const six_link_real M_loaded_22 = I_yy + t20;
-    const six_link_real M_loaded_23 = t21 - J_yz;
-    const six_link_real M_loaded_24 = S_z + t13;
-    const six_link_real M_loaded_26 = t14 - c->S_0_x;
-    const six_link_real M_loaded_33 = I_zz + t22;
-    const six_link_real M_loaded_34 = t15 - S_y;
-    const six_link_real M_loaded_35 = c->S_0_x + t16;
-    const six_link_real M_loaded_44 = c->m + tip->Lambda[15];
-    const six_link_real M_loaded_55 = c->m + tip->Lambda[18];
-    const six_link_real M_loaded_66 = c->m + tip->Lambda[20];
-    const six_link_real h_loaded_1 = h_0_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
-    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
-    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
-    const six_link_real h_loaded_4 = h_0_4 + p_T_4;
-    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
-    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
-    const six_link_real t23 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
-        + tip->Lambda[4] * REAL(2.23606797749979);
-    const six_link_real t24 = tip->Lambda[1] * Theta_22 - tip->Lambda[0] * minus_Theta_12
-        + tip->Lambda[2] * Theta_32 + tip->Lambda[5] * REAL(2.23606797749979);
-    const six_link_real t25 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
-        + tip->Lambda[9] * REAL(2.23606797749979);
-    const six_link_real t26 = tip->Lambda[6] * Theta_22 - tip->Lambda[1] * minus_Theta_12
-        + tip->Lambda[7] * Theta_32 + tip->Lambda[10] * REAL(2.23606797749979);
-    const six_link_real t27 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
-        + tip->Lambda[13] * REAL(2.23606797749979);
-    const six_link_real t28 = tip->Lambda[7] * Theta_22 - tip->Lambda[2] * minus_Theta_12
-        + tip->Lambda[11] * Theta_32 + tip->Lambda[14] * REAL(2.23606797749979);
-    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
-        + tip->Lambda[16] * REAL(2.23606797749979);
-    const six_link_real C_42 = tip->Lambda[8] * Theta_22 - tip->Lambda[3] * minus_Theta_12
-        + tip->Lambda[12] * Theta_32 + tip->Lambda[17] * REAL(2.23606797749979);
-    const six_link_real t29 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
-        + tip->Lambda[18] * REAL(2.23606797749979);
-    const six_link_real t30 = tip->Lambda[19] * REAL(2.23606797749979);
-    const six_link_real C_52 = tip->Lambda[9] * Theta_22 - tip->Lambda[4] * minus_Theta_12
-        + tip->Lambda[13] * Theta_32 + t30;
-    const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21
-        + tip->Lambda[14] * Theta_31 + t30;
-    const six_link_real t31 = tip->Lambda[10] * Theta_22 - tip->Lambda[5] * minus_Theta_12
-        + tip->Lambda[14] * Theta_32 + tip->Lambda[20] * REAL(2.23606797749979);
-    const six_link_real C_21 = t25 + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real C_32 = t28 + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_11 = t23 + (link->r_T[0] * C_61 - link->r_T[1] * t29) - L_z1;
-    const six_link_real C_12 = L_y2 + (t24 + (link->r_T[0] * t31 - link->r_T[1] * C_52));
-    const six_link_real C_22 = t26 + (link->r_T[1] * C_42 - c->length * t31) - c->chi_2;
-    const six_link_real C_31 = c->chi_1 + (t27 + (c->length * t29 - link->r_T[0] * C_41));
-    const six_link_real C_51 = c->sigma_y1 + t29;
-    const six_link_real C_62 = c->sigma_z2 + t31;
-    const six_link_real modal_inertia_11 = Theta_11 * t23 + Theta_21 * t25 + Theta_31 * t27
-        + t29 * REAL(2.23606797749979) + m_eta[0];
-    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_12 = Theta_11 * t24 + Theta_21 * t26 + Theta_31 * t28
-        + C_52 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_22 = Theta_22 * t26 - minus_Theta_12 * t24 + Theta_32 * t28
-        + t31 * REAL(2.23606797749979) + m_eta[1];
-    const six_link_real h_phi_1 = h_eta_0_1 + f_eta[0]
-        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.23606797749979));
-    const six_link_real h_phi_2 = h_eta_0_2 + f_eta[1]
-        + (Theta_22 * p_T_2 - minus_Theta_12 * p_T_1 + Theta_32 * p_T_3 + p_T_6 * REAL(2.23606797749979));
-    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
-    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
-    link->modes_L[0] = modes_L_21;
-    const six_link_real t32 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t32 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t32;
-    const six_link_real t33 = C_12 - modes_L_21 * C_11;
-    const six_link_real t34 = C_22 - modes_L_21 * C_21;
-    const six_link_real t35 = C_32 - modes_L_21 * C_31;
-    const six_link_real t36 = C_42 - modes_L_21 * C_41;
-    const six_link_real t37 = C_52 - modes_L_21 * C_51;
-    const six_link_real t38 = C_62 - modes_L_21 * C_61;
-    const six_link_real t39 = h_phi_2 - modes_L_21 * h_phi_1;
-    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
-    link->modes_W[0] = modes_W_11;
-    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
-    link->modes_W[1] = modes_W_12;
-    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
-    link->modes_W[2] = modes_W_13;
-    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
-    link->modes_W[3] = modes_W_14;
-    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
-    link->modes_W[4] = modes_W_15;
-    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
-    link->modes_W[5] = modes_W_16;
-    const six_link_real modes_W_21 = t33 * modes_inverse_2;
-    link->modes_W[6] = modes_W_21;
-    const six_link_real modes_W_22 = t34 * modes_inverse_2;
-    link->modes_W[7] = modes_W_22;
-    const six_link_real modes_W_23 = t35 * modes_inverse_2;
-    link->modes_W[8] = modes_W_23;
-    const six_link_real modes_W_24 = t36 * modes_inverse_2;
-    link->modes_W[9] = modes_W_24;
-    const six_link_real modes_W_25 = t37 * modes_inverse_2;
-    link->modes_W[10] = modes_W_25;
-    const six_link_real modes_W_26 = t38 * modes_inverse_2;
-    link->modes_W[11] = modes_W_26;
-    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
-    link->modes_w[0] = modes_w_1;
-    const six_link_real modes_w_2 = t39 * modes_inverse_2;
-    link->modes_w[1] = modes_w_2;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t33 * modes_W_21);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t33 * modes_W_22);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t33 * modes_W_23);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t33 * modes_W_24);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t33 * modes_W_25);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t33 * modes_W_26);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t34 * modes_W_22);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t34 * modes_W_23);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t34 * modes_W_24);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t34 * modes_W_25);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t34 * modes_W_26);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t35 * modes_W_23);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t35 * modes_W_24);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t35 * modes_W_25);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t35 * modes_W_26);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t36 * modes_W_24);
-    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t36 * modes_W_25);
-    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t36 * modes_W_26);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t37 * modes_W_25);
-    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t37 * modes_W_26);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t38 * modes_W_26);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t39);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t39);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t39);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t39);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t39);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t39);
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
-    link->joint_W[1] = joint_W_12;
-    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
-    link->joint_W[2] = joint_W_13;
-    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
-    link->joint_W[3] = joint_W_14;
-    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
-    link->joint_W[4] = joint_W_15;
-    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
-    link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
-    link->Lambda_i[2] = Lambda_i_13;
-    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
-    link->Lambda_i[3] = Lambda_i_14;
-    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
-    link->Lambda_i[4] = Lambda_i_15;
-    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
-    link->Lambda_i[5] = Lambda_i_16;
-    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
-    link->Lambda_i[6] = Lambda_i_22;
-    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
-    link->Lambda_i[7] = Lambda_i_23;
-    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
-    link->Lambda_i[8] = Lambda_i_24;
-    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
-    link->Lambda_i[9] = Lambda_i_25;
-    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
-    link->Lambda_i[10] = Lambda_i_26;
-    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
-    link->Lambda_i[11] = Lambda_i_33;
-    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
-    link->Lambda_i[12] = Lambda_i_34;
-    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
-    link->Lambda_i[13] = Lambda_i_35;
-    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
-    link->Lambda_i[14] = Lambda_i_36;
-    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
-    link->Lambda_i[15] = Lambda_i_44;
-    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
-    link->Lambda_i[16] = Lambda_i_45;
-    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
-    link->Lambda_i[17] = Lambda_i_46;
-    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
-    link->Lambda_i[18] = Lambda_i_55;
-    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
-    link->Lambda_i[19] = Lambda_i_56;
-    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
-    link->Lambda_i[20] = Lambda_i_66;
-    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
-    link->p_i[4] = p_i_5;
-    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
-    link->p_i[5] = p_i_6;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t40 = link->lever[2] * Lambda_i_45;
-    const six_link_real t41 = link->lever[1] * Lambda_i_46;
-    const six_link_real t42 = link->lever[0] * Lambda_i_56;
-    const six_link_real t43 = Lambda_i_14 + (t41 - t40);
-    const six_link_real t44 = Lambda_i_15 + (link->lever[1] * Lambda_i_56 - link->lever[2] * Lambda_i_55);
-    const six_link_real t45 = Lambda_i_16 + (link->lever[1] * Lambda_i_66 - link->lever[2] * Lambda_i_56);
-    const six_link_real t46 = Lambda_i_24 + (link->lever[2] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
-    const six_link_real t47 = Lambda_i_25 + (t40 - t42);
-    const six_link_real t48 = Lambda_i_26 + (link->lever[2] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
-    const six_link_real t49 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - link->lever[1] * Lambda_i_44);
-    const six_link_real t50 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - link->lever[1] * Lambda_i_45);
-    const six_link_real t51 = Lambda_i_36 + (t42 - t41);
-    const six_link_real t52 = Lambda_i_11 - (Lambda_i_15 * link->lever[2] - Lambda_i_16 * link->lever[1])
-        + (link->lever[1] * t45 - link->lever[2] * t44);
-    const six_link_real t53 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[2])
-        + (link->lever[1] * t48 - link->lever[2] * t47);
-    const six_link_real t54 = Lambda_i_13 - (Lambda_i_14 * link->lever[1] - Lambda_i_15 * link->lever[0])
-        + (link->lever[1] * t51 - link->lever[2] * t50);
-    const six_link_real t55 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[2])
-        + (link->lever[2] * t46 - link->lever[0] * t48);
-    const six_link_real t56 = Lambda_i_23 - (Lambda_i_24 * link->lever[1] - Lambda_i_25 * link->lever[0])
-        + (link->lever[2] * t49 - link->lever[0] * t51);
-    const six_link_real t57 = Lambda_i_33 - (Lambda_i_34 * link->lever[1] - Lambda_i_35 * link->lever[0])
-        + (link->lever[0] * t50 - link->lever[1] * t49);
-    const six_link_real t58 = (t52 - t57) * REAL(0.5);
-    const six_link_real t59 = t58 * link->R_P[0] + t53 * link->R_P[1] + t54 * link->R_P[2];
-    const six_link_real t60 = t58 * link->R_P[3] + t53 * link->R_P[4] + t54 * link->R_P[5];
-    const six_link_real t61 = t58 * link->R_P[6] + t53 * link->R_P[7] + t54 * link->R_P[8];
-    const six_link_real t62 = (t55 - t57) * REAL(0.5);
-    const six_link_real t63 = t62 * link->R_P[1] + t56 * link->R_P[2];
-    const six_link_real t64 = t62 * link->R_P[4] + t56 * link->R_P[5];
-    const six_link_real t65 = t62 * link->R_P[7] + t56 * link->R_P[8];
-    const six_link_real Lambda_1 = (link->R_P[0] * t59 + link->R_P[1] * t63) * 2 + t57;
-    base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * t60 + link->R_P[1] * t64
-        + (link->R_P[3] * t59 + link->R_P[4] * t63);
-    base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t61 + link->R_P[1] * t65
-        + (link->R_P[6] * t59 + link->R_P[7] * t63);
-    base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_7 = (link->R_P[3] * t60 + link->R_P[4] * t64) * 2 + t57;
-    base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[3] * t61 + link->R_P[4] * t65
-        + (link->R_P[6] * t60 + link->R_P[7] * t64);
-    base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = (link->R_P[6] * t61 + link->R_P[7] * t65) * 2 + t57;
-    base->Lambda[11] = Lambda_12;
-    const six_link_real t66 = t43 * link->R_P[0] + t44 * link->R_P[1] + t45 * link->R_P[2];
-    const six_link_real t67 = t43 * link->R_P[3] + t44 * link->R_P[4] + t45 * link->R_P[5];
-    const six_link_real t68 = t43 * link->R_P[6] + t44 * link->R_P[7] + t45 * link->R_P[8];
-    const six_link_real t69 = t46 * link->R_P[0] + t47 * link->R_P[1] + t48 * link->R_P[2];
-    const six_link_real t70 = t46 * link->R_P[3] + t47 * link->R_P[4] + t48 * link->R_P[5];
-    const six_link_real t71 = t46 * link->R_P[6] + t47 * link->R_P[7] + t48 * link->R_P[8];
-    const six_link_real t72 = t49 * link->R_P[0] + t50 * link->R_P[1] + t51 * link->R_P[2];
-    const six_link_real t73 = t49 * link->R_P[3] + t50 * link->R_P[4] + t51 * link->R_P[5];
-    const six_link_real t74 = t49 * link->R_P[6] + t50 * link->R_P[7] + t51 * link->R_P[8];
-    const six_link_real Lambda_4 = link->R_P[0] * t66 + link->R_P[1] * t69 + link->R_P[2] * t72;
-    base->Lambda[3] = Lambda_4;
-    const six_link_real Lambda_5 = link->R_P[0] * t67 + link->R_P[1] * t70 + link->R_P[2] * t73;
-    base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = link->R_P[0] * t68 + link->R_P[1] * t71 + link->R_P[2] * t74;
-    base->Lambda[5] = Lambda_6;
-    const six_link_real Lambda_9 = link->R_P[3] * t66 + link->R_P[4] * t69 + link->R_P[5] * t72;
-    base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_10 = link->R_P[3] * t67 + link->R_P[4] * t70 + link->R_P[5] * t73;
-    base->Lambda[9] = Lambda_10;
-    const six_link_real Lambda_11 = link->R_P[3] * t68 + link->R_P[4] * t71 + link->R_P[5] * t74;
-    base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_13 = link->R_P[6] * t66 + link->R_P[7] * t69 + link->R_P[8] * t72;
-    base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * t67 + link->R_P[7] * t70 + link->R_P[8] * t73;
-    base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * t68 + link->R_P[7] * t71 + link->R_P[8] * t74;
-    base->Lambda[14] = Lambda_15;
-    const six_link_real t75 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t76 = t75 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
-    const six_link_real t77 = t75 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
-    const six_link_real t78 = t75 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
-    const six_link_real t79 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t80 = t79 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
-    const six_link_real t81 = t79 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
-    const six_link_real t82 = t79 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
-    const six_link_real Lambda_16 = (link->R_P[0] * t76 + link->R_P[1] * t80) * 2 + Lambda_i_66;
-    base->Lambda[15] = Lambda_16;
-    const six_link_real Lambda_17 = link->R_P[0] * t77 + link->R_P[1] * t81
-        + (link->R_P[3] * t76 + link->R_P[4] * t80);
-    base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t78 + link->R_P[1] * t82
-        + (link->R_P[6] * t76 + link->R_P[7] * t80);
-    base->Lambda[17] = Lambda_18;
-    const six_link_real Lambda_19 = (link->R_P[3] * t77 + link->R_P[4] * t81) * 2 + Lambda_i_66;
-    base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[3] * t78 + link->R_P[4] * t82
-        + (link->R_P[6] * t77 + link->R_P[7] * t81);
-    base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = (link->R_P[6] * t78 + link->R_P[7] * t82) * 2 + Lambda_i_66;
-    base->Lambda[20] = Lambda_21;
-    const six_link_real t83 = p_i_1 + (link->lever[1] * p_i_6 - link->lever[2] * p_i_5);
-    const six_link_real t84 = p_i_2 + (link->lever[2] * p_i_4 - link->lever[0] * p_i_6);
-    const six_link_real t85 = p_i_3 + (link->lever[0] * p_i_5 - link->lever[1] * p_i_4);
-    const six_link_real p_1 = link->R_P[0] * t83 + link->R_P[1] * t84 + link->R_P[2] * t85;
-    base->p[0] = p_1;
-    const six_link_real p_2 = link->R_P[3] * t83 + link->R_P[4] * t84 + link->R_P[5] * t85;
-    base->p[1] = p_2;
-    const six_link_real p_3 = link->R_P[6] * t83 + link->R_P[7] * t84 + link->R_P[8] * t85;
-    base->p[2] = p_3;
-    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
-    base->p[3] = p_4;
-    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
-    base->p[4] = p_5;
-    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like wrist_roll: 404 operations */
-static six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
-    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t2 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_24 = tip->Lambda[8] - c->length * tip->Lambda[17];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
-    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
-    const six_link_real M_loaded_34 = tip->Lambda[12] + c->length * tip->Lambda[16];
-    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
-    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
-    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
-    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
-    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
-    const six_link_real M_loaded_26 = t3 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
-    const six_link_real M_loaded_35 = c->S_0_x + t4;
-    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
-    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
-    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
-    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
-    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
-    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
-    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const six_link_real joint_W_12 = M_loaded_12 * joint_inverse_1;
-    link->joint_W[1] = joint_W_12;
-    const six_link_real joint_W_13 = M_loaded_13 * joint_inverse_1;
-    link->joint_W[2] = joint_W_13;
-    const six_link_real joint_W_14 = tip->Lambda[3] * joint_inverse_1;
-    link->joint_W[3] = joint_W_14;
-    const six_link_real joint_W_15 = tip->Lambda[4] * joint_inverse_1;
-    link->joint_W[4] = joint_W_15;
-    const six_link_real joint_W_16 = tip->Lambda[5] * joint_inverse_1;
-    link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_11 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_11 * joint_W_13;
-    link->Lambda_i[2] = Lambda_i_13;
-    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_11 * joint_W_14;
-    link->Lambda_i[3] = Lambda_i_14;
-    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_11 * joint_W_15;
-    link->Lambda_i[4] = Lambda_i_15;
-    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_11 * joint_W_16;
-    link->Lambda_i[5] = Lambda_i_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_12 * joint_W_12;
-    link->Lambda_i[6] = Lambda_i_22;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_12 * joint_W_13;
-    link->Lambda_i[7] = Lambda_i_23;
-    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_12 * joint_W_14;
-    link->Lambda_i[8] = Lambda_i_24;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_12 * joint_W_15;
-    link->Lambda_i[9] = Lambda_i_25;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_12 * joint_W_16;
-    link->Lambda_i[10] = Lambda_i_26;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_13 * joint_W_13;
-    link->Lambda_i[11] = Lambda_i_33;
-    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_13 * joint_W_14;
-    link->Lambda_i[12] = Lambda_i_34;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_13 * joint_W_15;
-    link->Lambda_i[13] = Lambda_i_35;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_13 * joint_W_16;
-    link->Lambda_i[14] = Lambda_i_36;
-    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[3] * joint_W_14;
-    link->Lambda_i[15] = Lambda_i_44;
-    const six_link_real Lambda_i_45 = tip->Lambda[16] - tip->Lambda[3] * joint_W_15;
-    link->Lambda_i[16] = Lambda_i_45;
-    const six_link_real Lambda_i_46 = tip->Lambda[17] - tip->Lambda[3] * joint_W_16;
-    link->Lambda_i[17] = Lambda_i_46;
-    const six_link_real Lambda_i_55 = M_loaded_55 - tip->Lambda[4] * joint_W_15;
-    link->Lambda_i[18] = Lambda_i_55;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - tip->Lambda[4] * joint_W_16;
-    link->Lambda_i[19] = Lambda_i_56;
-    const six_link_real Lambda_i_66 = M_loaded_66 - tip->Lambda[5] * joint_W_16;
-    link->Lambda_i[20] = Lambda_i_66;
-    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const six_link_real p_i_2 = h_loaded_2 + M_loaded_12 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const six_link_real p_i_3 = h_loaded_3 + M_loaded_13 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[3] * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const six_link_real p_i_5 = h_loaded_5 + tip->Lambda[4] * joint_w_1;
-    link->p_i[4] = p_i_5;
-    const six_link_real p_i_6 = h_loaded_6 + tip->Lambda[5] * joint_w_1;
-    link->p_i[5] = p_i_6;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_12 * link->R_P[1] + Lambda_i_13 * link->R_P[2];
-    const six_link_real t7 = t5 * link->R_P[3] + Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
-    const six_link_real t8 = t5 * link->R_P[6] + Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
-    const six_link_real t9 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t10 = t9 * link->R_P[1] + Lambda_i_23 * link->R_P[2];
-    const six_link_real t11 = t9 * link->R_P[4] + Lambda_i_23 * link->R_P[5];
-    const six_link_real t12 = t9 * link->R_P[7] + Lambda_i_23 * link->R_P[8];
-    const six_link_real Lambda_1 = (link->R_P[0] * t6 + link->R_P[1] * t10) * 2 + Lambda_i_33;
-    base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * t7 + link->R_P[1] * t11
-        + (link->R_P[3] * t6 + link->R_P[4] * t10);
-    base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t8 + link->R_P[1] * t12
-        + (link->R_P[6] * t6 + link->R_P[7] * t10);
-    base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_7 = (link->R_P[3] * t7 + link->R_P[4] * t11) * 2 + Lambda_i_33;
-    base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[3] * t8 + link->R_P[4] * t12
-        + (link->R_P[6] * t7 + link->R_P[7] * t11);
-    base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = (link->R_P[6] * t8 + link->R_P[7] * t12) * 2 + Lambda_i_33;
-    base->Lambda[11] = Lambda_12;
-    const six_link_real t13 = Lambda_i_14 * link->R_P[0] + Lambda_i_15 * link->R_P[1]
-        + Lambda_i_16 * link->R_P[2];
-    const six_link_real t14 = Lambda_i_14 * link->R_P[3] + Lambda_i_15 * link->R_P[4]
-        + Lambda_i_16 * link->R_P[5];
-    const six_link_real t15 = Lambda_i_14 * link->R_P[6] + Lambda_i_15 * link->R_P[7]
-        + Lambda_i_16 * link->R_P[8];
-    const six_link_real t16 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1]
-        + Lambda_i_26 * link->R_P[2];
-    const six_link_real t17 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4]
-        + Lambda_i_26 * link->R_P[5];
-    const six_link_real t18 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7]
-        + Lambda_i_26 * link->R_P[8];
-    const six_link_real t19 = Lambda_i_34 * link->R_P[0] + Lambda_i_35 * link->R_P[1]
-        + Lambda_i_36 * link->R_P[2];
-    const six_link_real t20 = Lambda_i_34 * link->R_P[3] + Lambda_i_35 * link->R_P[4]
-        + Lambda_i_36 * link->R_P[5];
-    const six_link_real t21 = Lambda_i_34 * link->R_P[6] + Lambda_i_35 * link->R_P[7]
-        + Lambda_i_36 * link->R_P[8];
-    const six_link_real Lambda_4 = link->R_P[0] * t13 + link->R_P[1] * t16 + link->R_P[2] * t19;
-    base->Lambda[3] = Lambda_4;
-    const six_link_real Lambda_5 = link->R_P[0] * t14 + link->R_P[1] * t17 + link->R_P[2] * t20;
-    base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = link->R_P[0] * t15 + link->R_P[1] * t18 + link->R_P[2] * t21;
-    base->Lambda[5] = Lambda_6;
-    const six_link_real Lambda_9 = link->R_P[3] * t13 + link->R_P[4] * t16 + link->R_P[5] * t19;
-    base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_10 = link->R_P[3] * t14 + link->R_P[4] * t17 + link->R_P[5] * t20;
-    base->Lambda[9] = Lambda_10;
-    const six_link_real Lambda_11 = link->R_P[3] * t15 + link->R_P[4] * t18 + link->R_P[5] * t21;
-    base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_13 = link->R_P[6] * t13 + link->R_P[7] * t16 + link->R_P[8] * t19;
-    base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * t14 + link->R_P[7] * t17 + link->R_P[8] * t20;
-    base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * t15 + link->R_P[7] * t18 + link->R_P[8] * t21;
-    base->Lambda[14] = Lambda_15;
-    const six_link_real t22 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t23 = t22 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
-    const six_link_real t24 = t22 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
-    const six_link_real t25 = t22 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
-    const six_link_real t26 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t27 = t26 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
-    const six_link_real t28 = t26 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
-    const six_link_real t29 = t26 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
-    const six_link_real Lambda_16 = (link->R_P[0] * t23 + link->R_P[1] * t27) * 2 + Lambda_i_66;
-    base->Lambda[15] = Lambda_16;
-    const six_link_real Lambda_17 = link->R_P[0] * t24 + link->R_P[1] * t28
-        + (link->R_P[3] * t23 + link->R_P[4] * t27);
-    base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t25 + link->R_P[1] * t29
-        + (link->R_P[6] * t23 + link->R_P[7] * t27);
-    base->Lambda[17] = Lambda_18;
-    const six_link_real Lambda_19 = (link->R_P[3] * t24 + link->R_P[4] * t28) * 2 + Lambda_i_66;
-    base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[3] * t25 + link->R_P[4] * t29
-        + (link->R_P[6] * t24 + link->R_P[7] * t28);
-    base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = (link->R_P[6] * t25 + link->R_P[7] * t29) * 2 + Lambda_i_66;
-    base->Lambda[20] = Lambda_21;
-    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * p_i_3;
-    base->p[0] = p_1;
-    const six_link_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
-    base->p[1] = p_2;
-    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
-    base->p[2] = p_3;
-    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
-    base->p[3] = p_4;
-    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
-    base->p[4] = p_5;
-    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like wrist_pitch: 246 operations */
-static six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
-    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
-    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
-    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
-    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
-    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
-    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t2 = c->length * tip->Lambda[19];
-    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
-    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
-    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
-    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
-    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
-    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
-    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
-    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
-    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
-    const six_link_real M_loaded_26 = t3 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
-    const six_link_real M_loaded_35 = c->S_0_x + t4;
-    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
-    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
-    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
-    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
-    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
-    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
-    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_22 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const six_link_real joint_W_12 = M_loaded_22 * joint_inverse_1;
-    link->joint_W[1] = joint_W_12;
-    const six_link_real joint_W_13 = M_loaded_23 * joint_inverse_1;
-    link->joint_W[2] = joint_W_13;
-    const six_link_real joint_W_14 = tip->Lambda[8] * joint_inverse_1;
-    link->joint_W[3] = joint_W_14;
-    const six_link_real joint_W_15 = M_loaded_25 * joint_inverse_1;
-    link->joint_W[4] = joint_W_15;
-    const six_link_real joint_W_16 = M_loaded_26 * joint_inverse_1;
-    link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_2) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_12 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_12 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_12 * joint_W_13;
-    link->Lambda_i[2] = Lambda_i_13;
-    const six_link_real minus_Lambda_i_14 = M_loaded_12 * joint_W_14;
-    link->Lambda_i[3] = -minus_Lambda_i_14;
-    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_12 * joint_W_15;
-    link->Lambda_i[4] = Lambda_i_15;
-    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_12 * joint_W_16;
-    link->Lambda_i[5] = Lambda_i_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_22 * joint_W_12;
-    link->Lambda_i[6] = Lambda_i_22;
-    base->Lambda[6] = Lambda_i_22;
-    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_22 * joint_W_13;
-    link->Lambda_i[7] = Lambda_i_23;
-    const six_link_real Lambda_i_24 = tip->Lambda[8] - M_loaded_22 * joint_W_14;
-    link->Lambda_i[8] = Lambda_i_24;
-    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_22 * joint_W_15;
-    link->Lambda_i[9] = Lambda_i_25;
-    base->Lambda[9] = Lambda_i_25;
-    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_22 * joint_W_16;
-    link->Lambda_i[10] = Lambda_i_26;
-    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_23 * joint_W_13;
-    link->Lambda_i[11] = Lambda_i_33;
-    const six_link_real Lambda_i_34 = tip->Lambda[12] - M_loaded_23 * joint_W_14;
-    link->Lambda_i[12] = Lambda_i_34;
-    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_23 * joint_W_15;
-    link->Lambda_i[13] = Lambda_i_35;
-    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_23 * joint_W_16;
-    link->Lambda_i[14] = Lambda_i_36;
-    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[8] * joint_W_14;
-    link->Lambda_i[15] = Lambda_i_44;
-    const six_link_real minus_Lambda_i_45 = tip->Lambda[8] * joint_W_15;
-    link->Lambda_i[16] = -minus_Lambda_i_45;
-    const six_link_real minus_Lambda_i_46 = tip->Lambda[8] * joint_W_16;
-    link->Lambda_i[17] = -minus_Lambda_i_46;
-    const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_25 * joint_W_15;
-    link->Lambda_i[18] = Lambda_i_55;
-    base->Lambda[18] = Lambda_i_55;
-    const six_link_real Lambda_i_56 = tip->Lambda[19] - M_loaded_25 * joint_W_16;
-    link->Lambda_i[19] = Lambda_i_56;
-    const six_link_real Lambda_i_66 = M_loaded_66 - M_loaded_26 * joint_W_16;
-    link->Lambda_i[20] = Lambda_i_66;
-    const six_link_real p_i_1 = h_loaded_1 + M_loaded_12 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const six_link_real p_i_2 = h_loaded_2 + M_loaded_22 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    base->p[1] = p_i_2;
-    const six_link_real p_i_3 = h_loaded_3 + M_loaded_23 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[8] * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const six_link_real p_i_5 = h_loaded_5 + M_loaded_25 * joint_w_1;
-    link->p_i[4] = p_i_5;
-    base->p[4] = p_i_5;
-    const six_link_real p_i_6 = h_loaded_6 + M_loaded_26 * joint_w_1;
-    link->p_i[5] = p_i_6;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_13 * link->R_P[2];
-    const six_link_real t7 = t5 * link->R_P[6] + Lambda_i_13 * link->R_P[8];
-    const six_link_real Lambda_1 = link->R_P[0] * t6 * 2 + Lambda_i_33;
-    base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * Lambda_i_12 + Lambda_i_23 * link->R_P[2];
-    base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t7 + link->R_P[6] * t6;
-    base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_8 = Lambda_i_23 * link->R_P[8] + link->R_P[6] * Lambda_i_12;
-    base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[6] * t7 * 2 + Lambda_i_33;
-    base->Lambda[11] = Lambda_12;
-    const six_link_real t8 = Lambda_i_16 * link->R_P[2] - minus_Lambda_i_14 * link->R_P[0];
-    const six_link_real t9 = Lambda_i_16 * link->R_P[8] - minus_Lambda_i_14 * link->R_P[6];
-    const six_link_real Lambda_9 = Lambda_i_24 * link->R_P[0] + Lambda_i_26 * link->R_P[2];
-    base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_11 = Lambda_i_24 * link->R_P[6] + Lambda_i_26 * link->R_P[8];
-    base->Lambda[10] = Lambda_11;
-    const six_link_real t10 = Lambda_i_34 * link->R_P[0] + Lambda_i_36 * link->R_P[2];
-    const six_link_real t11 = Lambda_i_34 * link->R_P[6] + Lambda_i_36 * link->R_P[8];
-    const six_link_real Lambda_4 = link->R_P[0] * t8 + link->R_P[2] * t10;
-    base->Lambda[3] = Lambda_4;
-    const six_link_real Lambda_5 = link->R_P[0] * Lambda_i_15 + link->R_P[2] * Lambda_i_35;
-    base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = link->R_P[0] * t9 + link->R_P[2] * t11;
-    base->Lambda[5] = Lambda_6;
-    const six_link_real Lambda_13 = link->R_P[6] * t8 + link->R_P[8] * t10;
-    base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * Lambda_i_15 + link->R_P[8] * Lambda_i_35;
-    base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * t9 + link->R_P[8] * t11;
-    base->Lambda[14] = Lambda_15;
-    const six_link_real t12 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t13 = t12 * link->R_P[0] - minus_Lambda_i_46 * link->R_P[2];
-    const six_link_real t14 = t12 * link->R_P[6] - minus_Lambda_i_46 * link->R_P[8];
-    const six_link_real Lambda_16 = link->R_P[0] * t13 * 2 + Lambda_i_66;
-    base->Lambda[15] = Lambda_16;
-    const six_link_real Lambda_17 = Lambda_i_56 * link->R_P[2] - link->R_P[0] * minus_Lambda_i_45;
-    base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t14 + link->R_P[6] * t13;
-    base->Lambda[17] = Lambda_18;
-    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] - link->R_P[6] * minus_Lambda_i_45;
-    base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = link->R_P[6] * t14 * 2 + Lambda_i_66;
-    base->Lambda[20] = Lambda_21;
-    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[2] * p_i_3;
-    base->p[0] = p_1;
-    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[8] * p_i_3;
-    base->p[2] = p_3;
-    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
-    base->p[3] = p_4;
-    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
-    base->p[5] = p_6;
-    return SIX_LINK_OK;
-}
-
-/* eliminate, links like flange: 304 operations */
-static six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
-{
-
-    /* Omega: centripetal operator */
-    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
-    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
-
-    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t2 = -c->S_T_y;
-    link->Lambda_i[12] = t2;
-    const six_link_real t3 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
-        + (c->I_T_xx * tip->alpha_0[0] - c->J_T_xy * tip->alpha_0[1] - c->J_T_xz * tip->alpha_0[2]);
-    const six_link_real t4 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
-        + (c->I_T_yy * tip->alpha_0[1] - c->J_T_xy * tip->alpha_0[0] - c->J_T_yz * tip->alpha_0[2]);
-    const six_link_real t5 = c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]
-        + (c->I_T_zz * tip->alpha_0[2] - (c->J_T_xz * tip->alpha_0[0] + c->J_T_yz * tip->alpha_0[1]));
-    const six_link_real t6 = c->I_T_xx * tip->omega[0] - c->J_T_xy * tip->omega[1] - c->J_T_xz * tip->omega[2];
-    const six_link_real t7 = c->I_T_yy * tip->omega[1] - c->J_T_xy * tip->omega[0] - c->J_T_yz * tip->omega[2];
-    const six_link_real t8 = c->I_T_zz * tip->omega[2] - (c->J_T_xz * tip->omega[0] + c->J_T_yz * tip->omega[1]);
-    const six_link_real t9 = tip->omega[1] * c->S_T_z - tip->omega[2] * c->S_T_y;
-    const six_link_real t10 = tip->omega[2] * c->S_T_x - tip->omega[0] * c->S_T_z;
-    const six_link_real t11 = tip->omega[0] * c->S_T_y - tip->omega[1] * c->S_T_x;
-    const six_link_real t12 = tip->alpha_0[1] * c->S_T_z - tip->alpha_0[2] * c->S_T_y
-        + (tip->omega[1] * t11 - tip->omega[2] * t10);
-    const six_link_real t13 = tip->alpha_0[2] * c->S_T_x - tip->alpha_0[0] * c->S_T_z
-        + (tip->omega[2] * t9 - tip->omega[0] * t11);
-    const six_link_real t14 = tip->alpha_0[0] * c->S_T_y - tip->alpha_0[1] * c->S_T_x
-        + (tip->omega[0] * t10 - tip->omega[1] * t9);
-    const six_link_real p_T_1 = t3 + (tip->omega[1] * t8 - tip->omega[2] * t7) - w_ext[0];
-    const six_link_real p_T_2 = t4 + (tip->omega[2] * t6 - tip->omega[0] * t8) - w_ext[1];
-    const six_link_real p_T_3 = t5 + (tip->omega[0] * t7 - tip->omega[1] * t6) - w_ext[2];
-    const six_link_real p_T_4 = c->body0_mass * tip->alpha_0[3] + t12 - w_ext[3];
-    const six_link_real p_T_5 = c->body0_mass * tip->alpha_0[4] + t13 - w_ext[4];
-    const six_link_real p_T_6 = c->body0_mass * tip->alpha_0[5] + t14 - w_ext[5];
-
-    /* modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t15 = c->S_T_x + c->length * c->body0_mass;
-    const six_link_real t16 = c->S_T_x * c->length;
-    const six_link_real t17 = c->length * t15;
-    const six_link_real minus_M_loaded_12 = c->J_T_xy + c->S_T_y * c->length;
-    const six_link_real minus_M_loaded_13 = c->J_T_xz + c->S_T_z * c->length;
-    const six_link_real M_loaded_11 = c->I_s + c->I_T_xx;
-    const six_link_real M_loaded_22 = c->J_0_xx + (c->I_T_yy + t16 + t17);
-    const six_link_real minus_M_loaded_26 = t15 + c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx + (c->I_T_zz + t16 + t17);
-    const six_link_real M_loaded_44 = c->mu + c->body0_mass;
-    link->Lambda_i[15] = M_loaded_44;
-    base->Lambda[15] = M_loaded_44;
-    const six_link_real h_loaded_1 = h_0_1 + p_T_1;
-    const six_link_real h_loaded_2 = h_0_2 + (p_T_2 - c->length * p_T_6);
-    const six_link_real h_loaded_3 = h_0_3 + (p_T_3 + c->length * p_T_5);
-    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
-    link->p_i[3] = h_loaded_4;
-    base->p[3] = h_loaded_4;
-    const six_link_real h_loaded_5 = h_0_5 + p_T_5;
-    const six_link_real h_loaded_6 = h_0_6 + p_T_6;
-
-    /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const six_link_real minus_joint_W_12 = minus_M_loaded_12 * joint_inverse_1;
-    link->joint_W[1] = -minus_joint_W_12;
-    const six_link_real minus_joint_W_13 = minus_M_loaded_13 * joint_inverse_1;
-    link->joint_W[2] = -minus_joint_W_13;
-    const six_link_real minus_joint_W_15 = c->S_T_z * joint_inverse_1;
-    link->joint_W[4] = -minus_joint_W_15;
-    const six_link_real joint_W_16 = c->S_T_y * joint_inverse_1;
-    link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
-    link->joint_w[0] = joint_w_1;
-    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
-    link->Lambda_i[0] = Lambda_i_11;
-    base->Lambda[0] = Lambda_i_11;
-    const six_link_real Lambda_i_12 = M_loaded_11 * minus_joint_W_12 - minus_M_loaded_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const six_link_real Lambda_i_13 = M_loaded_11 * minus_joint_W_13 - minus_M_loaded_13;
-    link->Lambda_i[2] = Lambda_i_13;
-    const six_link_real Lambda_i_15 = M_loaded_11 * minus_joint_W_15 - c->S_T_z;
-    link->Lambda_i[4] = Lambda_i_15;
-    const six_link_real Lambda_i_16 = c->S_T_y - M_loaded_11 * joint_W_16;
-    link->Lambda_i[5] = Lambda_i_16;
-    const six_link_real Lambda_i_22 = M_loaded_22 - minus_M_loaded_12 * minus_joint_W_12;
-    link->Lambda_i[6] = Lambda_i_22;
-    const six_link_real minus_Lambda_i_23 = c->J_T_yz + minus_M_loaded_12 * minus_joint_W_13;
-    link->Lambda_i[7] = -minus_Lambda_i_23;
-    const six_link_real minus_Lambda_i_25 = minus_M_loaded_12 * minus_joint_W_15;
-    link->Lambda_i[9] = -minus_Lambda_i_25;
-    const six_link_real Lambda_i_26 = minus_M_loaded_12 * joint_W_16 - minus_M_loaded_26;
-    link->Lambda_i[10] = Lambda_i_26;
-    const six_link_real Lambda_i_33 = M_loaded_33 - minus_M_loaded_13 * minus_joint_W_13;
-    link->Lambda_i[11] = Lambda_i_33;
-    const six_link_real Lambda_i_35 = minus_M_loaded_26 - minus_M_loaded_13 * minus_joint_W_15;
-    link->Lambda_i[13] = Lambda_i_35;
-    const six_link_real Lambda_i_36 = minus_M_loaded_13 * joint_W_16;
-    link->Lambda_i[14] = Lambda_i_36;
-    const six_link_real Lambda_i_55 = M_loaded_44 - c->S_T_z * minus_joint_W_15;
-    link->Lambda_i[18] = Lambda_i_55;
-    const six_link_real Lambda_i_56 = c->S_T_z * joint_W_16;
-    link->Lambda_i[19] = Lambda_i_56;
-    const six_link_real Lambda_i_66 = M_loaded_44 - c->S_T_y * joint_W_16;
-    link->Lambda_i[20] = Lambda_i_66;
-    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    base->p[0] = p_i_1;
-    const six_link_real p_i_2 = h_loaded_2 - minus_M_loaded_12 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const six_link_real p_i_3 = h_loaded_3 - minus_M_loaded_13 * joint_w_1;
-    link->p_i[2] = p_i_3;
-    const six_link_real p_i_5 = h_loaded_5 - c->S_T_z * joint_w_1;
-    link->p_i[4] = p_i_5;
-    const six_link_real p_i_6 = h_loaded_6 + c->S_T_y * joint_w_1;
-    link->p_i[5] = p_i_6;
-
-    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real Lambda_2 = Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
-    base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
-    base->Lambda[2] = Lambda_3;
-    const six_link_real t18 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
-    const six_link_real t19 = t18 * link->R_P[4] - minus_Lambda_i_23 * link->R_P[5];
-    const six_link_real t20 = t18 * link->R_P[7] - minus_Lambda_i_23 * link->R_P[8];
-    const six_link_real Lambda_7 = link->R_P[4] * t19 * 2 + Lambda_i_33;
-    base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[4] * t20 + link->R_P[7] * t19;
-    base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[7] * t20 * 2 + Lambda_i_33;
-    base->Lambda[11] = Lambda_12;
-    const six_link_real Lambda_5 = Lambda_i_15 * link->R_P[4] + Lambda_i_16 * link->R_P[5];
-    base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = Lambda_i_15 * link->R_P[7] + Lambda_i_16 * link->R_P[8];
-    base->Lambda[5] = Lambda_6;
-    const six_link_real t21 = Lambda_i_26 * link->R_P[5] - minus_Lambda_i_25 * link->R_P[4];
-    const six_link_real t22 = Lambda_i_26 * link->R_P[8] - minus_Lambda_i_25 * link->R_P[7];
-    const six_link_real t23 = Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
-    const six_link_real t24 = Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
-    const six_link_real Lambda_9 = link->R_P[4] * c->S_T_z - link->R_P[5] * c->S_T_y;
-    base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_10 = link->R_P[4] * t21 + link->R_P[5] * t23;
-    base->Lambda[9] = Lambda_10;
-    const six_link_real Lambda_11 = link->R_P[4] * t22 + link->R_P[5] * t24;
-    base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_13 = link->R_P[7] * c->S_T_z - link->R_P[8] * c->S_T_y;
-    base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[7] * t21 + link->R_P[8] * t23;
-    base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[7] * t22 + link->R_P[8] * t24;
-    base->Lambda[14] = Lambda_15;
-    const six_link_real t25 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t26 = t25 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
-    const six_link_real t27 = t25 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
-    const six_link_real Lambda_19 = link->R_P[4] * t26 * 2 + Lambda_i_66;
-    base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[4] * t27 + link->R_P[7] * t26;
-    base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = link->R_P[7] * t27 * 2 + Lambda_i_66;
-    base->Lambda[20] = Lambda_21;
-    const six_link_real p_2 = link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
-    base->p[1] = p_2;
-    const six_link_real p_3 = link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
-    base->p[2] = p_3;
-    const six_link_real p_5 = link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
-    base->p[4] = p_5;
-    const six_link_real p_6 = link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
-    base->p[5] = p_6;
-
-    /* outputs */
-    link->Lambda_i[8] = c->S_T_z;
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like shoulder: 1 operations */
-static six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6])
-{
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real delta_T_5 = link->joint_w[0] * c->length;
-    tip->delta[4] = delta_T_5;
-
-    /* outputs */
-    qddot[0] = link->joint_w[0];
-    tip->delta[2] = link->joint_w[0];
-
-    if (wrench) {
-        /* outputs */
-        wrench[0] = link->p_i[0];
-        wrench[1] = link->p_i[1];
-        wrench[2] = link->p_i[2];
-        wrench[3] = link->p_i[3];
-        wrench[4] = link->p_i[4];
-        wrench[5] = link->p_i[5];
-    }
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like upper_arm: 160 operations */
-static six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real etaddot[restrict 3])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const six_link_real carried_1 = link->R_P[6] * base->delta[2];
-    const six_link_real carried_3 = link->R_P[8] * base->delta[2];
-    const six_link_real minus_carried_4 = carried_3 * c->mount_xyz_y;
-    const six_link_real carried_6 = carried_1 * c->mount_xyz_y;
-    const six_link_real carried_5 = base->delta[4] + (carried_3 * link->lever[0] - carried_1 * link->lever[1]);
-    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[2] * carried_3
-        - link->joint_W[3] * minus_carried_4 + link->joint_W[4] * carried_5;
-    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * qddot_1
-        + link->modes_W[2] * carried_3 - link->modes_W[3] * minus_carried_4;
-    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * qddot_1
-        + link->modes_W[8] * carried_3 - link->modes_W[9] * minus_carried_4;
-    const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * qddot_1
-        + link->modes_W[14] * carried_3 - link->modes_W[15] * minus_carried_4;
-    const six_link_real minus_etaddot_3 = link->modes_w[2]
-        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6);
-    etaddot[2] = -minus_etaddot_3;
-    const six_link_real minus_etaddot_2 = link->modes_w[1]
-        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
-        - link->modes_L[2] * minus_etaddot_3;
-    etaddot[1] = -minus_etaddot_2;
-    const six_link_real t5 = link->modes_w[0]
-        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
-    etaddot[0] = -minus_etaddot_1;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t6 = minus_etaddot_3 * REAL(1.4142135623730951);
-    const six_link_real t7 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t8 = c->Psi_c_z1 * minus_etaddot_1;
-    const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
-    tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t6 + link->J_l[1] * t7 + link->J_l[2] * t8);
-    tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t6 + link->J_l[4] * t7 + link->J_l[5] * t8);
-    tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t6 + link->J_l[7] * t7 + link->J_l[8] * t8);
-    tip->delta[2] = delta_T_3;
-    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
-        - minus_etaddot_1 * 2;
-    tip->delta[4] = delta_T_5;
-    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - qddot_1 * c->length)
-        - minus_etaddot_2 * 2;
-    tip->delta[5] = delta_T_6;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const six_link_real t9 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
-            - link->Lambda_i[3] * minus_carried_4;
-        const six_link_real t10 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
-            - link->Lambda_i[8] * minus_carried_4;
-        const six_link_real t11 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
-            - link->Lambda_i[12] * minus_carried_4;
-        const six_link_real t12 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
-            - link->Lambda_i[15] * minus_carried_4;
-        const six_link_real t13 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
-            - link->Lambda_i[16] * minus_carried_4;
-        const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
-            - link->Lambda_i[17] * minus_carried_4;
-        const six_link_real wrench_1 = t9 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
-            + link->p_i[0];
-        wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t10 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
-            + link->p_i[1];
-        wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t11 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
-            + link->p_i[2];
-        wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t12 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
-            + link->p_i[3];
-        wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t13 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
-            + link->p_i[4];
-        wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t14 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
-            + link->p_i[5];
-        wrench[5] = wrench_6;
-    }
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like forearm: 185 operations */
-static six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real etaddot[restrict 2])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
-        + link->R_P[6] * base->delta[2];
-    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
-        + link->R_P[7] * base->delta[2];
-    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
-        + link->R_P[8] * base->delta[2];
-    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
-        + link->R_P[6] * base->delta[5] + (carried_2 * link->lever[2] - carried_3 * link->lever[1]);
-    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
-        + link->R_P[7] * base->delta[5] + (carried_3 * link->lever[0] - carried_1 * link->lever[2]);
-    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
-        + link->R_P[8] * base->delta[5] + (carried_1 * link->lever[1] - carried_2 * link->lever[0]);
-    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const six_link_real delta_2 = carried_2 + qddot_1;
-    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * delta_2
-        + link->modes_W[2] * carried_3 + link->modes_W[3] * carried_4;
-    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2
-        + link->modes_W[8] * carried_3 + link->modes_W[9] * carried_4;
-    const six_link_real minus_etaddot_2 = link->modes_w[1]
-        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6);
-    etaddot[1] = -minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = link->modes_w[0]
-        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
-    etaddot[0] = -minus_etaddot_1;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t4 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t5 = c->Psi_c_z1 * minus_etaddot_1;
-    const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
-    tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t4 - link->J_l[2] * t5);
-    tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t4 + link->J_l[4] * t5);
-    tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t4 + link->J_l[5] * t5);
-    tip->delta[2] = delta_T_3;
-    const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
-        - minus_etaddot_1 * REAL(2.23606797749979);
-    tip->delta[4] = delta_T_5;
-    const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - delta_2 * c->length)
-        - minus_etaddot_2 * REAL(2.23606797749979);
-    tip->delta[5] = delta_T_6;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const six_link_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-        const six_link_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-        const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-        const six_link_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
-            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
-            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-        const six_link_real t11 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
-            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-        const six_link_real wrench_1 = t6 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
-            + link->p_i[0];
-        wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t7 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
-            + link->p_i[1];
-        wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t8 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
-            + link->p_i[2];
-        wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t9 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
-            + link->p_i[3];
-        wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t10 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
-            + link->p_i[4];
-        wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t11 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
-            + link->p_i[5];
-        wrench[5] = wrench_6;
-    }
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like wrist_roll: 119 operations */
-static six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
-        + link->R_P[6] * base->delta[2];
-    const six_link_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
-        + link->R_P[7] * base->delta[2];
-    tip->delta[1] = carried_2;
-    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
-        + link->R_P[8] * base->delta[2];
-    tip->delta[2] = carried_3;
-    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
-        + link->R_P[6] * base->delta[5];
-    tip->delta[3] = carried_4;
-    const six_link_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
-        + link->R_P[7] * base->delta[5];
-    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
-        + link->R_P[8] * base->delta[5];
-    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const six_link_real delta_1 = carried_1 + qddot_1;
-    tip->delta[0] = delta_1;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real delta_T_5 = carried_5 + carried_3 * c->length;
-    tip->delta[4] = delta_T_5;
-    const six_link_real delta_T_6 = carried_6 - carried_2 * c->length;
-    tip->delta[5] = delta_T_6;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-        const six_link_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-        const six_link_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-        const six_link_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
-            + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-        const six_link_real t6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
-            + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-        const six_link_real t7 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
-            + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
-            + link->p_i[0];
-        wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t3 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
-            + link->p_i[1];
-        wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t4 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
-            + link->p_i[2];
-        wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t5 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
-            + link->p_i[3];
-        wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t6 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
-            + link->p_i[4];
-        wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t7 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
-            + link->p_i[5];
-        wrench[5] = wrench_6;
-    }
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like wrist_pitch: 101 operations */
-static six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
-    tip->delta[0] = carried_1;
-    const six_link_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
-    tip->delta[2] = carried_3;
-    const six_link_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[6] * base->delta[5];
-    tip->delta[3] = carried_4;
-    const six_link_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[8] * base->delta[5];
-    const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * base->delta[1]
-        + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * base->delta[4] + link->joint_W[5] * carried_6);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const six_link_real delta_2 = base->delta[1] + qddot_1;
-    tip->delta[1] = delta_2;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real delta_T_5 = base->delta[4] + carried_3 * c->length;
-    tip->delta[4] = delta_T_5;
-    const six_link_real delta_T_6 = carried_6 - delta_2 * c->length;
-    tip->delta[5] = delta_T_6;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const six_link_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * base->delta[1]
-            + link->Lambda_i[2] * carried_3;
-        const six_link_real t3 = t2 + link->Lambda_i[3] * carried_4 + link->Lambda_i[4] * base->delta[4]
-            + link->Lambda_i[5] * carried_6;
-        const six_link_real t4 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * base->delta[1]
-            + link->Lambda_i[7] * carried_3;
-        const six_link_real t5 = t4 + link->Lambda_i[8] * carried_4 + link->Lambda_i[9] * base->delta[4]
-            + link->Lambda_i[10] * carried_6;
-        const six_link_real t6 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * base->delta[1]
-            + link->Lambda_i[11] * carried_3;
-        const six_link_real t7 = t6 + link->Lambda_i[12] * carried_4 + link->Lambda_i[13] * base->delta[4]
-            + link->Lambda_i[14] * carried_6;
-        const six_link_real t8 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * base->delta[1]
-            + link->Lambda_i[12] * carried_3;
-        const six_link_real t9 = t8 + link->Lambda_i[15] * carried_4 + link->Lambda_i[16] * base->delta[4]
-            + link->Lambda_i[17] * carried_6;
-        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * base->delta[1]
-            + link->Lambda_i[13] * carried_3;
-        const six_link_real t11 = t10 + link->Lambda_i[16] * carried_4 + link->Lambda_i[18] * base->delta[4]
-            + link->Lambda_i[19] * carried_6;
-        const six_link_real t12 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * base->delta[1]
-            + link->Lambda_i[14] * carried_3;
-        const six_link_real t13 = t12 + link->Lambda_i[17] * carried_4 + link->Lambda_i[19] * base->delta[4]
-            + link->Lambda_i[20] * carried_6;
-        const six_link_real wrench_1 = t3 + link->p_i[0];
-        wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t5 + link->p_i[1];
-        wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t7 + link->p_i[2];
-        wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t9 + link->p_i[3];
-        wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t11 + link->p_i[4];
-        wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t13 + link->p_i[5];
-        wrench[5] = wrench_6;
-    }
-    return SIX_LINK_OK;
-}
-
-/* accelerate, links like flange: 82 operations */
-static six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
-    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6])
-{
-
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const six_link_real carried_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
-    const six_link_real carried_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
-    const six_link_real carried_5 = link->R_P[4] * base->delta[4] + link->R_P[7] * base->delta[5];
-    const six_link_real carried_6 = link->R_P[5] * base->delta[4] + link->R_P[8] * base->delta[5];
-    const six_link_real t1 = link->joint_W[0] * base->delta[0] + link->joint_W[1] * carried_2
-        + link->joint_W[2] * carried_3 + link->joint_W[4] * carried_5;
-    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[5] * carried_6);
-    qddot[0] = qddot_1;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const six_link_real t2 = link->Lambda_i[0] * base->delta[0] + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_3;
-        const six_link_real t3 = link->Lambda_i[1] * base->delta[0] + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[7] * carried_3;
-        const six_link_real t4 = t3 + link->Lambda_i[8] * base->delta[3] + link->Lambda_i[9] * carried_5
-            + link->Lambda_i[10] * carried_6;
-        const six_link_real t5 = link->Lambda_i[2] * base->delta[0] + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[11] * carried_3;
-        const six_link_real t6 = t5 + link->Lambda_i[12] * base->delta[3] + link->Lambda_i[13] * carried_5
-            + link->Lambda_i[14] * carried_6;
-        const six_link_real t7 = link->Lambda_i[8] * carried_2 + link->Lambda_i[12] * carried_3
-            + link->Lambda_i[15] * base->delta[3];
-        const six_link_real t8 = link->Lambda_i[4] * base->delta[0] + link->Lambda_i[9] * carried_2
-            + link->Lambda_i[13] * carried_3;
-        const six_link_real t9 = link->Lambda_i[5] * base->delta[0] + link->Lambda_i[10] * carried_2
-            + link->Lambda_i[14] * carried_3;
-        const six_link_real wrench_1 = t2 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
-            + link->p_i[0];
-        wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t4 + link->p_i[1];
-        wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t6 + link->p_i[2];
-        wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t7 + link->p_i[3];
-        wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t8 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
-            + link->p_i[4];
-        wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t9 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
-            + link->p_i[5];
-        wrench[5] = wrench_6;
-    }
-    return SIX_LINK_OK;
-}
-
-/* poses, links like shoulder: 5 operations */
-static six_link_status poses_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    six_link_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const six_link_real t1 = -link->R_rel[1];
-    tip->R[1] = t1;
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const six_link_real r_tip_x = c->mount_xyz_x + link->R_rel[0] * c->length;
-    tip->r[0] = r_tip_x;
-    const six_link_real r_tip_y = c->mount_xyz_y + link->R_rel[1] * c->length;
-    tip->r[1] = r_tip_y;
-
-    /* outputs */
-    tip->R[0] = link->R_rel[0];
-    tip->R[3] = link->R_rel[1];
-    tip->R[4] = link->R_rel[0];
-    tip->r[2] = c->mount_xyz_z;
-    return SIX_LINK_OK;
-}
-
-/* poses, links like upper_arm: 68 operations */
-static six_link_status poses_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const six_link_real R_xx = base->R[0] * link->R_rel[0];
-    const six_link_real R_xz = base->R[0] * link->R_rel[1];
-    const six_link_real R_yx = base->R[3] * link->R_rel[0];
-    const six_link_real R_yz = base->R[3] * link->R_rel[1];
-    const six_link_real r_x = base->r[0] + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y);
-    const six_link_real r_y = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
-    const six_link_real r_z = base->r[2] + c->mount_xyz_z;
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const six_link_real R_tip_xx = R_xx * link->R_T[0] + base->R[1] * link->R_T[3] + R_xz * link->R_T[6];
-    tip->R[0] = R_tip_xx;
-    const six_link_real R_tip_xy = R_xx * link->R_T[1] + base->R[1] * link->R_T[4] + R_xz * link->R_T[7];
-    tip->R[1] = R_tip_xy;
-    const six_link_real R_tip_xz = R_xx * link->R_T[2] + base->R[1] * link->R_T[5] + R_xz * link->R_T[8];
-    tip->R[2] = R_tip_xz;
-    const six_link_real R_tip_yx = R_yx * link->R_T[0] + base->R[4] * link->R_T[3] + R_yz * link->R_T[6];
-    tip->R[3] = R_tip_yx;
-    const six_link_real R_tip_yy = R_yx * link->R_T[1] + base->R[4] * link->R_T[4] + R_yz * link->R_T[7];
-    tip->R[4] = R_tip_yy;
-    const six_link_real R_tip_yz = R_yx * link->R_T[2] + base->R[4] * link->R_T[5] + R_yz * link->R_T[8];
-    tip->R[5] = R_tip_yz;
-    const six_link_real R_tip_zx = link->R_rel[0] * link->R_T[6] - link->R_rel[1] * link->R_T[0];
-    tip->R[6] = R_tip_zx;
-    const six_link_real R_tip_zy = link->R_rel[0] * link->R_T[7] - link->R_rel[1] * link->R_T[1];
-    tip->R[7] = R_tip_zy;
-    const six_link_real R_tip_zz = link->R_rel[0] * link->R_T[8] - link->R_rel[1] * link->R_T[2];
-    tip->R[8] = R_tip_zz;
-    const six_link_real r_tip_x = r_x + (R_xx * c->length + base->R[1] * link->r_T[0] + R_xz * link->r_T[1]);
-    tip->r[0] = r_tip_x;
-    const six_link_real r_tip_y = r_y + (R_yx * c->length + base->R[4] * link->r_T[0] + R_yz * link->r_T[1]);
-    tip->r[1] = r_tip_y;
-    const six_link_real r_tip_z = r_z + (link->R_rel[0] * link->r_T[1] - link->R_rel[1] * c->length);
-    tip->r[2] = r_tip_z;
-    return SIX_LINK_OK;
-}
-
-/* poses, links like forearm: 126 operations */
-static six_link_status poses_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const six_link_real R_xx = base->R[0] * link->R_rel[0] + base->R[1] * link->R_rel[2]
-        + base->R[2] * link->R_rel[4];
-    const six_link_real R_xy = base->R[0] * c->R_m_xy + base->R[1] * c->R_m_yy + base->R[2] * c->R_m_zy;
-    const six_link_real R_xz = base->R[0] * link->R_rel[1] + base->R[1] * link->R_rel[3]
-        + base->R[2] * link->R_rel[5];
-    const six_link_real R_yx = base->R[3] * link->R_rel[0] + base->R[4] * link->R_rel[2]
-        + base->R[5] * link->R_rel[4];
-    const six_link_real R_yy = base->R[3] * c->R_m_xy + base->R[4] * c->R_m_yy + base->R[5] * c->R_m_zy;
-    const six_link_real R_yz = base->R[3] * link->R_rel[1] + base->R[4] * link->R_rel[3]
-        + base->R[5] * link->R_rel[5];
-    const six_link_real R_zx = base->R[6] * link->R_rel[0] + base->R[7] * link->R_rel[2]
-        + base->R[8] * link->R_rel[4];
-    const six_link_real R_zy = base->R[6] * c->R_m_xy + base->R[7] * c->R_m_yy + base->R[8] * c->R_m_zy;
-    const six_link_real R_zz = base->R[6] * link->R_rel[1] + base->R[7] * link->R_rel[3]
-        + base->R[8] * link->R_rel[5];
-    const six_link_real r_x = base->r[0]
-        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
-    const six_link_real r_y = base->r[1]
-        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
-    const six_link_real r_z = base->r[2]
-        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const six_link_real R_tip_xx = R_xx * link->R_T[0] + R_xy * link->R_T[1] - R_xz * link->R_T[2];
-    tip->R[0] = R_tip_xx;
-    const six_link_real R_tip_xy = R_xy * link->R_T[3] - R_xx * link->R_T[1] + R_xz * link->R_T[4];
-    tip->R[1] = R_tip_xy;
-    const six_link_real R_tip_xz = R_xx * link->R_T[2] + R_xy * link->R_T[4] + R_xz * link->R_T[5];
-    tip->R[2] = R_tip_xz;
-    const six_link_real R_tip_yx = R_yx * link->R_T[0] + R_yy * link->R_T[1] - R_yz * link->R_T[2];
-    tip->R[3] = R_tip_yx;
-    const six_link_real R_tip_yy = R_yy * link->R_T[3] - R_yx * link->R_T[1] + R_yz * link->R_T[4];
-    tip->R[4] = R_tip_yy;
-    const six_link_real R_tip_yz = R_yx * link->R_T[2] + R_yy * link->R_T[4] + R_yz * link->R_T[5];
-    tip->R[5] = R_tip_yz;
-    const six_link_real R_tip_zx = R_zx * link->R_T[0] + R_zy * link->R_T[1] - R_zz * link->R_T[2];
-    tip->R[6] = R_tip_zx;
-    const six_link_real R_tip_zy = R_zy * link->R_T[3] - R_zx * link->R_T[1] + R_zz * link->R_T[4];
-    tip->R[7] = R_tip_zy;
-    const six_link_real R_tip_zz = R_zx * link->R_T[2] + R_zy * link->R_T[4] + R_zz * link->R_T[5];
-    tip->R[8] = R_tip_zz;
-    const six_link_real r_tip_x = r_x + (R_xx * c->length + R_xy * link->r_T[0] + R_xz * link->r_T[1]);
-    tip->r[0] = r_tip_x;
-    const six_link_real r_tip_y = r_y + (R_yx * c->length + R_yy * link->r_T[0] + R_yz * link->r_T[1]);
-    tip->r[1] = r_tip_y;
-    const six_link_real r_tip_z = r_z + (R_zx * c->length + R_zy * link->r_T[0] + R_zz * link->r_T[1]);
-    tip->r[2] = r_tip_z;
-    return SIX_LINK_OK;
-}
-
-/* poses, links like wrist_roll: 24 operations */
-static six_link_status poses_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const six_link_real R_xy = base->R[1] * link->R_rel[0] + base->R[2] * link->R_rel[1];
-    tip->R[1] = R_xy;
-    const six_link_real R_xz = base->R[2] * link->R_rel[0] - base->R[1] * link->R_rel[1];
-    tip->R[2] = R_xz;
-    const six_link_real R_yy = base->R[4] * link->R_rel[0] + base->R[5] * link->R_rel[1];
-    tip->R[4] = R_yy;
-    const six_link_real R_yz = base->R[5] * link->R_rel[0] - base->R[4] * link->R_rel[1];
-    tip->R[5] = R_yz;
-    const six_link_real R_zy = base->R[7] * link->R_rel[0] + base->R[8] * link->R_rel[1];
-    tip->R[7] = R_zy;
-    const six_link_real R_zz = base->R[8] * link->R_rel[0] - base->R[7] * link->R_rel[1];
-    tip->R[8] = R_zz;
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const six_link_real r_tip_x = base->r[0] + base->R[0] * c->length;
-    tip->r[0] = r_tip_x;
-    const six_link_real r_tip_y = base->r[1] + base->R[3] * c->length;
-    tip->r[1] = r_tip_y;
-    const six_link_real r_tip_z = base->r[2] + base->R[6] * c->length;
-    tip->r[2] = r_tip_z;
-
-    /* outputs */
-    tip->R[0] = base->R[0];
-    tip->R[3] = base->R[3];
-    tip->R[6] = base->R[6];
-    return SIX_LINK_OK;
-}
-
-/* poses, links like wrist_pitch: 24 operations */
-static six_link_status poses_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip)
-{
-
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const six_link_real R_xx = base->R[0] * link->R_rel[0] - base->R[2] * link->R_rel[1];
-    tip->R[0] = R_xx;
-    const six_link_real R_xz = base->R[0] * link->R_rel[1] + base->R[2] * link->R_rel[0];
-    tip->R[2] = R_xz;
-    const six_link_real R_yx = base->R[3] * link->R_rel[0] - base->R[5] * link->R_rel[1];
-    tip->R[3] = R_yx;
-    const six_link_real R_yz = base->R[3] * link->R_rel[1] + base->R[5] * link->R_rel[0];
-    tip->R[5] = R_yz;
-    const six_link_real R_zx = base->R[6] * link->R_rel[0] - base->R[8] * link->R_rel[1];
-    tip->R[6] = R_zx;
-    const six_link_real R_zz = base->R[6] * link->R_rel[1] + base->R[8] * link->R_rel[0];
-    tip->R[8] = R_zz;
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const six_link_real r_tip_x = base->r[0] + R_xx * c->length;
-    tip->r[0] = r_tip_x;
-    const six_link_real r_tip_y = base->r[1] + R_yx * c->length;
-    tip->r[1] = r_tip_y;
-    const six_link_real r_tip_z = base->r[2] + R_zx * c->length;
-    tip->r[2] = r_tip_z;
-
-    /* outputs */
-    tip->R[1] = base->R[1];
-    tip->R[4] = base->R[4];
-    tip->R[7] = base->R[7];
-    return SIX_LINK_OK;
-}
-
 /* dae kinematics, links like shoulder: 11 operations */
 static six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    six_link_real minus_R_rel_xy, R_rel_xx;
+    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
@@ -3000,14 +75,13 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
     const six_link_real twist[restrict 6], const six_link_real eta[restrict 3],
     const six_link_real etadot[restrict 3], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    link->R_P[0] = R_rel_xx;
-    link->R_P[8] = R_rel_xx;
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
     link->R_P[2] = R_rel_xz;
     link->R_P[6] = -R_rel_xz;
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
@@ -3199,16 +273,15 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
     const six_link_real twist[restrict 6], const six_link_real eta[restrict 2],
     const six_link_real etadot[restrict 2], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    six_link_real t1, t2;
+    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
@@ -3393,10 +466,9 @@ static six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -3470,14 +542,13 @@ static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants 
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    link->R_P[0] = R_rel_xx;
-    link->R_P[8] = R_rel_xx;
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
     link->R_P[2] = R_rel_xz;
     link->R_P[6] = -R_rel_xz;
+    link->R_P[0] = R_rel_xx;
+    link->R_P[8] = R_rel_xx;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -3528,14 +599,13 @@ static six_link_status dae_kinematics_flange(const six_link_link_constants *rest
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    link->R_P[4] = R_rel_yy;
-    link->R_P[8] = R_rel_yy;
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
     link->R_P[5] = -minus_R_rel_yz;
     link->R_P[7] = minus_R_rel_yz;
+    link->R_P[4] = R_rel_yy;
+    link->R_P[8] = R_rel_yy;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -3581,12 +651,1682 @@ static six_link_status dae_kinematics_flange(const six_link_link_constants *rest
     return SIX_LINK_OK;
 }
 
+/* eliminate, links like shoulder: 113 operations */
+static six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real minus_H_star_2 = c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = link->alpha_0[5] * c->mu;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real Lambda_T_11 = tip->Lambda[0] + c->I_T_xx;
+    const six_link_real Lambda_T_13 = tip->Lambda[2] - c->J_T_xz;
+    const six_link_real Lambda_T_15 = tip->Lambda[4] - c->S_T_z;
+    const six_link_real Lambda_T_22 = tip->Lambda[6] + c->I_T_yy;
+    const six_link_real Lambda_T_23 = tip->Lambda[7] - c->J_T_yz;
+    const six_link_real Lambda_T_26 = tip->Lambda[10] - c->S_T_x;
+    const six_link_real Lambda_T_33 = tip->Lambda[11] + c->I_T_zz;
+    const six_link_real Lambda_T_34 = tip->Lambda[12] - c->S_T_y;
+    const six_link_real Lambda_T_35 = tip->Lambda[13] + c->S_T_x;
+    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
+    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
+    const six_link_real t1 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
+        + tip->omega[2] * (c->J_T_yz * tip->omega[2]);
+    const six_link_real t2 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
+        - tip->omega[2] * (c->J_T_xz * tip->omega[2]);
+    const six_link_real p_T_1 = tip->p[0] + t1 - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] + t2 - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] + (c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]) - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3]
+        + (c->body0_mass * tip->alpha_0[3] - tip->omega[2] * (tip->omega[2] * c->S_T_x)) - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4]
+        + (c->body0_mass * tip->alpha_0[4] - tip->omega[2] * (tip->omega[2] * c->S_T_y)) - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real M_loaded_34 = Lambda_T_34 + c->length * tip->Lambda[16];
+    const six_link_real t3 = Lambda_T_35 + c->length * Lambda_T_55;
+    const six_link_real M_loaded_36 = tip->Lambda[14] + c->length * tip->Lambda[19];
+    const six_link_real M_loaded_13 = Lambda_T_13 + Lambda_T_15 * c->length;
+    const six_link_real M_loaded_23 = Lambda_T_23 + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + Lambda_T_11;
+    const six_link_real M_loaded_22 = c->J_0_xx
+        + (Lambda_T_22 - Lambda_T_26 * c->length - c->length * (Lambda_T_26 - c->length * Lambda_T_66));
+    const six_link_real M_loaded_33 = c->J_0_xx + (Lambda_T_33 + Lambda_T_35 * c->length + c->length * t3);
+    const six_link_real M_loaded_35 = c->S_0_x + t3;
+    const six_link_real h_loaded_2 = p_T_2 - c->length * p_T_6 - minus_H_star_2;
+    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
+    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_33 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_3) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real p_i_1 = p_T_1 + M_loaded_13 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_23 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_33 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + M_loaded_34 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + M_loaded_35 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + M_loaded_36 * joint_w_1;
+    link->p_i[5] = p_i_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like upper_arm: 1223 operations */
+static six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 3],
+    const six_link_real etadot[restrict 3], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 3], const six_link_real f_eta[restrict 3],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* S: first moment */
+    const six_link_real S_y = eta[0] * c->sigma_y1;
+    const six_link_real S_z = eta[1] * c->sigma_y1;
+
+    /* Sdot: rate of the first moment */
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->mu * eta[0];
+    const six_link_real L_z1 = eta[1] * c->mu;
+
+    /* Ldot: rate of L */
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
+    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+
+    /* J: second moment */
+    const six_link_real J_xy = c->chi_1 * eta[0];
+    const six_link_real J_xz = c->chi_1 * eta[1];
+    const six_link_real J_yy = L_y1 * eta[0];
+    const six_link_real J_yz = L_z1 * eta[0];
+    const six_link_real J_zz = L_z1 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real t3 = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xy = t3 - link->alpha_0[2];
+    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + t3;
+    const six_link_real t4 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t4 + t2;
+    const six_link_real t5 = link->omega[1] * link->omega[2];
+    const six_link_real Omega_yz = t5 - link->alpha_0[0];
+    const six_link_real Omega_zy = link->alpha_0[0] + t5;
+    const six_link_real minus_Omega_zz = t4 + t1;
+
+    /* B: moment of the elastic velocity */
+    const six_link_real B_yx = c->chi_1 * etadot[0];
+    const six_link_real B_yy = L_y1 * etadot[0];
+    const six_link_real B_yz = L_z1 * etadot[0];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
+
+    /* h_c: half of the Coriolis wrench */
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
+    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_xz + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const six_link_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const six_link_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t8 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t8 * link->omega[1];
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->mu;
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->mu;
+
+    /* h_V: bias of the twist rows, angular acceleration included */
+    const six_link_real h_V_1 = H_star_1 + h_c_1;
+    const six_link_real h_V_2 = H_star_2 + h_MD_2;
+    const six_link_real h_V_3 = H_star_3 + h_MD_3;
+    const six_link_real h_V_4 = H_star_4 + h_c_4;
+    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
+    const six_link_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = link->alpha_0[0] * c->sigma_t_3;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real t10 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
+    const six_link_real t11 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
+    const six_link_real t12 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
+    const six_link_real t13 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
+    const six_link_real t14 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
+    const six_link_real t15 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
+    const six_link_real t16 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
+    const six_link_real t17 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
+    const six_link_real t18 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
+    const six_link_real t19 = link->R_T[0]
+        * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
+        + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
+    const six_link_real t20 = link->R_T[2]
+        * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
+    const six_link_real t21 = t19 + t20;
+    const six_link_real t22 = link->R_T[0] * t13 + link->R_T[1] * t15 + link->R_T[2] * t17;
+    const six_link_real t23 = link->R_T[0] * t14 + link->R_T[1] * t16 + link->R_T[2] * t18;
+    const six_link_real t24 = link->R_T[3] * t13 + link->R_T[4] * t15 + link->R_T[5] * t17;
+    const six_link_real t25 = link->R_T[3] * t14 + link->R_T[4] * t16 + link->R_T[5] * t18;
+    const six_link_real t26 = link->R_T[6] * t14 + link->R_T[7] * t16 + link->R_T[8] * t18;
+    const six_link_real Lambda_T_11 = tip->Lambda[0] + t21;
+    const six_link_real Lambda_T_12 = tip->Lambda[1] + t22;
+    const six_link_real Lambda_T_13 = tip->Lambda[2] + t23;
+    const six_link_real Lambda_T_15 = tip->Lambda[4] - t12;
+    const six_link_real Lambda_T_16 = tip->Lambda[5] + t11;
+    const six_link_real Lambda_T_22 = tip->Lambda[6] + t24;
+    const six_link_real Lambda_T_23 = tip->Lambda[7] + t25;
+    const six_link_real Lambda_T_24 = tip->Lambda[8] + t12;
+    const six_link_real Lambda_T_26 = tip->Lambda[10] - t10;
+    const six_link_real Lambda_T_33 = tip->Lambda[11] + t26;
+    const six_link_real Lambda_T_34 = tip->Lambda[12] - t11;
+    const six_link_real Lambda_T_35 = tip->Lambda[13] + t10;
+    const six_link_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
+    const six_link_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
+    const six_link_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
+    const six_link_real t27 = t11 * tip->alpha_0[5] - t12 * tip->alpha_0[4]
+        + (t21 * tip->alpha_0[0] + t22 * tip->alpha_0[1] + t23 * tip->alpha_0[2]);
+    const six_link_real t28 = t12 * tip->alpha_0[3] - t10 * tip->alpha_0[5]
+        + (t22 * tip->alpha_0[0] + t24 * tip->alpha_0[1] + t25 * tip->alpha_0[2]);
+    const six_link_real t29 = t10 * tip->alpha_0[4] - t11 * tip->alpha_0[3]
+        + (t23 * tip->alpha_0[0] + t25 * tip->alpha_0[1] + t26 * tip->alpha_0[2]);
+    const six_link_real t30 = t21 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
+    const six_link_real t31 = t22 * tip->omega[0] + t24 * tip->omega[1] + t25 * tip->omega[2];
+    const six_link_real t32 = t23 * tip->omega[0] + t25 * tip->omega[1] + t26 * tip->omega[2];
+    const six_link_real t33 = tip->omega[1] * t12 - tip->omega[2] * t11;
+    const six_link_real t34 = tip->omega[2] * t10 - tip->omega[0] * t12;
+    const six_link_real t35 = tip->omega[0] * t11 - tip->omega[1] * t10;
+    const six_link_real t36 = c->body0_mass * tip->alpha_0[3]
+        + (tip->alpha_0[1] * t12 - tip->alpha_0[2] * t11 + (tip->omega[1] * t35 - tip->omega[2] * t34));
+    const six_link_real t37 = c->body0_mass * tip->alpha_0[4]
+        + (tip->alpha_0[2] * t10 - tip->alpha_0[0] * t12 + (tip->omega[2] * t33 - tip->omega[0] * t35));
+    const six_link_real t38 = c->body0_mass * tip->alpha_0[5]
+        + (tip->alpha_0[0] * t11 - tip->alpha_0[1] * t10 + (tip->omega[0] * t34 - tip->omega[1] * t33));
+    const six_link_real p_T_1 = tip->p[0] + (t27 + (tip->omega[1] * t32 - tip->omega[2] * t31))
+        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real p_T_2 = tip->p[1] + (t28 + (tip->omega[2] * t30 - tip->omega[0] * t32))
+        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const six_link_real p_T_3 = tip->p[2] + (t29 + (tip->omega[0] * t31 - tip->omega[1] * t30))
+        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const six_link_real p_T_4 = tip->p[3] + t36
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real p_T_5 = tip->p[4] + t37
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const six_link_real p_T_6 = tip->p[5] + t38
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real Theta_12 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real Theta_13 = link->J_l[0] * REAL(1.4142135623730951);
+    const six_link_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real Theta_22 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real Theta_23 = link->J_l[3] * REAL(1.4142135623730951);
+    const six_link_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
+    const six_link_real Theta_32 = link->J_l[7] * c->Psi_c_y2;
+    const six_link_real Theta_33 = link->J_l[6] * REAL(1.4142135623730951);
+    const six_link_real t39 = link->r_T[1] * tip->Lambda[16];
+    const six_link_real t40 = link->r_T[0] * tip->Lambda[17];
+    const six_link_real t41 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_14 = tip->Lambda[3] + (t40 - t39);
+    const six_link_real t42 = Lambda_T_15 + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * Lambda_T_55);
+    const six_link_real t43 = Lambda_T_16 + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * tip->Lambda[19]);
+    const six_link_real t44 = Lambda_T_24 + (link->r_T[1] * Lambda_T_44 - c->length * tip->Lambda[17]);
+    const six_link_real M_loaded_25 = tip->Lambda[9] + (t39 - t41);
+    const six_link_real t45 = Lambda_T_26 + (link->r_T[1] * tip->Lambda[17] - c->length * Lambda_T_66);
+    const six_link_real t46 = Lambda_T_34 + (c->length * tip->Lambda[16] - link->r_T[0] * Lambda_T_44);
+    const six_link_real t47 = Lambda_T_35 + (c->length * Lambda_T_55 - link->r_T[0] * tip->Lambda[16]);
+    const six_link_real M_loaded_36 = tip->Lambda[14] + (t41 - t40);
+    const six_link_real t48 = Lambda_T_11 - (Lambda_T_15 * link->r_T[1] - Lambda_T_16 * link->r_T[0])
+        + (link->r_T[0] * t43 - link->r_T[1] * t42);
+    const six_link_real t49 = Lambda_T_12 - (Lambda_T_16 * c->length - tip->Lambda[3] * link->r_T[1])
+        + (link->r_T[0] * t45 - link->r_T[1] * M_loaded_25);
+    const six_link_real t50 = Lambda_T_13 - (tip->Lambda[3] * link->r_T[0] - Lambda_T_15 * c->length)
+        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t47);
+    const six_link_real t51 = Lambda_T_22 - (Lambda_T_26 * c->length - Lambda_T_24 * link->r_T[1])
+        + (link->r_T[1] * t44 - c->length * t45);
+    const six_link_real t52 = Lambda_T_23 - (Lambda_T_24 * link->r_T[0] - tip->Lambda[9] * c->length)
+        + (link->r_T[1] * t46 - c->length * M_loaded_36);
+    const six_link_real t53 = Lambda_T_33 - (Lambda_T_34 * link->r_T[0] - Lambda_T_35 * c->length)
+        + (c->length * t47 - link->r_T[0] * t46);
+    const six_link_real M_loaded_11 = I_xx + t48;
+    const six_link_real M_loaded_12 = t49 - J_xy;
+    const six_link_real M_loaded_13 = t50 - J_xz;
+    const six_link_real M_loaded_15 = t42 - S_z;
+    const six_link_real M_loaded_16 = S_y + t43;
+    const six_link_real M_loaded_22 = I_yy + t51;
+    const six_link_real M_loaded_23 = t52 - J_yz;
+    const six_link_real M_loaded_24 = S_z + t44;
+    const six_link_real M_loaded_26 = t45 - c->S_0_x;
+    const six_link_real M_loaded_33 = I_zz + t53;
+    const six_link_real M_loaded_34 = t46 - S_y;
+    const six_link_real M_loaded_35 = c->S_0_x + t47;
+    const six_link_real M_loaded_44 = c->mu + Lambda_T_44;
+    const six_link_real M_loaded_55 = c->mu + Lambda_T_55;
+    const six_link_real M_loaded_66 = c->mu + Lambda_T_66;
+    const six_link_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
+    const six_link_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
+    const six_link_real h_loaded_3 = h_V_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
+    const six_link_real h_loaded_4 = h_V_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_V_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_V_6 + p_T_6;
+    const six_link_real t54 = Lambda_T_11 * Theta_11 + Lambda_T_12 * Theta_21 + Lambda_T_13 * Theta_31
+        + Lambda_T_15 * 2;
+    const six_link_real t55 = Lambda_T_11 * Theta_12 + Lambda_T_12 * Theta_22 + Lambda_T_13 * Theta_32
+        + Lambda_T_16 * 2;
+    const six_link_real t56 = Lambda_T_11 * Theta_13 + Lambda_T_12 * Theta_23 + Lambda_T_13 * Theta_33;
+    const six_link_real t57 = Lambda_T_12 * Theta_11 + Lambda_T_22 * Theta_21 + Lambda_T_23 * Theta_31
+        + tip->Lambda[9] * 2;
+    const six_link_real t58 = Lambda_T_12 * Theta_12 + Lambda_T_22 * Theta_22 + Lambda_T_23 * Theta_32
+        + Lambda_T_26 * 2;
+    const six_link_real t59 = Lambda_T_12 * Theta_13 + Lambda_T_22 * Theta_23 + Lambda_T_23 * Theta_33;
+    const six_link_real t60 = Lambda_T_13 * Theta_11 + Lambda_T_23 * Theta_21 + Lambda_T_33 * Theta_31
+        + Lambda_T_35 * 2;
+    const six_link_real t61 = Lambda_T_13 * Theta_12 + Lambda_T_23 * Theta_22 + Lambda_T_33 * Theta_32
+        + tip->Lambda[14] * 2;
+    const six_link_real t62 = Lambda_T_13 * Theta_13 + Lambda_T_23 * Theta_23 + Lambda_T_33 * Theta_33;
+    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + Lambda_T_24 * Theta_21 + Lambda_T_34 * Theta_31
+        + tip->Lambda[16] * 2;
+    const six_link_real C_42 = tip->Lambda[3] * Theta_12 + Lambda_T_24 * Theta_22 + Lambda_T_34 * Theta_32
+        + tip->Lambda[17] * 2;
+    const six_link_real C_43 = tip->Lambda[3] * Theta_13 + Lambda_T_24 * Theta_23 + Lambda_T_34 * Theta_33;
+    const six_link_real t63 = Lambda_T_15 * Theta_11 + tip->Lambda[9] * Theta_21 + Lambda_T_35 * Theta_31
+        + Lambda_T_55 * 2;
+    const six_link_real t64 = tip->Lambda[19] * 2;
+    const six_link_real C_52 = Lambda_T_15 * Theta_12 + tip->Lambda[9] * Theta_22 + Lambda_T_35 * Theta_32 + t64;
+    const six_link_real C_53 = Lambda_T_15 * Theta_13 + tip->Lambda[9] * Theta_23 + Lambda_T_35 * Theta_33;
+    const six_link_real C_61 = Lambda_T_16 * Theta_11 + Lambda_T_26 * Theta_21 + tip->Lambda[14] * Theta_31 + t64;
+    const six_link_real t65 = Lambda_T_16 * Theta_12 + Lambda_T_26 * Theta_22 + tip->Lambda[14] * Theta_32
+        + Lambda_T_66 * 2;
+    const six_link_real C_63 = Lambda_T_16 * Theta_13 + Lambda_T_26 * Theta_23 + tip->Lambda[14] * Theta_33;
+    const six_link_real C_21 = t57 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_32 = t61 + (c->length * C_52 - link->r_T[0] * C_42);
+    const six_link_real C_23 = t59 + (link->r_T[1] * C_43 - c->length * C_63);
+    const six_link_real C_33 = t62 + (c->length * C_53 - link->r_T[0] * C_43);
+    const six_link_real C_11 = t54 + (link->r_T[0] * C_61 - link->r_T[1] * t63) - L_z1;
+    const six_link_real C_12 = L_y1 + (t55 + (link->r_T[0] * t65 - link->r_T[1] * C_52));
+    const six_link_real C_13 = c->sigma_t_3 + (t56 + (link->r_T[0] * C_63 - link->r_T[1] * C_53));
+    const six_link_real C_22 = t58 + (link->r_T[1] * C_42 - c->length * t65) - c->chi_1;
+    const six_link_real C_31 = c->chi_1 + (t60 + (c->length * t63 - link->r_T[0] * C_41));
+    const six_link_real C_51 = c->sigma_y1 + t63;
+    const six_link_real C_62 = c->sigma_y1 + t65;
+    const six_link_real modal_inertia_11 = Theta_11 * t54 + Theta_21 * t57 + Theta_31 * t60 + t63 * 2 + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modal_inertia_12 = Theta_11 * t55 + Theta_21 * t58 + Theta_31 * t61 + C_52 * 2;
+    const six_link_real modal_inertia_13 = Theta_11 * t56 + Theta_21 * t59 + Theta_31 * t62 + C_53 * 2;
+    const six_link_real modal_inertia_22 = Theta_12 * t55 + Theta_22 * t58 + Theta_32 * t61 + t65 * 2 + m_eta[1];
+    const six_link_real modal_inertia_23 = Theta_12 * t56 + Theta_22 * t59 + Theta_32 * t62 + C_63 * 2;
+    const six_link_real modal_inertia_33 = Theta_13 * t56 + Theta_23 * t59 + Theta_33 * t62 + m_eta[2];
+    const six_link_real h_phi_1 = h_eta_1 + f_eta[0]
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * 2);
+    const six_link_real h_phi_2 = h_eta_2 + f_eta[1]
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_6 * 2);
+    const six_link_real h_phi_3 = h_eta_3 + f_eta[2] + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3);
+    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
+    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
+    link->modes_L[1] = modes_L_31;
+    const six_link_real t66 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t66 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t66;
+    const six_link_real t67 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const six_link_real modes_L_32 = t67 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const six_link_real t68 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t67 * modes_L_32);
+    if (!(t68 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_3 = 1 / t68;
+    const six_link_real t69 = C_12 - modes_L_21 * C_11;
+    const six_link_real t70 = C_22 - modes_L_21 * C_21;
+    const six_link_real t71 = C_32 - modes_L_21 * C_31;
+    const six_link_real t72 = C_42 - modes_L_21 * C_41;
+    const six_link_real t73 = C_52 - modes_L_21 * C_51;
+    const six_link_real t74 = C_62 - modes_L_21 * C_61;
+    const six_link_real t75 = C_13 - modes_L_31 * C_11 - modes_L_32 * t69;
+    const six_link_real t76 = C_23 - modes_L_31 * C_21 - modes_L_32 * t70;
+    const six_link_real t77 = C_33 - modes_L_31 * C_31 - modes_L_32 * t71;
+    const six_link_real t78 = C_43 - modes_L_31 * C_41 - modes_L_32 * t72;
+    const six_link_real t79 = C_53 - modes_L_31 * C_51 - modes_L_32 * t73;
+    const six_link_real t80 = C_63 - modes_L_31 * C_61 - modes_L_32 * t74;
+    const six_link_real t81 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real t82 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t81;
+    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
+    link->modes_W[0] = modes_W_11;
+    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
+    link->modes_W[3] = modes_W_14;
+    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
+    link->modes_W[4] = modes_W_15;
+    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
+    link->modes_W[5] = modes_W_16;
+    const six_link_real modes_W_21 = t69 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const six_link_real modes_W_22 = t70 * modes_inverse_2;
+    link->modes_W[7] = modes_W_22;
+    const six_link_real modes_W_23 = t71 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const six_link_real modes_W_24 = t72 * modes_inverse_2;
+    link->modes_W[9] = modes_W_24;
+    const six_link_real modes_W_25 = t73 * modes_inverse_2;
+    link->modes_W[10] = modes_W_25;
+    const six_link_real modes_W_26 = t74 * modes_inverse_2;
+    link->modes_W[11] = modes_W_26;
+    const six_link_real modes_W_31 = t75 * modes_inverse_3;
+    link->modes_W[12] = modes_W_31;
+    const six_link_real modes_W_32 = t76 * modes_inverse_3;
+    link->modes_W[13] = modes_W_32;
+    const six_link_real modes_W_33 = t77 * modes_inverse_3;
+    link->modes_W[14] = modes_W_33;
+    const six_link_real modes_W_34 = t78 * modes_inverse_3;
+    link->modes_W[15] = modes_W_34;
+    const six_link_real modes_W_35 = t79 * modes_inverse_3;
+    link->modes_W[16] = modes_W_35;
+    const six_link_real modes_W_36 = t80 * modes_inverse_3;
+    link->modes_W[17] = modes_W_36;
+    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const six_link_real modes_w_2 = t81 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const six_link_real modes_w_3 = t82 * modes_inverse_3;
+    link->modes_w[2] = modes_w_3;
+    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t69 * modes_W_21 + t75 * modes_W_31);
+    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t69 * modes_W_22 + t75 * modes_W_32);
+    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t69 * modes_W_23 + t75 * modes_W_33);
+    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t69 * modes_W_24 + t75 * modes_W_34);
+    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t69 * modes_W_25 + t75 * modes_W_35);
+    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t69 * modes_W_26 + t75 * modes_W_36);
+    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t70 * modes_W_22 + t76 * modes_W_32);
+    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t70 * modes_W_23 + t76 * modes_W_33);
+    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t70 * modes_W_24 + t76 * modes_W_34);
+    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t70 * modes_W_25 + t76 * modes_W_35);
+    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t70 * modes_W_26 + t76 * modes_W_36);
+    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t71 * modes_W_23 + t77 * modes_W_33);
+    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t71 * modes_W_24 + t77 * modes_W_34);
+    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t71 * modes_W_25 + t77 * modes_W_35);
+    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t71 * modes_W_26 + t77 * modes_W_36);
+    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t72 * modes_W_24 + t78 * modes_W_34);
+    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t72 * modes_W_25 + t78 * modes_W_35);
+    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t72 * modes_W_26 + t78 * modes_W_36);
+    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t73 * modes_W_25 + t79 * modes_W_35);
+    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t73 * modes_W_26 + t79 * modes_W_36);
+    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t74 * modes_W_26 + t80 * modes_W_36);
+    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t81 + modes_W_31 * t82);
+    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t81 + modes_W_32 * t82);
+    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t81 + modes_W_33 * t82);
+    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t81 + modes_W_34 * t82);
+    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t81 + modes_W_35 * t82);
+    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t81 + modes_W_36 * t82);
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
+    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
+    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    base->Lambda[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    base->p[4] = p_i_5;
+    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t83 = link->lever[1] * Lambda_i_45;
+    const six_link_real t84 = c->mount_xyz_y * Lambda_i_46;
+    const six_link_real t85 = link->lever[0] * Lambda_i_56;
+    const six_link_real t86 = Lambda_i_14 + (t84 - t83);
+    const six_link_real t87 = Lambda_i_15 + (c->mount_xyz_y * Lambda_i_56 - link->lever[1] * Lambda_i_55);
+    const six_link_real t88 = Lambda_i_16 + (c->mount_xyz_y * Lambda_i_66 - link->lever[1] * Lambda_i_56);
+    const six_link_real t89 = Lambda_i_24 + (link->lever[1] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real Lambda_10 = Lambda_i_25 + (t83 - t85);
+    base->Lambda[9] = Lambda_10;
+    const six_link_real t90 = Lambda_i_26 + (link->lever[1] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t91 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - c->mount_xyz_y * Lambda_i_44);
+    const six_link_real t92 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - c->mount_xyz_y * Lambda_i_45);
+    const six_link_real t93 = Lambda_i_36 + (t85 - t84);
+    const six_link_real t94 = Lambda_i_11 - (Lambda_i_15 * link->lever[1] - Lambda_i_16 * c->mount_xyz_y)
+        + (c->mount_xyz_y * t88 - link->lever[1] * t87);
+    const six_link_real t95 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[1])
+        + (c->mount_xyz_y * t90 - link->lever[1] * Lambda_10);
+    const six_link_real t96 = Lambda_i_13 - (Lambda_i_14 * c->mount_xyz_y - Lambda_i_15 * link->lever[0])
+        + (c->mount_xyz_y * t93 - link->lever[1] * t92);
+    const six_link_real Lambda_7 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[1])
+        + (link->lever[1] * t89 - link->lever[0] * t90);
+    base->Lambda[6] = Lambda_7;
+    const six_link_real t97 = Lambda_i_23 - (Lambda_i_24 * c->mount_xyz_y - Lambda_i_25 * link->lever[0])
+        + (link->lever[1] * t91 - link->lever[0] * t93);
+    const six_link_real t98 = Lambda_i_33 - (Lambda_i_34 * c->mount_xyz_y - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t92 - c->mount_xyz_y * t91);
+    const six_link_real t99 = (t94 - t98) * REAL(0.5);
+    const six_link_real t100 = t99 * link->R_P[0] + t96 * link->R_P[2];
+    const six_link_real t101 = t99 * link->R_P[6] + t96 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t100 * 2 + t98;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_3 = link->R_P[0] * t101 + link->R_P[6] * t100;
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_8 = t97 * link->R_P[8] + link->R_P[6] * t95;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[6] * t101 * 2 + t98;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real Lambda_11 = t89 * link->R_P[6] + t90 * link->R_P[8];
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_5 = link->R_P[0] * t87 + link->R_P[2] * t92;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_13 = link->R_P[6] * (t86 * link->R_P[0] + t88 * link->R_P[2])
+        + link->R_P[8] * (t91 * link->R_P[0] + t93 * link->R_P[2]);
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t87 + link->R_P[8] * t92;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * (t86 * link->R_P[6] + t88 * link->R_P[8])
+        + link->R_P[8] * (t91 * link->R_P[6] + t93 * link->R_P[8]);
+    base->Lambda[14] = Lambda_15;
+    const six_link_real Lambda_17 = link->R_P[0] * Lambda_i_45 + Lambda_i_56 * link->R_P[2];
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] + link->R_P[6] * Lambda_i_45;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real t102 = link->R_P[6]
+        * ((Lambda_i_44 - Lambda_i_66) * REAL(0.5) * link->R_P[6] + Lambda_i_46 * link->R_P[8]);
+    const six_link_real Lambda_21 = t102 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real t103 = p_i_1 + (c->mount_xyz_y * p_i_6 - link->lever[1] * p_i_5);
+    const six_link_real p_2 = p_i_2 + (link->lever[1] * p_i_4 - link->lever[0] * p_i_6);
+    base->p[1] = p_2;
+    const six_link_real t104 = p_i_3 + (link->lever[0] * p_i_5 - c->mount_xyz_y * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t103 + link->R_P[2] * t104;
+    base->p[0] = p_1;
+    const six_link_real p_3 = link->R_P[6] * t103 + link->R_P[8] * t104;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like forearm: 1028 operations */
+static six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 2],
+    const six_link_real etadot[restrict 2], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 2], const six_link_real f_eta[restrict 2],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* S: first moment */
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
+
+    /* Sdot: rate of the first moment */
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+
+    /* L: first moment weighted by each mode shape (85) */
+    const six_link_real L_y1 = c->mu * eta[0];
+    const six_link_real L_z1 = eta[1] * c->mu;
+
+    /* Ldot: rate of L */
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
+    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+
+    /* J: second moment */
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
+
+    /* I: inertia about the origin, deformed */
+    const six_link_real I_xx = c->I_s + J_yy + J_zz;
+    const six_link_real I_yy = c->J_0_xx + J_zz;
+    const six_link_real I_zz = c->J_0_xx + J_yy;
+
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real t1 = link->omega[1] * link->omega[1];
+    const six_link_real t2 = link->omega[2] * link->omega[2];
+    const six_link_real minus_Omega_xx = t1 + t2;
+    const six_link_real t3 = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xy = t3 - link->alpha_0[2];
+    const six_link_real t4 = link->omega[0] * link->omega[2];
+    const six_link_real Omega_xz = link->alpha_0[1] + t4;
+    const six_link_real Omega_yx = link->alpha_0[2] + t3;
+    const six_link_real t5 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t5 + t2;
+    const six_link_real t6 = link->omega[1] * link->omega[2];
+    const six_link_real Omega_yz = t6 - link->alpha_0[0];
+    const six_link_real Omega_zx = t4 - link->alpha_0[1];
+    const six_link_real Omega_zy = link->alpha_0[0] + t6;
+    const six_link_real minus_Omega_zz = t5 + t1;
+
+    /* B: moment of the elastic velocity */
+    const six_link_real B_yx = c->chi_1 * etadot[0];
+    const six_link_real B_yy = L_y1 * etadot[0];
+    const six_link_real B_yz = L_z1 * etadot[0];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
+
+    /* h_c: half of the Coriolis wrench */
+    const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const six_link_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const six_link_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const six_link_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const six_link_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const six_link_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const six_link_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->alpha_0[3];
+    const six_link_real t9 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const six_link_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t9 * link->omega[1];
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->alpha_0[3] * c->m;
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->alpha_0[4] * c->m;
+    const six_link_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->alpha_0[5] * c->m;
+
+    /* h_V: bias of the twist rows, angular acceleration included */
+    const six_link_real h_V_1 = H_star_1 + h_c_1;
+    const six_link_real h_V_2 = H_star_2 + h_c_2;
+    const six_link_real h_V_3 = H_star_3 + h_c_3;
+    const six_link_real h_V_4 = H_star_4 + h_c_4;
+    const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
+    const six_link_real h_V_6 = H_star_6 + h_c_6;
+
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0]
+        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real p_T_2 = tip->p[1]
+        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+    const six_link_real p_T_3 = tip->p[2]
+        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+    const six_link_real p_T_4 = tip->p[3]
+        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real p_T_5 = tip->p[4]
+        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const six_link_real p_T_6 = tip->p[5]
+        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real minus_Theta_12 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real Theta_21 = link->J_l[4] * c->Psi_c_z1;
+    const six_link_real Theta_22 = link->J_l[3] * c->Psi_c_y2;
+    const six_link_real Theta_31 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real Theta_32 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real t11 = link->r_T[1] * tip->Lambda[16];
+    const six_link_real t12 = link->r_T[0] * tip->Lambda[17];
+    const six_link_real t13 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_14 = tip->Lambda[3] + (t12 - t11);
+    const six_link_real t14 = tip->Lambda[4] + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * tip->Lambda[18]);
+    const six_link_real t15 = tip->Lambda[5] + (link->r_T[0] * tip->Lambda[20] - link->r_T[1] * tip->Lambda[19]);
+    const six_link_real t16 = tip->Lambda[8] + (link->r_T[1] * tip->Lambda[15] - c->length * tip->Lambda[17]);
+    const six_link_real M_loaded_25 = tip->Lambda[9] + (t11 - t13);
+    const six_link_real t17 = tip->Lambda[10] + (link->r_T[1] * tip->Lambda[17] - c->length * tip->Lambda[20]);
+    const six_link_real t18 = tip->Lambda[12] + (c->length * tip->Lambda[16] - link->r_T[0] * tip->Lambda[15]);
+    const six_link_real t19 = tip->Lambda[13] + (c->length * tip->Lambda[18] - link->r_T[0] * tip->Lambda[16]);
+    const six_link_real M_loaded_36 = tip->Lambda[14] + (t13 - t12);
+    const six_link_real t20 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[1] - tip->Lambda[5] * link->r_T[0])
+        + (link->r_T[0] * t15 - link->r_T[1] * t14);
+    const six_link_real t21 = tip->Lambda[1] - (tip->Lambda[5] * c->length - tip->Lambda[3] * link->r_T[1])
+        + (link->r_T[0] * t17 - link->r_T[1] * M_loaded_25);
+    const six_link_real t22 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[0] - tip->Lambda[4] * c->length)
+        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t19);
+    const six_link_real t23 = tip->Lambda[6] - (tip->Lambda[10] * c->length - tip->Lambda[8] * link->r_T[1])
+        + (link->r_T[1] * t16 - c->length * t17);
+    const six_link_real t24 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[0] - tip->Lambda[9] * c->length)
+        + (link->r_T[1] * t18 - c->length * M_loaded_36);
+    const six_link_real t25 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[0] - tip->Lambda[13] * c->length)
+        + (c->length * t19 - link->r_T[0] * t18);
+    const six_link_real M_loaded_11 = I_xx + t20;
+    const six_link_real M_loaded_12 = t21 - J_xy;
+    const six_link_real M_loaded_13 = t22 - J_xz;
+    const six_link_real M_loaded_15 = t14 - S_z;
+    const six_link_real M_loaded_16 = S_y + t15;
+    const six_link_real M_loaded_22 = I_yy + t23;
+    const six_link_real M_loaded_23 = t24 - J_yz;
+    const six_link_real M_loaded_24 = S_z + t16;
+    const six_link_real M_loaded_26 = t17 - c->S_0_x;
+    const six_link_real M_loaded_33 = I_zz + t25;
+    const six_link_real M_loaded_34 = t18 - S_y;
+    const six_link_real M_loaded_35 = c->S_0_x + t19;
+    const six_link_real M_loaded_44 = c->m + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->m + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->m + tip->Lambda[20];
+    const six_link_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
+    const six_link_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
+    const six_link_real h_loaded_3 = h_V_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
+    const six_link_real h_loaded_4 = h_V_4 + p_T_4;
+    const six_link_real h_loaded_5 = h_V_5 + p_T_5;
+    const six_link_real h_loaded_6 = h_V_6 + p_T_6;
+    const six_link_real t26 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
+        + tip->Lambda[4] * REAL(2.23606797749979);
+    const six_link_real t27 = tip->Lambda[1] * Theta_22 - tip->Lambda[0] * minus_Theta_12
+        + tip->Lambda[2] * Theta_32 + tip->Lambda[5] * REAL(2.23606797749979);
+    const six_link_real t28 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
+        + tip->Lambda[9] * REAL(2.23606797749979);
+    const six_link_real t29 = tip->Lambda[6] * Theta_22 - tip->Lambda[1] * minus_Theta_12
+        + tip->Lambda[7] * Theta_32 + tip->Lambda[10] * REAL(2.23606797749979);
+    const six_link_real t30 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
+        + tip->Lambda[13] * REAL(2.23606797749979);
+    const six_link_real t31 = tip->Lambda[7] * Theta_22 - tip->Lambda[2] * minus_Theta_12
+        + tip->Lambda[11] * Theta_32 + tip->Lambda[14] * REAL(2.23606797749979);
+    const six_link_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
+        + tip->Lambda[16] * REAL(2.23606797749979);
+    const six_link_real C_42 = tip->Lambda[8] * Theta_22 - tip->Lambda[3] * minus_Theta_12
+        + tip->Lambda[12] * Theta_32 + tip->Lambda[17] * REAL(2.23606797749979);
+    const six_link_real t32 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
+        + tip->Lambda[18] * REAL(2.23606797749979);
+    const six_link_real t33 = tip->Lambda[19] * REAL(2.23606797749979);
+    const six_link_real C_52 = tip->Lambda[9] * Theta_22 - tip->Lambda[4] * minus_Theta_12
+        + tip->Lambda[13] * Theta_32 + t33;
+    const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21
+        + tip->Lambda[14] * Theta_31 + t33;
+    const six_link_real t34 = tip->Lambda[10] * Theta_22 - tip->Lambda[5] * minus_Theta_12
+        + tip->Lambda[14] * Theta_32 + tip->Lambda[20] * REAL(2.23606797749979);
+    const six_link_real C_21 = t28 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_32 = t31 + (c->length * C_52 - link->r_T[0] * C_42);
+    const six_link_real C_11 = t26 + (link->r_T[0] * C_61 - link->r_T[1] * t32) - L_z1;
+    const six_link_real C_12 = L_y1 + (t27 + (link->r_T[0] * t34 - link->r_T[1] * C_52));
+    const six_link_real C_22 = t29 + (link->r_T[1] * C_42 - c->length * t34) - c->chi_1;
+    const six_link_real C_31 = c->chi_1 + (t30 + (c->length * t32 - link->r_T[0] * C_41));
+    const six_link_real C_51 = c->sigma_y1 + t32;
+    const six_link_real C_62 = c->sigma_y1 + t34;
+    const six_link_real modal_inertia_11 = Theta_11 * t26 + Theta_21 * t28 + Theta_31 * t30
+        + t32 * REAL(2.23606797749979) + m_eta[0];
+    if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modal_inertia_12 = Theta_11 * t27 + Theta_21 * t29 + Theta_31 * t31
+        + C_52 * REAL(2.23606797749979);
+    const six_link_real modal_inertia_22 = Theta_22 * t29 - minus_Theta_12 * t27 + Theta_32 * t31
+        + t34 * REAL(2.23606797749979) + m_eta[1];
+    const six_link_real h_phi_1 = h_eta_1 + f_eta[0]
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.23606797749979));
+    const six_link_real h_phi_2 = h_eta_2 + f_eta[1]
+        + (Theta_22 * p_T_2 - minus_Theta_12 * p_T_1 + Theta_32 * p_T_3 + p_T_6 * REAL(2.23606797749979));
+    const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
+    const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const six_link_real t35 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t35 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t35;
+    const six_link_real t36 = C_12 - modes_L_21 * C_11;
+    const six_link_real t37 = C_22 - modes_L_21 * C_21;
+    const six_link_real t38 = C_32 - modes_L_21 * C_31;
+    const six_link_real t39 = C_42 - modes_L_21 * C_41;
+    const six_link_real t40 = C_52 - modes_L_21 * C_51;
+    const six_link_real t41 = C_62 - modes_L_21 * C_61;
+    const six_link_real t42 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real modes_W_11 = C_11 * modes_inverse_1;
+    link->modes_W[0] = modes_W_11;
+    const six_link_real modes_W_12 = C_21 * modes_inverse_1;
+    link->modes_W[1] = modes_W_12;
+    const six_link_real modes_W_13 = C_31 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const six_link_real modes_W_14 = C_41 * modes_inverse_1;
+    link->modes_W[3] = modes_W_14;
+    const six_link_real modes_W_15 = C_51 * modes_inverse_1;
+    link->modes_W[4] = modes_W_15;
+    const six_link_real modes_W_16 = C_61 * modes_inverse_1;
+    link->modes_W[5] = modes_W_16;
+    const six_link_real modes_W_21 = t36 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const six_link_real modes_W_22 = t37 * modes_inverse_2;
+    link->modes_W[7] = modes_W_22;
+    const six_link_real modes_W_23 = t38 * modes_inverse_2;
+    link->modes_W[8] = modes_W_23;
+    const six_link_real modes_W_24 = t39 * modes_inverse_2;
+    link->modes_W[9] = modes_W_24;
+    const six_link_real modes_W_25 = t40 * modes_inverse_2;
+    link->modes_W[10] = modes_W_25;
+    const six_link_real modes_W_26 = t41 * modes_inverse_2;
+    link->modes_W[11] = modes_W_26;
+    const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
+    link->modes_w[0] = modes_w_1;
+    const six_link_real modes_w_2 = t42 * modes_inverse_2;
+    link->modes_w[1] = modes_w_2;
+    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t36 * modes_W_21);
+    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t36 * modes_W_22);
+    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t36 * modes_W_23);
+    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t36 * modes_W_24);
+    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t36 * modes_W_25);
+    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t36 * modes_W_26);
+    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t37 * modes_W_22);
+    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t37 * modes_W_23);
+    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t37 * modes_W_24);
+    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t37 * modes_W_25);
+    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t37 * modes_W_26);
+    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t38 * modes_W_23);
+    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t38 * modes_W_24);
+    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t38 * modes_W_25);
+    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t38 * modes_W_26);
+    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t39 * modes_W_24);
+    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t39 * modes_W_25);
+    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t39 * modes_W_26);
+    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t40 * modes_W_25);
+    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t40 * modes_W_26);
+    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t41 * modes_W_26);
+    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t42);
+    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t42);
+    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t42);
+    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t42);
+    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t42);
+    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t42);
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_i_22 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_i_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = M_i_24 * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_i_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_i_12 - M_i_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_i_13 - M_i_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = M_i_14 - M_i_12 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = M_i_15 - M_i_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = M_i_16 - M_i_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_i_22 - M_i_22 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_i_23 - M_i_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_i_24 - M_i_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_i_25 - M_i_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_i_26 - M_i_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_i_33 - M_i_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_i_34 - M_i_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_i_35 - M_i_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_i_36 - M_i_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_i_44 - M_i_24 * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = M_i_45 - M_i_24 * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = M_i_46 - M_i_24 * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_i_55 - M_i_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = M_i_56 - M_i_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_i_66 - M_i_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_i_1 + M_i_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_i_2 + M_i_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_i_3 + M_i_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_i_4 + M_i_24 * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_i_5 + M_i_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_i_6 + M_i_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t43 = link->lever[2] * Lambda_i_45;
+    const six_link_real t44 = link->lever[1] * Lambda_i_46;
+    const six_link_real t45 = link->lever[0] * Lambda_i_56;
+    const six_link_real t46 = Lambda_i_14 + (t44 - t43);
+    const six_link_real t47 = Lambda_i_15 + (link->lever[1] * Lambda_i_56 - link->lever[2] * Lambda_i_55);
+    const six_link_real t48 = Lambda_i_16 + (link->lever[1] * Lambda_i_66 - link->lever[2] * Lambda_i_56);
+    const six_link_real t49 = Lambda_i_24 + (link->lever[2] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real t50 = Lambda_i_25 + (t43 - t45);
+    const six_link_real t51 = Lambda_i_26 + (link->lever[2] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t52 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - link->lever[1] * Lambda_i_44);
+    const six_link_real t53 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - link->lever[1] * Lambda_i_45);
+    const six_link_real t54 = Lambda_i_36 + (t45 - t44);
+    const six_link_real t55 = Lambda_i_11 - (Lambda_i_15 * link->lever[2] - Lambda_i_16 * link->lever[1])
+        + (link->lever[1] * t48 - link->lever[2] * t47);
+    const six_link_real t56 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[2])
+        + (link->lever[1] * t51 - link->lever[2] * t50);
+    const six_link_real t57 = Lambda_i_13 - (Lambda_i_14 * link->lever[1] - Lambda_i_15 * link->lever[0])
+        + (link->lever[1] * t54 - link->lever[2] * t53);
+    const six_link_real t58 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[2])
+        + (link->lever[2] * t49 - link->lever[0] * t51);
+    const six_link_real t59 = Lambda_i_23 - (Lambda_i_24 * link->lever[1] - Lambda_i_25 * link->lever[0])
+        + (link->lever[2] * t52 - link->lever[0] * t54);
+    const six_link_real t60 = Lambda_i_33 - (Lambda_i_34 * link->lever[1] - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t53 - link->lever[1] * t52);
+    const six_link_real t61 = (t55 - t60) * REAL(0.5);
+    const six_link_real t62 = t61 * link->R_P[0] + t56 * link->R_P[1] + t57 * link->R_P[2];
+    const six_link_real t63 = t61 * link->R_P[3] + t56 * link->R_P[4] + t57 * link->R_P[5];
+    const six_link_real t64 = t61 * link->R_P[6] + t56 * link->R_P[7] + t57 * link->R_P[8];
+    const six_link_real t65 = (t58 - t60) * REAL(0.5);
+    const six_link_real t66 = t65 * link->R_P[1] + t59 * link->R_P[2];
+    const six_link_real t67 = t65 * link->R_P[4] + t59 * link->R_P[5];
+    const six_link_real t68 = t65 * link->R_P[7] + t59 * link->R_P[8];
+    const six_link_real Lambda_1 = (link->R_P[0] * t62 + link->R_P[1] * t66) * 2 + t60;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * t63 + link->R_P[1] * t67
+        + (link->R_P[3] * t62 + link->R_P[4] * t66);
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t64 + link->R_P[1] * t68
+        + (link->R_P[6] * t62 + link->R_P[7] * t66);
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_7 = (link->R_P[3] * t63 + link->R_P[4] * t67) * 2 + t60;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[3] * t64 + link->R_P[4] * t68
+        + (link->R_P[6] * t63 + link->R_P[7] * t67);
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = (link->R_P[6] * t64 + link->R_P[7] * t68) * 2 + t60;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t69 = t46 * link->R_P[0] + t47 * link->R_P[1] + t48 * link->R_P[2];
+    const six_link_real t70 = t46 * link->R_P[3] + t47 * link->R_P[4] + t48 * link->R_P[5];
+    const six_link_real t71 = t46 * link->R_P[6] + t47 * link->R_P[7] + t48 * link->R_P[8];
+    const six_link_real t72 = t49 * link->R_P[0] + t50 * link->R_P[1] + t51 * link->R_P[2];
+    const six_link_real t73 = t49 * link->R_P[3] + t50 * link->R_P[4] + t51 * link->R_P[5];
+    const six_link_real t74 = t49 * link->R_P[6] + t50 * link->R_P[7] + t51 * link->R_P[8];
+    const six_link_real t75 = t52 * link->R_P[0] + t53 * link->R_P[1] + t54 * link->R_P[2];
+    const six_link_real t76 = t52 * link->R_P[3] + t53 * link->R_P[4] + t54 * link->R_P[5];
+    const six_link_real t77 = t52 * link->R_P[6] + t53 * link->R_P[7] + t54 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t69 + link->R_P[1] * t72 + link->R_P[2] * t75;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * t70 + link->R_P[1] * t73 + link->R_P[2] * t76;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t71 + link->R_P[1] * t74 + link->R_P[2] * t77;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_9 = link->R_P[3] * t69 + link->R_P[4] * t72 + link->R_P[5] * t75;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[3] * t70 + link->R_P[4] * t73 + link->R_P[5] * t76;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[3] * t71 + link->R_P[4] * t74 + link->R_P[5] * t77;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[6] * t69 + link->R_P[7] * t72 + link->R_P[8] * t75;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t70 + link->R_P[7] * t73 + link->R_P[8] * t76;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t71 + link->R_P[7] * t74 + link->R_P[8] * t77;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t78 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t79 = t78 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
+    const six_link_real t80 = t78 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
+    const six_link_real t81 = t78 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
+    const six_link_real t82 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t83 = t82 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
+    const six_link_real t84 = t82 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t85 = t82 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_16 = (link->R_P[0] * t79 + link->R_P[1] * t83) * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = link->R_P[0] * t80 + link->R_P[1] * t84
+        + (link->R_P[3] * t79 + link->R_P[4] * t83);
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t81 + link->R_P[1] * t85
+        + (link->R_P[6] * t79 + link->R_P[7] * t83);
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_19 = (link->R_P[3] * t80 + link->R_P[4] * t84) * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[3] * t81 + link->R_P[4] * t85
+        + (link->R_P[6] * t80 + link->R_P[7] * t84);
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = (link->R_P[6] * t81 + link->R_P[7] * t85) * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real t86 = p_i_1 + (link->lever[1] * p_i_6 - link->lever[2] * p_i_5);
+    const six_link_real t87 = p_i_2 + (link->lever[2] * p_i_4 - link->lever[0] * p_i_6);
+    const six_link_real t88 = p_i_3 + (link->lever[0] * p_i_5 - link->lever[1] * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t86 + link->R_P[1] * t87 + link->R_P[2] * t88;
+    base->p[0] = p_1;
+    const six_link_real p_2 = link->R_P[3] * t86 + link->R_P[4] * t87 + link->R_P[5] * t88;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[6] * t86 + link->R_P[7] * t87 + link->R_P[8] * t88;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like wrist_roll: 398 operations */
+static six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t2 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_24 = tip->Lambda[8] - c->length * tip->Lambda[17];
+    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
+    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
+    const six_link_real M_loaded_34 = tip->Lambda[12] + c->length * tip->Lambda[16];
+    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
+    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
+    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
+    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
+    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
+    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
+    const six_link_real M_loaded_26 = t3 - c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx
+        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_35 = c->S_0_x + t4;
+    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
+    const six_link_real h_loaded_1 = H_star_1 + p_T_1;
+    const six_link_real h_loaded_2 = H_star_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
+    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_loaded_12 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_loaded_13 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = tip->Lambda[3] * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = tip->Lambda[4] * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = tip->Lambda[5] * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_11 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_11 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_14 = tip->Lambda[3] - M_loaded_11 * joint_W_14;
+    link->Lambda_i[3] = Lambda_i_14;
+    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_11 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_11 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_12 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_12 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = M_loaded_24 - M_loaded_12 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_12 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_12 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_13 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = M_loaded_34 - M_loaded_13 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_13 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_13 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[3] * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real Lambda_i_45 = tip->Lambda[16] - tip->Lambda[3] * joint_W_15;
+    link->Lambda_i[16] = Lambda_i_45;
+    const six_link_real Lambda_i_46 = tip->Lambda[17] - tip->Lambda[3] * joint_W_16;
+    link->Lambda_i[17] = Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_loaded_55 - tip->Lambda[4] * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = tip->Lambda[19] - tip->Lambda[4] * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_66 - tip->Lambda[5] * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_12 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_13 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[3] * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + tip->Lambda[4] * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + tip->Lambda[5] * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_12 * link->R_P[1] + Lambda_i_13 * link->R_P[2];
+    const six_link_real t7 = t5 * link->R_P[3] + Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
+    const six_link_real t8 = t5 * link->R_P[6] + Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
+    const six_link_real t9 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t10 = t9 * link->R_P[1] + Lambda_i_23 * link->R_P[2];
+    const six_link_real t11 = t9 * link->R_P[4] + Lambda_i_23 * link->R_P[5];
+    const six_link_real t12 = t9 * link->R_P[7] + Lambda_i_23 * link->R_P[8];
+    const six_link_real Lambda_1 = (link->R_P[0] * t6 + link->R_P[1] * t10) * 2 + Lambda_i_33;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * t7 + link->R_P[1] * t11
+        + (link->R_P[3] * t6 + link->R_P[4] * t10);
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t8 + link->R_P[1] * t12
+        + (link->R_P[6] * t6 + link->R_P[7] * t10);
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_7 = (link->R_P[3] * t7 + link->R_P[4] * t11) * 2 + Lambda_i_33;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[3] * t8 + link->R_P[4] * t12
+        + (link->R_P[6] * t7 + link->R_P[7] * t11);
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = (link->R_P[6] * t8 + link->R_P[7] * t12) * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t13 = Lambda_i_14 * link->R_P[0] + Lambda_i_15 * link->R_P[1]
+        + Lambda_i_16 * link->R_P[2];
+    const six_link_real t14 = Lambda_i_14 * link->R_P[3] + Lambda_i_15 * link->R_P[4]
+        + Lambda_i_16 * link->R_P[5];
+    const six_link_real t15 = Lambda_i_14 * link->R_P[6] + Lambda_i_15 * link->R_P[7]
+        + Lambda_i_16 * link->R_P[8];
+    const six_link_real t16 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1]
+        + Lambda_i_26 * link->R_P[2];
+    const six_link_real t17 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4]
+        + Lambda_i_26 * link->R_P[5];
+    const six_link_real t18 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7]
+        + Lambda_i_26 * link->R_P[8];
+    const six_link_real t19 = Lambda_i_34 * link->R_P[0] + Lambda_i_35 * link->R_P[1]
+        + Lambda_i_36 * link->R_P[2];
+    const six_link_real t20 = Lambda_i_34 * link->R_P[3] + Lambda_i_35 * link->R_P[4]
+        + Lambda_i_36 * link->R_P[5];
+    const six_link_real t21 = Lambda_i_34 * link->R_P[6] + Lambda_i_35 * link->R_P[7]
+        + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t13 + link->R_P[1] * t16 + link->R_P[2] * t19;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * t14 + link->R_P[1] * t17 + link->R_P[2] * t20;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t15 + link->R_P[1] * t18 + link->R_P[2] * t21;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_9 = link->R_P[3] * t13 + link->R_P[4] * t16 + link->R_P[5] * t19;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[3] * t14 + link->R_P[4] * t17 + link->R_P[5] * t20;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[3] * t15 + link->R_P[4] * t18 + link->R_P[5] * t21;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[6] * t13 + link->R_P[7] * t16 + link->R_P[8] * t19;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * t14 + link->R_P[7] * t17 + link->R_P[8] * t20;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t15 + link->R_P[7] * t18 + link->R_P[8] * t21;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t22 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t23 = t22 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
+    const six_link_real t24 = t22 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
+    const six_link_real t25 = t22 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
+    const six_link_real t26 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t27 = t26 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
+    const six_link_real t28 = t26 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t29 = t26 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_16 = (link->R_P[0] * t23 + link->R_P[1] * t27) * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = link->R_P[0] * t24 + link->R_P[1] * t28
+        + (link->R_P[3] * t23 + link->R_P[4] * t27);
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t25 + link->R_P[1] * t29
+        + (link->R_P[6] * t23 + link->R_P[7] * t27);
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_19 = (link->R_P[3] * t24 + link->R_P[4] * t28) * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[3] * t25 + link->R_P[4] * t29
+        + (link->R_P[6] * t24 + link->R_P[7] * t28);
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = (link->R_P[6] * t25 + link->R_P[7] * t29) * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * p_i_3;
+    base->p[0] = p_1;
+    const six_link_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like wrist_pitch: 240 operations */
+static six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real p_T_1 = tip->p[0] - w_ext[0];
+    const six_link_real p_T_2 = tip->p[1] - w_ext[1];
+    const six_link_real p_T_3 = tip->p[2] - w_ext[2];
+    const six_link_real p_T_4 = tip->p[3] - w_ext[3];
+    const six_link_real p_T_5 = tip->p[4] - w_ext[4];
+    const six_link_real p_T_6 = tip->p[5] - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t2 = c->length * tip->Lambda[19];
+    const six_link_real M_loaded_25 = tip->Lambda[9] - t2;
+    const six_link_real t3 = tip->Lambda[10] - c->length * tip->Lambda[20];
+    const six_link_real t4 = tip->Lambda[13] + c->length * tip->Lambda[18];
+    const six_link_real M_loaded_36 = tip->Lambda[14] + t2;
+    const six_link_real M_loaded_12 = tip->Lambda[1] - tip->Lambda[5] * c->length;
+    const six_link_real M_loaded_13 = tip->Lambda[2] + tip->Lambda[4] * c->length;
+    const six_link_real M_loaded_23 = tip->Lambda[7] + tip->Lambda[9] * c->length - c->length * M_loaded_36;
+    const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
+    const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
+    const six_link_real M_loaded_26 = t3 - c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx
+        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_35 = c->S_0_x + t4;
+    const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
+    const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
+    const six_link_real M_loaded_66 = c->mu + tip->Lambda[20];
+    const six_link_real h_loaded_1 = H_star_1 + p_T_1;
+    const six_link_real h_loaded_2 = H_star_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
+    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_22 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real joint_W_12 = M_loaded_22 * joint_inverse_1;
+    link->joint_W[1] = joint_W_12;
+    const six_link_real joint_W_13 = M_loaded_23 * joint_inverse_1;
+    link->joint_W[2] = joint_W_13;
+    const six_link_real joint_W_14 = tip->Lambda[8] * joint_inverse_1;
+    link->joint_W[3] = joint_W_14;
+    const six_link_real joint_W_15 = M_loaded_25 * joint_inverse_1;
+    link->joint_W[4] = joint_W_15;
+    const six_link_real joint_W_16 = M_loaded_26 * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_2) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_12 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_12 - M_loaded_12 * joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_13 - M_loaded_12 * joint_W_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real minus_Lambda_i_14 = M_loaded_12 * joint_W_14;
+    link->Lambda_i[3] = -minus_Lambda_i_14;
+    const six_link_real Lambda_i_15 = tip->Lambda[4] - M_loaded_12 * joint_W_15;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = tip->Lambda[5] - M_loaded_12 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - M_loaded_22 * joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    base->Lambda[6] = Lambda_i_22;
+    const six_link_real Lambda_i_23 = M_loaded_23 - M_loaded_22 * joint_W_13;
+    link->Lambda_i[7] = Lambda_i_23;
+    const six_link_real Lambda_i_24 = tip->Lambda[8] - M_loaded_22 * joint_W_14;
+    link->Lambda_i[8] = Lambda_i_24;
+    const six_link_real Lambda_i_25 = M_loaded_25 - M_loaded_22 * joint_W_15;
+    link->Lambda_i[9] = Lambda_i_25;
+    base->Lambda[9] = Lambda_i_25;
+    const six_link_real Lambda_i_26 = M_loaded_26 - M_loaded_22 * joint_W_16;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - M_loaded_23 * joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_34 = tip->Lambda[12] - M_loaded_23 * joint_W_14;
+    link->Lambda_i[12] = Lambda_i_34;
+    const six_link_real Lambda_i_35 = M_loaded_35 - M_loaded_23 * joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = M_loaded_36 - M_loaded_23 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_44 = M_loaded_44 - tip->Lambda[8] * joint_W_14;
+    link->Lambda_i[15] = Lambda_i_44;
+    const six_link_real minus_Lambda_i_45 = tip->Lambda[8] * joint_W_15;
+    link->Lambda_i[16] = -minus_Lambda_i_45;
+    const six_link_real minus_Lambda_i_46 = tip->Lambda[8] * joint_W_16;
+    link->Lambda_i[17] = -minus_Lambda_i_46;
+    const six_link_real Lambda_i_55 = M_loaded_55 - M_loaded_25 * joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    base->Lambda[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = tip->Lambda[19] - M_loaded_25 * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_66 - M_loaded_26 * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_12 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 + M_loaded_22 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    base->p[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 + M_loaded_23 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_4 = h_loaded_4 + tip->Lambda[8] * joint_w_1;
+    link->p_i[3] = p_i_4;
+    const six_link_real p_i_5 = h_loaded_5 + M_loaded_25 * joint_w_1;
+    link->p_i[4] = p_i_5;
+    base->p[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + M_loaded_26 * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real t5 = (Lambda_i_11 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t6 = t5 * link->R_P[0] + Lambda_i_13 * link->R_P[2];
+    const six_link_real t7 = t5 * link->R_P[6] + Lambda_i_13 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t6 * 2 + Lambda_i_33;
+    base->Lambda[0] = Lambda_1;
+    const six_link_real Lambda_2 = link->R_P[0] * Lambda_i_12 + Lambda_i_23 * link->R_P[2];
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = link->R_P[0] * t7 + link->R_P[6] * t6;
+    base->Lambda[2] = Lambda_3;
+    const six_link_real Lambda_8 = Lambda_i_23 * link->R_P[8] + link->R_P[6] * Lambda_i_12;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[6] * t7 * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real t8 = Lambda_i_16 * link->R_P[2] - minus_Lambda_i_14 * link->R_P[0];
+    const six_link_real t9 = Lambda_i_16 * link->R_P[8] - minus_Lambda_i_14 * link->R_P[6];
+    const six_link_real Lambda_9 = Lambda_i_24 * link->R_P[0] + Lambda_i_26 * link->R_P[2];
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_11 = Lambda_i_24 * link->R_P[6] + Lambda_i_26 * link->R_P[8];
+    base->Lambda[10] = Lambda_11;
+    const six_link_real t10 = Lambda_i_34 * link->R_P[0] + Lambda_i_36 * link->R_P[2];
+    const six_link_real t11 = Lambda_i_34 * link->R_P[6] + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t8 + link->R_P[2] * t10;
+    base->Lambda[3] = Lambda_4;
+    const six_link_real Lambda_5 = link->R_P[0] * Lambda_i_15 + link->R_P[2] * Lambda_i_35;
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = link->R_P[0] * t9 + link->R_P[2] * t11;
+    base->Lambda[5] = Lambda_6;
+    const six_link_real Lambda_13 = link->R_P[6] * t8 + link->R_P[8] * t10;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[6] * Lambda_i_15 + link->R_P[8] * Lambda_i_35;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[6] * t9 + link->R_P[8] * t11;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t12 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t13 = t12 * link->R_P[0] - minus_Lambda_i_46 * link->R_P[2];
+    const six_link_real t14 = t12 * link->R_P[6] - minus_Lambda_i_46 * link->R_P[8];
+    const six_link_real Lambda_16 = link->R_P[0] * t13 * 2 + Lambda_i_66;
+    base->Lambda[15] = Lambda_16;
+    const six_link_real Lambda_17 = Lambda_i_56 * link->R_P[2] - link->R_P[0] * minus_Lambda_i_45;
+    base->Lambda[16] = Lambda_17;
+    const six_link_real Lambda_18 = link->R_P[0] * t14 + link->R_P[6] * t13;
+    base->Lambda[17] = Lambda_18;
+    const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] - link->R_P[6] * minus_Lambda_i_45;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = link->R_P[6] * t14 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_1 = link->R_P[0] * p_i_1 + link->R_P[2] * p_i_3;
+    base->p[0] = p_1;
+    const six_link_real p_3 = link->R_P[6] * p_i_1 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
+    base->p[3] = p_4;
+    const six_link_real p_6 = link->R_P[6] * p_i_4 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* eliminate, links like flange: 298 operations */
+static six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+{
+    /* Omega: acceleration of a place by the link's turning */
+    const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
+
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
+    const six_link_real t1 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
+
+    /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
+    const six_link_real t2 = -c->S_T_y;
+    link->Lambda_i[12] = t2;
+    const six_link_real t3 = c->S_T_y * tip->alpha_0[5] - c->S_T_z * tip->alpha_0[4]
+        + (c->I_T_xx * tip->alpha_0[0] - c->J_T_xy * tip->alpha_0[1] - c->J_T_xz * tip->alpha_0[2]);
+    const six_link_real t4 = c->S_T_z * tip->alpha_0[3] - c->S_T_x * tip->alpha_0[5]
+        + (c->I_T_yy * tip->alpha_0[1] - c->J_T_xy * tip->alpha_0[0] - c->J_T_yz * tip->alpha_0[2]);
+    const six_link_real t5 = c->S_T_x * tip->alpha_0[4] - c->S_T_y * tip->alpha_0[3]
+        + (c->I_T_zz * tip->alpha_0[2] - (c->J_T_xz * tip->alpha_0[0] + c->J_T_yz * tip->alpha_0[1]));
+    const six_link_real t6 = c->I_T_xx * tip->omega[0] - c->J_T_xy * tip->omega[1] - c->J_T_xz * tip->omega[2];
+    const six_link_real t7 = c->I_T_yy * tip->omega[1] - c->J_T_xy * tip->omega[0] - c->J_T_yz * tip->omega[2];
+    const six_link_real t8 = c->I_T_zz * tip->omega[2] - (c->J_T_xz * tip->omega[0] + c->J_T_yz * tip->omega[1]);
+    const six_link_real t9 = tip->omega[1] * c->S_T_z - tip->omega[2] * c->S_T_y;
+    const six_link_real t10 = tip->omega[2] * c->S_T_x - tip->omega[0] * c->S_T_z;
+    const six_link_real t11 = tip->omega[0] * c->S_T_y - tip->omega[1] * c->S_T_x;
+    const six_link_real t12 = tip->alpha_0[1] * c->S_T_z - tip->alpha_0[2] * c->S_T_y
+        + (tip->omega[1] * t11 - tip->omega[2] * t10);
+    const six_link_real t13 = tip->alpha_0[2] * c->S_T_x - tip->alpha_0[0] * c->S_T_z
+        + (tip->omega[2] * t9 - tip->omega[0] * t11);
+    const six_link_real t14 = tip->alpha_0[0] * c->S_T_y - tip->alpha_0[1] * c->S_T_x
+        + (tip->omega[0] * t10 - tip->omega[1] * t9);
+    const six_link_real p_T_1 = t3 + (tip->omega[1] * t8 - tip->omega[2] * t7) - w_ext[0];
+    const six_link_real p_T_2 = t4 + (tip->omega[2] * t6 - tip->omega[0] * t8) - w_ext[1];
+    const six_link_real p_T_3 = t5 + (tip->omega[0] * t7 - tip->omega[1] * t6) - w_ext[2];
+    const six_link_real p_T_4 = c->body0_mass * tip->alpha_0[3] + t12 - w_ext[3];
+    const six_link_real p_T_5 = c->body0_mass * tip->alpha_0[4] + t13 - w_ext[4];
+    const six_link_real p_T_6 = c->body0_mass * tip->alpha_0[5] + t14 - w_ext[5];
+
+    /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const six_link_real t15 = c->S_T_x + c->length * c->body0_mass;
+    const six_link_real t16 = c->S_T_x * c->length;
+    const six_link_real t17 = c->length * t15;
+    const six_link_real minus_M_loaded_12 = c->J_T_xy + c->S_T_y * c->length;
+    const six_link_real minus_M_loaded_13 = c->J_T_xz + c->S_T_z * c->length;
+    const six_link_real M_loaded_11 = c->I_s + c->I_T_xx;
+    const six_link_real M_loaded_22 = c->J_0_xx + (c->I_T_yy + t16 + t17);
+    const six_link_real minus_M_loaded_26 = t15 + c->S_0_x;
+    const six_link_real M_loaded_33 = c->J_0_xx + (c->I_T_zz + t16 + t17);
+    const six_link_real M_loaded_44 = c->mu + c->body0_mass;
+    link->Lambda_i[15] = M_loaded_44;
+    base->Lambda[15] = M_loaded_44;
+    const six_link_real h_loaded_1 = H_star_1 + p_T_1;
+    const six_link_real h_loaded_2 = H_star_2 + (p_T_2 - c->length * p_T_6);
+    const six_link_real h_loaded_3 = H_star_3 + (p_T_3 + c->length * p_T_5);
+    const six_link_real h_loaded_4 = H_star_4 + p_T_4;
+    link->p_i[3] = h_loaded_4;
+    base->p[3] = h_loaded_4;
+    const six_link_real h_loaded_5 = H_star_5 + p_T_5;
+    const six_link_real h_loaded_6 = H_star_6 + p_T_6;
+
+    /* joint: its accelerations eliminated from its rows (43) */
+    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
+    const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
+    const six_link_real minus_joint_W_12 = minus_M_loaded_12 * joint_inverse_1;
+    link->joint_W[1] = -minus_joint_W_12;
+    const six_link_real minus_joint_W_13 = minus_M_loaded_13 * joint_inverse_1;
+    link->joint_W[2] = -minus_joint_W_13;
+    const six_link_real minus_joint_W_15 = c->S_T_z * joint_inverse_1;
+    link->joint_W[4] = -minus_joint_W_15;
+    const six_link_real joint_W_16 = c->S_T_y * joint_inverse_1;
+    link->joint_W[5] = joint_W_16;
+    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    link->joint_w[0] = joint_w_1;
+    const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
+    link->Lambda_i[0] = Lambda_i_11;
+    base->Lambda[0] = Lambda_i_11;
+    const six_link_real Lambda_i_12 = M_loaded_11 * minus_joint_W_12 - minus_M_loaded_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const six_link_real Lambda_i_13 = M_loaded_11 * minus_joint_W_13 - minus_M_loaded_13;
+    link->Lambda_i[2] = Lambda_i_13;
+    const six_link_real Lambda_i_15 = M_loaded_11 * minus_joint_W_15 - c->S_T_z;
+    link->Lambda_i[4] = Lambda_i_15;
+    const six_link_real Lambda_i_16 = c->S_T_y - M_loaded_11 * joint_W_16;
+    link->Lambda_i[5] = Lambda_i_16;
+    const six_link_real Lambda_i_22 = M_loaded_22 - minus_M_loaded_12 * minus_joint_W_12;
+    link->Lambda_i[6] = Lambda_i_22;
+    const six_link_real minus_Lambda_i_23 = c->J_T_yz + minus_M_loaded_12 * minus_joint_W_13;
+    link->Lambda_i[7] = -minus_Lambda_i_23;
+    const six_link_real minus_Lambda_i_25 = minus_M_loaded_12 * minus_joint_W_15;
+    link->Lambda_i[9] = -minus_Lambda_i_25;
+    const six_link_real Lambda_i_26 = minus_M_loaded_12 * joint_W_16 - minus_M_loaded_26;
+    link->Lambda_i[10] = Lambda_i_26;
+    const six_link_real Lambda_i_33 = M_loaded_33 - minus_M_loaded_13 * minus_joint_W_13;
+    link->Lambda_i[11] = Lambda_i_33;
+    const six_link_real Lambda_i_35 = minus_M_loaded_26 - minus_M_loaded_13 * minus_joint_W_15;
+    link->Lambda_i[13] = Lambda_i_35;
+    const six_link_real Lambda_i_36 = minus_M_loaded_13 * joint_W_16;
+    link->Lambda_i[14] = Lambda_i_36;
+    const six_link_real Lambda_i_55 = M_loaded_44 - c->S_T_z * minus_joint_W_15;
+    link->Lambda_i[18] = Lambda_i_55;
+    const six_link_real Lambda_i_56 = c->S_T_z * joint_W_16;
+    link->Lambda_i[19] = Lambda_i_56;
+    const six_link_real Lambda_i_66 = M_loaded_44 - c->S_T_y * joint_W_16;
+    link->Lambda_i[20] = Lambda_i_66;
+    const six_link_real p_i_1 = h_loaded_1 + M_loaded_11 * joint_w_1;
+    link->p_i[0] = p_i_1;
+    base->p[0] = p_i_1;
+    const six_link_real p_i_2 = h_loaded_2 - minus_M_loaded_12 * joint_w_1;
+    link->p_i[1] = p_i_2;
+    const six_link_real p_i_3 = h_loaded_3 - minus_M_loaded_13 * joint_w_1;
+    link->p_i[2] = p_i_3;
+    const six_link_real p_i_5 = h_loaded_5 - c->S_T_z * joint_w_1;
+    link->p_i[4] = p_i_5;
+    const six_link_real p_i_6 = h_loaded_6 + c->S_T_y * joint_w_1;
+    link->p_i[5] = p_i_6;
+
+    /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
+    const six_link_real Lambda_2 = Lambda_i_12 * link->R_P[4] + Lambda_i_13 * link->R_P[5];
+    base->Lambda[1] = Lambda_2;
+    const six_link_real Lambda_3 = Lambda_i_12 * link->R_P[7] + Lambda_i_13 * link->R_P[8];
+    base->Lambda[2] = Lambda_3;
+    const six_link_real t18 = (Lambda_i_22 - Lambda_i_33) * REAL(0.5);
+    const six_link_real t19 = t18 * link->R_P[4] - minus_Lambda_i_23 * link->R_P[5];
+    const six_link_real t20 = t18 * link->R_P[7] - minus_Lambda_i_23 * link->R_P[8];
+    const six_link_real Lambda_7 = link->R_P[4] * t19 * 2 + Lambda_i_33;
+    base->Lambda[6] = Lambda_7;
+    const six_link_real Lambda_8 = link->R_P[4] * t20 + link->R_P[7] * t19;
+    base->Lambda[7] = Lambda_8;
+    const six_link_real Lambda_12 = link->R_P[7] * t20 * 2 + Lambda_i_33;
+    base->Lambda[11] = Lambda_12;
+    const six_link_real Lambda_5 = Lambda_i_15 * link->R_P[4] + Lambda_i_16 * link->R_P[5];
+    base->Lambda[4] = Lambda_5;
+    const six_link_real Lambda_6 = Lambda_i_15 * link->R_P[7] + Lambda_i_16 * link->R_P[8];
+    base->Lambda[5] = Lambda_6;
+    const six_link_real t21 = Lambda_i_26 * link->R_P[5] - minus_Lambda_i_25 * link->R_P[4];
+    const six_link_real t22 = Lambda_i_26 * link->R_P[8] - minus_Lambda_i_25 * link->R_P[7];
+    const six_link_real t23 = Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
+    const six_link_real t24 = Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
+    const six_link_real Lambda_9 = link->R_P[4] * c->S_T_z - link->R_P[5] * c->S_T_y;
+    base->Lambda[8] = Lambda_9;
+    const six_link_real Lambda_10 = link->R_P[4] * t21 + link->R_P[5] * t23;
+    base->Lambda[9] = Lambda_10;
+    const six_link_real Lambda_11 = link->R_P[4] * t22 + link->R_P[5] * t24;
+    base->Lambda[10] = Lambda_11;
+    const six_link_real Lambda_13 = link->R_P[7] * c->S_T_z - link->R_P[8] * c->S_T_y;
+    base->Lambda[12] = Lambda_13;
+    const six_link_real Lambda_14 = link->R_P[7] * t21 + link->R_P[8] * t23;
+    base->Lambda[13] = Lambda_14;
+    const six_link_real Lambda_15 = link->R_P[7] * t22 + link->R_P[8] * t24;
+    base->Lambda[14] = Lambda_15;
+    const six_link_real t25 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t26 = t25 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t27 = t25 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_19 = link->R_P[4] * t26 * 2 + Lambda_i_66;
+    base->Lambda[18] = Lambda_19;
+    const six_link_real Lambda_20 = link->R_P[4] * t27 + link->R_P[7] * t26;
+    base->Lambda[19] = Lambda_20;
+    const six_link_real Lambda_21 = link->R_P[7] * t27 * 2 + Lambda_i_66;
+    base->Lambda[20] = Lambda_21;
+    const six_link_real p_2 = link->R_P[4] * p_i_2 + link->R_P[5] * p_i_3;
+    base->p[1] = p_2;
+    const six_link_real p_3 = link->R_P[7] * p_i_2 + link->R_P[8] * p_i_3;
+    base->p[2] = p_3;
+    const six_link_real p_5 = link->R_P[4] * p_i_5 + link->R_P[5] * p_i_6;
+    base->p[4] = p_5;
+    const six_link_real p_6 = link->R_P[7] * p_i_5 + link->R_P[8] * p_i_6;
+    base->p[5] = p_6;
+
+    /* outputs */
+    link->Lambda_i[8] = c->S_T_z;
+    return SIX_LINK_OK;
+}
+
 /* accelerate, links like shoulder: 1 operations */
-static six_link_status accelerate_shoulder_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+static six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6],
     six_link_real alpha[restrict 6])
 {
-
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
     const six_link_real delta_T_5 = link->joint_w[0] * c->length;
     tip->delta[4] = delta_T_5;
@@ -3612,11 +2352,10 @@ static six_link_status accelerate_shoulder_2(const six_link_link_constants *rest
 }
 
 /* accelerate, links like upper_arm: 165 operations */
-static six_link_status accelerate_upper_arm_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+static six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 3])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[6] * base->delta[2];
     const six_link_real carried_3 = link->R_P[8] * base->delta[2];
@@ -3714,11 +2453,10 @@ static six_link_status accelerate_upper_arm_2(const six_link_link_constants *res
 }
 
 /* accelerate, links like forearm: 191 operations */
-static six_link_status accelerate_forearm_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+static six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 2])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -3818,11 +2556,10 @@ static six_link_status accelerate_forearm_2(const six_link_link_constants *restr
 }
 
 /* accelerate, links like wrist_roll: 125 operations */
-static six_link_status accelerate_wrist_roll_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+static six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -3904,11 +2641,10 @@ static six_link_status accelerate_wrist_roll_2(const six_link_link_constants *re
 }
 
 /* accelerate, links like wrist_pitch: 107 operations */
-static six_link_status accelerate_wrist_pitch_2(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+static six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
     tip->delta[0] = carried_1;
@@ -3988,10 +2724,9 @@ static six_link_status accelerate_wrist_pitch_2(const six_link_link_constants *r
 }
 
 /* accelerate, links like flange: 89 operations */
-static six_link_status accelerate_flange_2(const six_link_link_store *restrict link, const six_link_node *restrict base,
+static six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
     six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
-
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
     const six_link_real carried_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
@@ -4059,7 +2794,6 @@ static six_link_status twist_rates_shoulder(const six_link_real quaternion[restr
     const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
     six_link_real Vdot[restrict 6])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4096,7 +2830,6 @@ static six_link_status twist_rates_upper_arm(const six_link_real quaternion[rest
     const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
     six_link_real Vdot[restrict 6])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4133,7 +2866,6 @@ static six_link_status project_shoulder(const six_link_link_constants *c, six_li
     const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4153,29 +2885,29 @@ static six_link_status project_shoulder(const six_link_link_constants *c, six_li
     const six_link_real R_m_33 = 1 + t4 * (t3 - t5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    six_link_real minus_R_rel_xy, R_rel_xx;
+    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     const six_link_real t10 = (R_rel_xx * R_m_21 - minus_R_rel_xy * R_m_11
         - (R_rel_xx * R_m_12 + minus_R_rel_xy * R_m_22)) * REAL(0.5);
     const six_link_real t11 = q[0] + t10;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_2 = six_link_cos(t11);
-    const six_link_real minus_R_rel_xy_2 = six_link_sin(t11);
+    six_link_real minus_R_rel_xy_2, R_rel_xx_2;
+    six_link_sine_cosine(t11, &minus_R_rel_xy_2, &R_rel_xx_2);
 
     const six_link_real t12 = R_rel_xx_2 * R_m_21 - minus_R_rel_xy_2 * R_m_11
         - (R_rel_xx_2 * R_m_12 + minus_R_rel_xy_2 * R_m_22);
     const six_link_real new_q_1 = t11 + t12 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_3 = six_link_cos(new_q_1);
-    const six_link_real minus_R_rel_xy_3 = six_link_sin(new_q_1);
+    six_link_real minus_R_rel_xy_3, R_rel_xx_3;
+    six_link_sine_cosine(new_q_1, &minus_R_rel_xy_3, &R_rel_xx_3);
 
     const six_link_real t13 = -minus_R_rel_xy_3;
     const six_link_real t14 = new_q_1 * REAL(0.5);
-    const six_link_real new_quaternion_4 = six_link_sin(t14);
-    const six_link_real new_quaternion_1 = six_link_cos(t14);
+    six_link_real new_quaternion_4, new_quaternion_1;
+    six_link_sine_cosine(t14, &new_quaternion_4, &new_quaternion_1);
 
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = c->length * twist[2];
@@ -4225,7 +2957,6 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real etadot[3], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4252,22 +2983,22 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real t24 = base->R_m[2] * t13 + base->R_m[5] * t15 + base->R_m[8] * t20;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     const six_link_real t25 = q[0]
         + (R_rel_xx * t22 - R_rel_xz * t24 - (R_rel_xz * t21 + R_rel_xx * t23)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_2 = six_link_cos(t25);
-    const six_link_real R_rel_xz_2 = six_link_sin(t25);
+    six_link_real R_rel_xz_2, R_rel_xx_2;
+    six_link_sine_cosine(t25, &R_rel_xz_2, &R_rel_xx_2);
 
     const six_link_real new_q_1 = t25
         + (R_rel_xx_2 * t22 - R_rel_xz_2 * t24 - (R_rel_xz_2 * t21 + R_rel_xx_2 * t23)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_3 = six_link_cos(new_q_1);
-    const six_link_real R_rel_xz_3 = six_link_sin(new_q_1);
+    six_link_real R_rel_xz_3, R_rel_xx_3;
+    six_link_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_xx_3);
 
     const six_link_real omega_y = twist[1] - base->omega_m[1];
 
@@ -4366,8 +3097,8 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
     const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
     const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
     const six_link_real t49 = new_q_1 * REAL(0.5);
-    const six_link_real t50 = six_link_sin(t49);
-    const six_link_real t51 = six_link_cos(t49);
+    six_link_real t50, t51;
+    six_link_sine_cosine(t49, &t50, &t51);
     const six_link_real new_quaternion_1 = base->Q[0] * t51;
     const six_link_real new_quaternion_3 = base->Q[0] * t50;
     const six_link_real new_quaternion_4 = t51 * base->Q[3];
@@ -4483,7 +3214,6 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real etadot[2], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4512,42 +3242,42 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real t26 = base->R_m[2] * t13 + base->R_m[5] * t15 + base->R_m[8] * t20;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t27 = six_link_cos(q[0]);
-    const six_link_real t28 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t27 - c->R_m_xz * t28;
-    const six_link_real R_rel_xz = c->R_m_xx * t28 + c->R_m_xz * t27;
-    const six_link_real R_rel_yx = c->R_m_yx * t27 - c->R_m_yz * t28;
-    const six_link_real R_rel_yz = c->R_m_yx * t28 + c->R_m_yz * t27;
-    const six_link_real R_rel_zx = c->R_m_zx * t27 - c->R_m_zz * t28;
-    const six_link_real R_rel_zz = c->R_m_zx * t28 + c->R_m_zz * t27;
+    six_link_real t27, t28;
+    six_link_sine_cosine(q[0], &t27, &t28);
+    const six_link_real R_rel_xx = c->R_m_xx * t28 - c->R_m_xz * t27;
+    const six_link_real R_rel_xz = c->R_m_xx * t27 + c->R_m_xz * t28;
+    const six_link_real R_rel_yx = c->R_m_yx * t28 - c->R_m_yz * t27;
+    const six_link_real R_rel_yz = c->R_m_yx * t27 + c->R_m_yz * t28;
+    const six_link_real R_rel_zx = c->R_m_zx * t28 - c->R_m_zz * t27;
+    const six_link_real R_rel_zz = c->R_m_zx * t27 + c->R_m_zz * t28;
 
     const six_link_real t29 = R_rel_xx * t22 + R_rel_yx * t24 + R_rel_zx * t26
         - (R_rel_xz * t21 + R_rel_yz * t23 + R_rel_zz * t25);
     const six_link_real t30 = q[0] + t29 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t31 = six_link_cos(t30);
-    const six_link_real t32 = six_link_sin(t30);
-    const six_link_real R_rel_xx_2 = c->R_m_xx * t31 - c->R_m_xz * t32;
-    const six_link_real R_rel_xz_2 = c->R_m_xx * t32 + c->R_m_xz * t31;
-    const six_link_real R_rel_yx_2 = c->R_m_yx * t31 - c->R_m_yz * t32;
-    const six_link_real R_rel_yz_2 = c->R_m_yx * t32 + c->R_m_yz * t31;
-    const six_link_real R_rel_zx_2 = c->R_m_zx * t31 - c->R_m_zz * t32;
-    const six_link_real R_rel_zz_2 = c->R_m_zx * t32 + c->R_m_zz * t31;
+    six_link_real t31, t32;
+    six_link_sine_cosine(t30, &t31, &t32);
+    const six_link_real R_rel_xx_2 = c->R_m_xx * t32 - c->R_m_xz * t31;
+    const six_link_real R_rel_xz_2 = c->R_m_xx * t31 + c->R_m_xz * t32;
+    const six_link_real R_rel_yx_2 = c->R_m_yx * t32 - c->R_m_yz * t31;
+    const six_link_real R_rel_yz_2 = c->R_m_yx * t31 + c->R_m_yz * t32;
+    const six_link_real R_rel_zx_2 = c->R_m_zx * t32 - c->R_m_zz * t31;
+    const six_link_real R_rel_zz_2 = c->R_m_zx * t31 + c->R_m_zz * t32;
 
     const six_link_real t33 = R_rel_xx_2 * t22 + R_rel_yx_2 * t24 + R_rel_zx_2 * t26
         - (R_rel_xz_2 * t21 + R_rel_yz_2 * t23 + R_rel_zz_2 * t25);
     const six_link_real new_q_1 = t30 + t33 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t34 = six_link_cos(new_q_1);
-    const six_link_real t35 = six_link_sin(new_q_1);
-    const six_link_real R_rel_xx_3 = c->R_m_xx * t34 - c->R_m_xz * t35;
-    const six_link_real R_rel_xz_3 = c->R_m_xx * t35 + c->R_m_xz * t34;
-    const six_link_real R_rel_yx_3 = c->R_m_yx * t34 - c->R_m_yz * t35;
-    const six_link_real R_rel_yz_3 = c->R_m_yx * t35 + c->R_m_yz * t34;
-    const six_link_real R_rel_zx_3 = c->R_m_zx * t34 - c->R_m_zz * t35;
-    const six_link_real R_rel_zz_3 = c->R_m_zx * t35 + c->R_m_zz * t34;
+    six_link_real t34, t35;
+    six_link_sine_cosine(new_q_1, &t34, &t35);
+    const six_link_real R_rel_xx_3 = c->R_m_xx * t35 - c->R_m_xz * t34;
+    const six_link_real R_rel_xz_3 = c->R_m_xx * t34 + c->R_m_xz * t35;
+    const six_link_real R_rel_yx_3 = c->R_m_yx * t35 - c->R_m_yz * t34;
+    const six_link_real R_rel_yz_3 = c->R_m_yx * t34 + c->R_m_yz * t35;
+    const six_link_real R_rel_zx_3 = c->R_m_zx * t35 - c->R_m_zz * t34;
+    const six_link_real R_rel_zz_3 = c->R_m_zx * t34 + c->R_m_zz * t35;
 
     const six_link_real t36 = twist[1]
         - (c->R_m_xy * base->omega_m[0] + c->R_m_yy * base->omega_m[1] + c->R_m_zy * base->omega_m[2]);
@@ -4635,17 +3365,17 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
     const six_link_real new_position_3 = base->r[2]
         + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
     const six_link_real t50 = c->mount_rpy_z * REAL(0.5);
-    const six_link_real t51 = six_link_sin(t50);
-    const six_link_real t52 = six_link_cos(t50);
+    six_link_real t51, t52;
+    six_link_sine_cosine(t50, &t51, &t52);
     const six_link_real t53 = c->mount_rpy_y * REAL(0.5);
-    const six_link_real t54 = six_link_sin(t53);
-    const six_link_real t55 = six_link_cos(t53);
+    six_link_real t54, t55;
+    six_link_sine_cosine(t53, &t54, &t55);
     const six_link_real t56 = c->mount_rpy_x * REAL(0.5);
-    const six_link_real t57 = six_link_sin(t56);
-    const six_link_real t58 = six_link_cos(t56);
+    six_link_real t57, t58;
+    six_link_sine_cosine(t56, &t57, &t58);
     const six_link_real t59 = new_q_1 * REAL(0.5);
-    const six_link_real t60 = six_link_sin(t59);
-    const six_link_real t61 = six_link_cos(t59);
+    six_link_real t60, t61;
+    six_link_sine_cosine(t59, &t60, &t61);
     const six_link_real t62 = t52 * t55;
     const six_link_real t63 = t52 * t54;
     const six_link_real t64 = t55 * t51;
@@ -4766,7 +3496,6 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4793,23 +3522,23 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     const six_link_real t15 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     const six_link_real t16 = q[0]
         + (R_rel_yy * t14 - minus_R_rel_yz * t12 - (R_rel_yy * t13 + minus_R_rel_yz * t15)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_2 = six_link_cos(t16);
-    const six_link_real minus_R_rel_yz_2 = six_link_sin(t16);
+    six_link_real minus_R_rel_yz_2, R_rel_yy_2;
+    six_link_sine_cosine(t16, &minus_R_rel_yz_2, &R_rel_yy_2);
 
     const six_link_real t17 = (R_rel_yy_2 * t14 - minus_R_rel_yz_2 * t12
         - (R_rel_yy_2 * t13 + minus_R_rel_yz_2 * t15)) * REAL(0.5);
     const six_link_real new_q_1 = t16 + t17;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_3 = six_link_cos(new_q_1);
-    const six_link_real minus_R_rel_yz_3 = six_link_sin(new_q_1);
+    six_link_real minus_R_rel_yz_3, R_rel_yy_3;
+    six_link_sine_cosine(new_q_1, &minus_R_rel_yz_3, &R_rel_yy_3);
 
     const six_link_real t18 = twist[0] - base->omega_m[0];
 
@@ -4828,8 +3557,8 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
     const six_link_real R_yz = base->R[5] * R_rel_yy_3 - base->R[4] * minus_R_rel_yz_3;
     const six_link_real R_zz = base->R[8] * R_rel_yy_3 - base->R[7] * minus_R_rel_yz_3;
     const six_link_real t19 = new_q_1 * REAL(0.5);
-    const six_link_real t20 = six_link_sin(t19);
-    const six_link_real t21 = six_link_cos(t19);
+    six_link_real t20, t21;
+    six_link_sine_cosine(t19, &t20, &t21);
     const six_link_real new_quaternion_1 = base->Q[0] * t21 - base->Q[1] * t20;
     const six_link_real new_quaternion_2 = base->Q[0] * t20 + t21 * base->Q[1];
     const six_link_real new_quaternion_3 = t21 * base->Q[2] + base->Q[3] * t20;
@@ -4893,7 +3622,6 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -4920,22 +3648,22 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     const six_link_real t15 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     const six_link_real t16 = q[0]
         + (R_rel_xx * t13 - R_rel_xz * t15 - (R_rel_xz * t12 + R_rel_xx * t14)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_2 = six_link_cos(t16);
-    const six_link_real R_rel_xz_2 = six_link_sin(t16);
+    six_link_real R_rel_xz_2, R_rel_xx_2;
+    six_link_sine_cosine(t16, &R_rel_xz_2, &R_rel_xx_2);
 
     const six_link_real new_q_1 = t16
         + (R_rel_xx_2 * t13 - R_rel_xz_2 * t15 - (R_rel_xz_2 * t12 + R_rel_xx_2 * t14)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx_3 = six_link_cos(new_q_1);
-    const six_link_real R_rel_xz_3 = six_link_sin(new_q_1);
+    six_link_real R_rel_xz_3, R_rel_xx_3;
+    six_link_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_xx_3);
 
     const six_link_real t17 = twist[1] - base->omega_m[1];
 
@@ -4954,8 +3682,8 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
     const six_link_real R_yx = base->R[3] * R_rel_xx_3 - base->R[5] * R_rel_xz_3;
     const six_link_real R_zx = base->R[6] * R_rel_xx_3 - base->R[8] * R_rel_xz_3;
     const six_link_real t18 = new_q_1 * REAL(0.5);
-    const six_link_real t19 = six_link_sin(t18);
-    const six_link_real t20 = six_link_cos(t18);
+    six_link_real t19, t20;
+    six_link_sine_cosine(t18, &t19, &t20);
     const six_link_real new_quaternion_1 = base->Q[0] * t20 - base->Q[2] * t19;
     const six_link_real new_quaternion_3 = base->Q[0] * t19 + t20 * base->Q[2];
     const six_link_real new_quaternion_2 = t20 * base->Q[1] - base->Q[3] * t19;
@@ -5012,7 +3740,6 @@ static six_link_status project_flange(const six_link_node *base, const six_link_
     const six_link_real quaternion[4], six_link_real new_q[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -5032,23 +3759,23 @@ static six_link_status project_flange(const six_link_node *base, const six_link_
     const six_link_real t11 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     const six_link_real t12 = q[0]
         + (R_rel_yy * t10 - minus_R_rel_yz * t8 - (R_rel_yy * t9 + minus_R_rel_yz * t11)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_2 = six_link_cos(t12);
-    const six_link_real minus_R_rel_yz_2 = six_link_sin(t12);
+    six_link_real minus_R_rel_yz_2, R_rel_yy_2;
+    six_link_sine_cosine(t12, &minus_R_rel_yz_2, &R_rel_yy_2);
 
     const six_link_real t13 = (R_rel_yy_2 * t10 - minus_R_rel_yz_2 * t8
         - (R_rel_yy_2 * t9 + minus_R_rel_yz_2 * t11)) * REAL(0.5);
     const six_link_real new_q_1 = t12 + t13;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy_3 = six_link_cos(new_q_1);
-    const six_link_real minus_R_rel_yz_3 = six_link_sin(new_q_1);
+    six_link_real minus_R_rel_yz_3, R_rel_yy_3;
+    six_link_sine_cosine(new_q_1, &minus_R_rel_yz_3, &R_rel_yy_3);
 
     const six_link_real t14 = twist[0] - base->omega_m[0];
 
@@ -5064,8 +3791,8 @@ static six_link_status project_flange(const six_link_node *base, const six_link_
     const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
 
     const six_link_real t15 = new_q_1 * REAL(0.5);
-    const six_link_real t16 = six_link_sin(t15);
-    const six_link_real t17 = six_link_cos(t15);
+    six_link_real t16, t17;
+    six_link_sine_cosine(t15, &t16, &t17);
     const six_link_real new_quaternion_1 = base->Q[0] * t17 - base->Q[1] * t16;
     const six_link_real new_quaternion_2 = base->Q[0] * t16 + t17 * base->Q[1];
     const six_link_real new_quaternion_3 = t17 * base->Q[2] + base->Q[3] * t16;
@@ -5094,15 +3821,14 @@ static six_link_status forward_kinematics_shoulder(const six_link_link_constants
     const six_link_real qdot[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    six_link_real minus_R_rel_xy, R_rel_xx;
+    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     const six_link_real t1 = -minus_R_rel_xy;
     const six_link_real t2 = q[0] * REAL(0.5);
-    const six_link_real new_quaternion_4 = six_link_sin(t2);
-    const six_link_real new_quaternion_1 = six_link_cos(t2);
+    six_link_real new_quaternion_4, new_quaternion_1;
+    six_link_sine_cosine(t2, &new_quaternion_4, &new_quaternion_1);
 
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = c->length * qdot[0];
@@ -5144,10 +3870,9 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real etadot[3], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
@@ -5170,8 +3895,8 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
     const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
     const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
     const six_link_real t9 = q[0] * REAL(0.5);
-    const six_link_real t10 = six_link_sin(t9);
-    const six_link_real t11 = six_link_cos(t9);
+    six_link_real t10, t11;
+    six_link_sine_cosine(t9, &t10, &t11);
     const six_link_real new_quaternion_1 = base->Q[0] * t11;
     const six_link_real new_quaternion_3 = base->Q[0] * t10;
     const six_link_real new_quaternion_4 = t11 * base->Q[3];
@@ -5330,16 +4055,15 @@ static six_link_status forward_kinematics_forearm(const six_link_link_constants 
     const six_link_real etadot[2], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    six_link_real t1, t2;
+    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
@@ -5376,17 +4100,17 @@ static six_link_status forward_kinematics_forearm(const six_link_link_constants 
     const six_link_real new_position_3 = base->r[2]
         + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
     const six_link_real t15 = c->mount_rpy_z * REAL(0.5);
-    const six_link_real t16 = six_link_sin(t15);
-    const six_link_real t17 = six_link_cos(t15);
+    six_link_real t16, t17;
+    six_link_sine_cosine(t15, &t16, &t17);
     const six_link_real t18 = c->mount_rpy_y * REAL(0.5);
-    const six_link_real t19 = six_link_sin(t18);
-    const six_link_real t20 = six_link_cos(t18);
+    six_link_real t19, t20;
+    six_link_sine_cosine(t18, &t19, &t20);
     const six_link_real t21 = c->mount_rpy_x * REAL(0.5);
-    const six_link_real t22 = six_link_sin(t21);
-    const six_link_real t23 = six_link_cos(t21);
+    six_link_real t22, t23;
+    six_link_sine_cosine(t21, &t22, &t23);
     const six_link_real t24 = q[0] * REAL(0.5);
-    const six_link_real t25 = six_link_sin(t24);
-    const six_link_real t26 = six_link_cos(t24);
+    six_link_real t25, t26;
+    six_link_sine_cosine(t24, &t25, &t26);
     const six_link_real t27 = t17 * t20;
     const six_link_real t28 = t17 * t19;
     const six_link_real t29 = t20 * t16;
@@ -5535,10 +4259,9 @@ static six_link_status forward_kinematics_wrist_roll(const six_link_link_constan
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -5558,8 +4281,8 @@ static six_link_status forward_kinematics_wrist_roll(const six_link_link_constan
     const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
     const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
     const six_link_real t1 = q[0] * REAL(0.5);
-    const six_link_real t2 = six_link_sin(t1);
-    const six_link_real t3 = six_link_cos(t1);
+    six_link_real t2, t3;
+    six_link_sine_cosine(t1, &t2, &t3);
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
     const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
     const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
@@ -5617,10 +4340,9 @@ static six_link_status forward_kinematics_wrist_pitch(const six_link_link_consta
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -5640,8 +4362,8 @@ static six_link_status forward_kinematics_wrist_pitch(const six_link_link_consta
     const six_link_real R_zx = base->R[6] * R_rel_xx - base->R[8] * R_rel_xz;
     const six_link_real R_zz = base->R[6] * R_rel_xz + base->R[8] * R_rel_xx;
     const six_link_real t1 = q[0] * REAL(0.5);
-    const six_link_real t2 = six_link_sin(t1);
-    const six_link_real t3 = six_link_cos(t1);
+    six_link_real t2, t3;
+    six_link_sine_cosine(t1, &t2, &t3);
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[2] * t2;
     const six_link_real new_quaternion_3 = base->Q[0] * t2 + t3 * base->Q[2];
     const six_link_real new_quaternion_2 = t3 * base->Q[1] - base->Q[3] * t2;
@@ -5699,10 +4421,9 @@ static six_link_status forward_kinematics_flange(const six_link_link_constants *
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -5722,8 +4443,8 @@ static six_link_status forward_kinematics_flange(const six_link_link_constants *
     const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
     const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
     const six_link_real t1 = q[0] * REAL(0.5);
-    const six_link_real t2 = six_link_sin(t1);
-    const six_link_real t3 = six_link_cos(t1);
+    six_link_real t2, t3;
+    six_link_sine_cosine(t1, &t2, &t3);
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
     const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
     const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
@@ -5762,13 +4483,12 @@ static six_link_status forward_kinematics_flange(const six_link_link_constants *
 }
 
 /* kinematics, links like shoulder: 11 operations */
-static six_link_status kinematics_shoulder_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_xy = six_link_sin(q[0]);
+    six_link_real minus_R_rel_xy, R_rel_xx;
+    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
@@ -5790,14 +4510,13 @@ static six_link_status kinematics_shoulder_2(const six_link_link_constants *c, s
 }
 
 /* kinematics, links like upper_arm: 216 operations */
-static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
     const six_link_real etadot[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -5990,20 +4709,19 @@ static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, 
 }
 
 /* kinematics, links like forearm: 287 operations */
-static six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
     const six_link_real etadot[2])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    six_link_real t1, t2;
+    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
@@ -6183,13 +4901,12 @@ static six_link_status kinematics_forearm_2(const six_link_link_constants *c, si
 }
 
 /* kinematics, links like wrist_roll: 84 operations */
-static six_link_status kinematics_wrist_roll_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -6257,13 +4974,12 @@ static six_link_status kinematics_wrist_roll_2(const six_link_link_constants *c,
 }
 
 /* kinematics, links like wrist_pitch: 40 operations */
-static six_link_status kinematics_wrist_pitch_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -6313,13 +5029,12 @@ static six_link_status kinematics_wrist_pitch_2(const six_link_link_constants *c
 }
 
 /* kinematics, links like flange: 40 operations */
-static six_link_status kinematics_flange_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -minus_R_rel_yz;
@@ -6372,7 +5087,6 @@ static six_link_status kinematics_flange_2(const six_link_link_constants *c, six
 static six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
     const six_link_real qddot[1])
 {
-
     const six_link_real delta_5 = qddot[0] * c->length;
 
     /* outputs */
@@ -6386,7 +5100,6 @@ static six_link_status inverse_outward_shoulder(const six_link_link_constants *c
 static six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3])
 {
-
     const six_link_real delta_1 = link->R_P[6] * base->delta[2];
     const six_link_real delta_3 = link->R_P[8] * base->delta[2];
     const six_link_real minus_delta_4 = delta_3 * c->mount_xyz_y;
@@ -6423,7 +5136,6 @@ static six_link_status inverse_outward_upper_arm(const six_link_link_constants *
 static six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2])
 {
-
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
     const six_link_real t1 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
@@ -6468,7 +5180,6 @@ static six_link_status inverse_outward_forearm(const six_link_link_constants *c,
 static six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
-
     const six_link_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
         + link->R_P[7] * base->delta[2];
     const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
@@ -6504,7 +5215,6 @@ static six_link_status inverse_outward_wrist_roll(const six_link_link_constants 
 static six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
-
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
     const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
     const six_link_real delta_4 = link->R_P[0] * base->delta[3] + link->R_P[6] * base->delta[5];
@@ -6533,7 +5243,6 @@ static six_link_status inverse_outward_wrist_pitch(const six_link_link_constants
 static six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
-
     const six_link_real delta_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
     const six_link_real delta_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
     const six_link_real delta_5 = link->R_P[4] * base->delta[4] + link->R_P[7] * base->delta[5];
@@ -6563,8 +5272,7 @@ static six_link_status inverse_inward_shoulder(const six_link_link_constants *c,
     const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real qdot[1],
     six_link_real force[1], six_link_real wrench[6])
 {
-
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
 
     const six_link_real t1 = tip->alpha_0[4] + tip->delta[4];
@@ -6580,10 +5288,10 @@ static six_link_status inverse_inward_shoulder(const six_link_link_constants *c,
     force[0] = force_1;
 
     if (wrench) {
-        /* Omega: centripetal operator */
+        /* Omega: acceleration of a place by the link's turning */
         const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
 
-        /* H_star: gyroscopic wrench and weight (29) */
+        /* H_star: gyroscopic wrench and weight, angular acceleration included */
         const six_link_real minus_H_star_2 = c->S_0_x * link->alpha_0[5];
         const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
         const six_link_real H_star_5 = link->alpha_0[4] * c->mu;
@@ -6613,62 +5321,63 @@ static six_link_status inverse_inward_shoulder(const six_link_link_constants *c,
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like upper_arm: 569 operations */
+/* inverse inward, links like upper_arm: 547 operations */
 static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
     const six_link_real eta[3], const six_link_real etadot[3], const six_link_real w_ext[6],
     const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real qdot[1],
     six_link_real force_eta[3], six_link_real force[1], six_link_real wrench[6])
 {
-
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_z2;
+    const six_link_real S_z = eta[1] * c->sigma_y1;
 
     /* Sdot: rate of the first moment */
     const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
     const six_link_real Ldot_z1 = etadot[1] * c->mu;
 
     /* J: second moment */
     const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[1];
     const six_link_real J_yy = L_y1 * eta[0];
     const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
     const six_link_real I_yy = c->J_0_xx + J_zz;
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const six_link_real t1 = link->omega[1] * link->omega[1];
     const six_link_real t2 = link->omega[2] * link->omega[2];
     const six_link_real minus_Omega_xx = t1 + t2;
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
+    const six_link_real t3 = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xy = t3 - link->alpha_0[2];
     const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-    const six_link_real t3 = link->omega[0] * link->omega[0];
-    const six_link_real minus_Omega_yy = t3 + t2;
-    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
-    const six_link_real minus_Omega_zz = t3 + t1;
+    const six_link_real Omega_yx = link->alpha_0[2] + t3;
+    const six_link_real t4 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t4 + t2;
+    const six_link_real t5 = link->omega[1] * link->omega[2];
+    const six_link_real Omega_yz = t5 - link->alpha_0[0];
+    const six_link_real Omega_zy = link->alpha_0[0] + t5;
+    const six_link_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
     const six_link_real B_yy = L_y1 * etadot[0];
     const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -6682,27 +5391,28 @@ static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c
     const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
     const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
 
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_xz + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const six_link_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const six_link_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
-    const six_link_real t6 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+    const six_link_real t8 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
+    const six_link_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t8 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->mu;
 
-    /* h_V: bias of the twist rows */
+    /* h_V: bias of the twist rows, angular acceleration included */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
     const six_link_real h_V_2 = H_star_2 + h_MD_2;
     const six_link_real h_V_3 = H_star_3 + h_MD_3;
@@ -6710,117 +5420,107 @@ static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c
     const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
     const six_link_real h_V_6 = H_star_6 + h_c_6;
 
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = link->alpha_0[0] * c->sigma_t_3;
 
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = h_V_1 + (I_xx * link->alpha_0[0] - J_xz * link->alpha_0[2]);
-    const six_link_real h_0_2 = h_V_2 - (J_xy * link->alpha_0[0] + J_yz * link->alpha_0[2]);
-    const six_link_real h_0_3 = h_V_3 + (I_zz * link->alpha_0[2] - J_xz * link->alpha_0[0]);
-    const six_link_real h_0_4 = h_V_4 - S_y * link->alpha_0[2];
-    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const six_link_real h_0_6 = h_V_6 + S_y * link->alpha_0[0];
-    const six_link_real h_eta_0_3 = c->sigma_t_3 * link->alpha_0[0];
-    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
-    const six_link_real h_eta_0_2 = h_eta_2 + L_y2 * link->alpha_0[0];
-
-    const six_link_real t8 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
-    const six_link_real t9 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
-    const six_link_real t10 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
-    const six_link_real t11 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
-    const six_link_real t12 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
-    const six_link_real t13 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
-    const six_link_real t14 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
-    const six_link_real t15 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
-    const six_link_real t16 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
-    const six_link_real t17 = link->R_T[0]
+    const six_link_real t10 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
+    const six_link_real t11 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
+    const six_link_real t12 = link->R_T[6] * c->S_T_x + link->R_T[7] * c->S_T_y + link->R_T[8] * c->S_T_z;
+    const six_link_real t13 = c->I_T_xx * link->R_T[3] - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
+    const six_link_real t14 = c->I_T_xx * link->R_T[6] - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
+    const six_link_real t15 = c->I_T_yy * link->R_T[4] - c->J_T_xy * link->R_T[3] - c->J_T_yz * link->R_T[5];
+    const six_link_real t16 = c->I_T_yy * link->R_T[7] - c->J_T_xy * link->R_T[6] - c->J_T_yz * link->R_T[8];
+    const six_link_real t17 = c->I_T_zz * link->R_T[5] - (c->J_T_xz * link->R_T[3] + c->J_T_yz * link->R_T[4]);
+    const six_link_real t18 = c->I_T_zz * link->R_T[8] - (c->J_T_xz * link->R_T[6] + c->J_T_yz * link->R_T[7]);
+    const six_link_real t19 = link->R_T[0]
         * (c->I_T_xx * link->R_T[0] - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2])
         + link->R_T[1] * (c->I_T_yy * link->R_T[1] - c->J_T_xy * link->R_T[0] - c->J_T_yz * link->R_T[2]);
-    const six_link_real t18 = link->R_T[2]
+    const six_link_real t20 = link->R_T[2]
         * (c->I_T_zz * link->R_T[2] - (c->J_T_xz * link->R_T[0] + c->J_T_yz * link->R_T[1]));
-    const six_link_real t19 = t17 + t18;
-    const six_link_real t20 = link->R_T[0] * t11 + link->R_T[1] * t13 + link->R_T[2] * t15;
-    const six_link_real t21 = link->R_T[0] * t12 + link->R_T[1] * t14 + link->R_T[2] * t16;
-    const six_link_real t22 = link->R_T[3] * t11 + link->R_T[4] * t13 + link->R_T[5] * t15;
-    const six_link_real t23 = link->R_T[3] * t12 + link->R_T[4] * t14 + link->R_T[5] * t16;
-    const six_link_real t24 = link->R_T[6] * t12 + link->R_T[7] * t14 + link->R_T[8] * t16;
-    const six_link_real t25 = tip->alpha_0[0] + tip->delta[0];
-    const six_link_real t26 = tip->alpha_0[1] + tip->delta[1];
-    const six_link_real t27 = tip->alpha_0[2] + tip->delta[2];
-    const six_link_real t28 = tip->alpha_0[3] + tip->delta[3];
-    const six_link_real t29 = tip->alpha_0[4] + tip->delta[4];
-    const six_link_real t30 = tip->alpha_0[5] + tip->delta[5];
-    const six_link_real t31 = t19 * tip->omega[0] + t20 * tip->omega[1] + t21 * tip->omega[2];
-    const six_link_real t32 = t20 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
-    const six_link_real t33 = t21 * tip->omega[0] + t23 * tip->omega[1] + t24 * tip->omega[2];
-    const six_link_real t34 = t9 * t30 - t10 * t29 + (t19 * t25 + t20 * t26 + t21 * t27)
-        + (tip->omega[1] * t33 - tip->omega[2] * t32);
-    const six_link_real t35 = t10 * t28 - t8 * t30 + (t20 * t25 + t22 * t26 + t23 * t27)
-        + (tip->omega[2] * t31 - tip->omega[0] * t33);
-    const six_link_real t36 = t8 * t29 - t9 * t28 + (t21 * t25 + t23 * t26 + t24 * t27)
-        + (tip->omega[0] * t32 - tip->omega[1] * t31);
-    const six_link_real t37 = tip->omega[1] * t10 - tip->omega[2] * t9;
-    const six_link_real t38 = tip->omega[2] * t8 - tip->omega[0] * t10;
-    const six_link_real t39 = tip->omega[0] * t9 - tip->omega[1] * t8;
-    const six_link_real t40 = c->body0_mass * t28
-        + (t26 * t10 - t27 * t9 + (tip->omega[1] * t39 - tip->omega[2] * t38))
-        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const six_link_real t41 = c->body0_mass * t29
-        + (t27 * t8 - t25 * t10 + (tip->omega[2] * t37 - tip->omega[0] * t39))
-        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const six_link_real t21 = t19 + t20;
+    const six_link_real t22 = link->R_T[0] * t13 + link->R_T[1] * t15 + link->R_T[2] * t17;
+    const six_link_real t23 = link->R_T[0] * t14 + link->R_T[1] * t16 + link->R_T[2] * t18;
+    const six_link_real t24 = link->R_T[3] * t13 + link->R_T[4] * t15 + link->R_T[5] * t17;
+    const six_link_real t25 = link->R_T[3] * t14 + link->R_T[4] * t16 + link->R_T[5] * t18;
+    const six_link_real t26 = link->R_T[6] * t14 + link->R_T[7] * t16 + link->R_T[8] * t18;
+    const six_link_real t27 = tip->alpha_0[0] + tip->delta[0];
+    const six_link_real t28 = tip->alpha_0[1] + tip->delta[1];
+    const six_link_real t29 = tip->alpha_0[2] + tip->delta[2];
+    const six_link_real t30 = tip->alpha_0[3] + tip->delta[3];
+    const six_link_real t31 = tip->alpha_0[4] + tip->delta[4];
+    const six_link_real t32 = tip->alpha_0[5] + tip->delta[5];
+    const six_link_real t33 = t21 * tip->omega[0] + t22 * tip->omega[1] + t23 * tip->omega[2];
+    const six_link_real t34 = t22 * tip->omega[0] + t24 * tip->omega[1] + t25 * tip->omega[2];
+    const six_link_real t35 = t23 * tip->omega[0] + t25 * tip->omega[1] + t26 * tip->omega[2];
+    const six_link_real t36 = t11 * t32 - t12 * t31 + (t21 * t27 + t22 * t28 + t23 * t29)
+        + (tip->omega[1] * t35 - tip->omega[2] * t34);
+    const six_link_real t37 = t12 * t30 - t10 * t32 + (t22 * t27 + t24 * t28 + t25 * t29)
+        + (tip->omega[2] * t33 - tip->omega[0] * t35);
+    const six_link_real t38 = t10 * t31 - t11 * t30 + (t23 * t27 + t25 * t28 + t26 * t29)
+        + (tip->omega[0] * t34 - tip->omega[1] * t33);
+    const six_link_real t39 = tip->omega[1] * t12 - tip->omega[2] * t11;
+    const six_link_real t40 = tip->omega[2] * t10 - tip->omega[0] * t12;
+    const six_link_real t41 = tip->omega[0] * t11 - tip->omega[1] * t10;
     const six_link_real t42 = c->body0_mass * t30
-        + (t25 * t9 - t26 * t8 + (tip->omega[0] * t38 - tip->omega[1] * t37))
+        + (t28 * t12 - t29 * t11 + (tip->omega[1] * t41 - tip->omega[2] * t40))
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real t43 = c->body0_mass * t31
+        + (t29 * t10 - t27 * t12 + (tip->omega[2] * t39 - tip->omega[0] * t41))
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const six_link_real t44 = c->body0_mass * t32
+        + (t27 * t11 - t28 * t10 + (tip->omega[0] * t40 - tip->omega[1] * t39))
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
-    const six_link_real t43 = t34 - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2])
+    const six_link_real t45 = t36 - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2])
         + tip->p[0];
-    const six_link_real t44 = t35 - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2])
+    const six_link_real t46 = t37 - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2])
         + tip->p[1];
-    const six_link_real t45 = t36 - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2])
+    const six_link_real t47 = t38 - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2])
         + tip->p[2];
-    const six_link_real t46 = t40 + tip->p[3];
-    const six_link_real t47 = t41 + tip->p[4];
-    const six_link_real t48 = t42 + tip->p[5];
-    const six_link_real t49 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+    const six_link_real t48 = t42 + tip->p[3];
+    const six_link_real t49 = t43 + tip->p[4];
+    const six_link_real t50 = t44 + tip->p[5];
+    const six_link_real t51 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
-    const six_link_real t50 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+    const six_link_real t52 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
         + S_z * link->delta[3] - c->S_0_x * link->delta[5];
-    const six_link_real t51 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+    const six_link_real t53 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
-    const six_link_real t52 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+    const six_link_real t54 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
         + c->sigma_y1 * etaddot[0];
-    const six_link_real t53 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_z2 * etaddot[1];
-    const six_link_real wrench_1 = t49 + (L_y2 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
-        + h_0_1 + (t43 + (link->r_T[0] * t48 - link->r_T[1] * t47));
-    const six_link_real wrench_2 = t50 - c->chi_2 * etaddot[1] + h_0_2
-        + (t44 + (link->r_T[1] * t46 - c->length * t48));
-    const six_link_real wrench_3 = t51 + c->chi_1 * etaddot[0] + h_0_3
-        + (t45 + (c->length * t47 - link->r_T[0] * t46));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_0_4
-        + t46;
-    const six_link_real wrench_5 = t52 + h_0_5 + t47;
-    const six_link_real wrench_6 = t53 + h_0_6 + t48;
-    const six_link_real t54 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+    const six_link_real t55 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + c->sigma_y1 * etaddot[1];
+    const six_link_real wrench_1 = t51 + (L_y1 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
+        + h_V_1 + (t45 + (link->r_T[0] * t50 - link->r_T[1] * t49));
+    const six_link_real wrench_2 = t52 - c->chi_1 * etaddot[1] + h_V_2
+        + (t46 + (link->r_T[1] * t48 - c->length * t50));
+    const six_link_real wrench_3 = t53 + c->chi_1 * etaddot[0] + h_V_3
+        + (t47 + (c->length * t49 - link->r_T[0] * t48));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4
+        + t48;
+    const six_link_real wrench_5 = t54 + h_V_5 + t49;
+    const six_link_real wrench_6 = t55 + h_V_6 + t50;
+    const six_link_real t56 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t55 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+    const six_link_real t57 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
         + m_eta[1] * etaddot[1];
-    const six_link_real t56 = t54 + h_eta_0_1 + f_eta[0]
-        + c->Psi_c_z1 * (link->J_l[2] * t43 + link->J_l[5] * t44 + link->J_l[8] * t45);
-    const six_link_real t57 = t55 + h_eta_0_2 + f_eta[1]
-        + c->Psi_c_y2 * (link->J_l[1] * t43 + link->J_l[4] * t44 + link->J_l[7] * t45);
-    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2] + h_eta_0_3
-        + f_eta[2] + (link->J_l[0] * t43 + link->J_l[3] * t44 + link->J_l[6] * t45) * REAL(1.4142135623730951);
-    const six_link_real force_eta_1 = t56 + t47 * 2;
-    const six_link_real force_eta_2 = t57 + t48 * 2;
+    const six_link_real t58 = t56 + h_eta_1 + f_eta[0]
+        + c->Psi_c_z1 * (link->J_l[2] * t45 + link->J_l[5] * t46 + link->J_l[8] * t47);
+    const six_link_real t59 = t57 + h_eta_2 + f_eta[1]
+        + c->Psi_c_y2 * (link->J_l[1] * t45 + link->J_l[4] * t46 + link->J_l[7] * t47);
+    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2] + h_eta_3 + f_eta[2]
+        + (link->J_l[0] * t45 + link->J_l[3] * t46 + link->J_l[6] * t47) * REAL(1.4142135623730951);
+    const six_link_real force_eta_1 = t58 + t49 * 2;
+    const six_link_real force_eta_2 = t59 + t50 * 2;
     const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
-    const six_link_real t58 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
+    const six_link_real t60 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
     const six_link_real p_2 = wrench_2 + (link->lever[1] * wrench_4 - link->lever[0] * wrench_6);
-    const six_link_real t59 = wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4);
-    const six_link_real p_1 = link->R_P[0] * t58 + link->R_P[2] * t59;
-    const six_link_real p_3 = link->R_P[6] * t58 + link->R_P[8] * t59;
+    const six_link_real t61 = wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t60 + link->R_P[2] * t61;
+    const six_link_real p_3 = link->R_P[6] * t60 + link->R_P[8] * t61;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
     const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[8] * wrench_6;
 
@@ -6848,62 +5548,65 @@ static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like forearm: 393 operations */
+/* inverse inward, links like forearm: 361 operations */
 static six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
     const six_link_real eta[2], const six_link_real etadot[2], const six_link_real w_ext[6],
     const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real qdot[1],
     six_link_real force_eta[2], six_link_real force[1], six_link_real wrench[6])
 {
-
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
 
     /* Sdot: rate of the first moment */
     const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
     const six_link_real Ldot_z1 = etadot[1] * c->mu;
 
     /* J: second moment */
     const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
     const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
     const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
     const six_link_real I_yy = c->J_0_xx + J_zz;
     const six_link_real I_zz = c->J_0_xx + J_yy;
 
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const six_link_real t1 = link->omega[1] * link->omega[1];
     const six_link_real t2 = link->omega[2] * link->omega[2];
     const six_link_real minus_Omega_xx = t1 + t2;
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
-    const six_link_real t3 = link->omega[0] * link->omega[0];
-    const six_link_real minus_Omega_yy = t3 + t2;
-    const six_link_real Omega_yz = link->omega[1] * link->omega[2];
-    const six_link_real minus_Omega_zz = t3 + t1;
+    const six_link_real t3 = link->omega[0] * link->omega[1];
+    const six_link_real Omega_xy = t3 - link->alpha_0[2];
+    const six_link_real t4 = link->omega[0] * link->omega[2];
+    const six_link_real Omega_xz = link->alpha_0[1] + t4;
+    const six_link_real Omega_yx = link->alpha_0[2] + t3;
+    const six_link_real t5 = link->omega[0] * link->omega[0];
+    const six_link_real minus_Omega_yy = t5 + t2;
+    const six_link_real t6 = link->omega[1] * link->omega[2];
+    const six_link_real Omega_yz = t6 - link->alpha_0[0];
+    const six_link_real Omega_zx = t4 - link->alpha_0[1];
+    const six_link_real Omega_zy = link->alpha_0[0] + t6;
+    const six_link_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
     const six_link_real B_yx = c->chi_1 * etadot[0];
     const six_link_real B_yy = L_y1 * etadot[0];
     const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -6913,27 +5616,28 @@ static six_link_status inverse_inward_forearm(const six_link_link_constants *c, 
     const six_link_real minus_h_c_5 = Sdot_z * link->omega[0];
     const six_link_real h_c_6 = Sdot_y * link->omega[0];
 
-    /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t4 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
-        + S_y * link->alpha_0[5];
-    const six_link_real H_star_1 = t4 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const six_link_real t5 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+        + J_yz * (minus_Omega_yy - minus_Omega_zz);
+    const six_link_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
+        - S_z * link->alpha_0[4];
+    const six_link_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
-    const six_link_real t6 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t5 + t6 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
+    const six_link_real t9 = c->I_s * link->omega[0];
+    const six_link_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const six_link_real t7 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+    const six_link_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const six_link_real H_star_3 = t7 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t6 * link->omega[1];
+    const six_link_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
+        - t9 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->m;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->m;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+    const six_link_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->m;
 
-    /* h_V: bias of the twist rows */
+    /* h_V: bias of the twist rows, angular acceleration included */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
     const six_link_real h_V_2 = H_star_2 + h_c_2;
     const six_link_real h_V_3 = H_star_3 + h_c_3;
@@ -6941,74 +5645,61 @@ static six_link_status inverse_inward_forearm(const six_link_link_constants *c, 
     const six_link_real h_V_5 = H_star_5 - minus_h_c_5;
     const six_link_real h_V_6 = H_star_6 + h_c_6;
 
-    /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+    /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + link->alpha_0[5] * c->sigma_z2 + Ldot_y2 * 2 * link->omega[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
 
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = h_V_1
-        + (I_xx * link->alpha_0[0] - J_xy * link->alpha_0[1] - J_xz * link->alpha_0[2]);
-    const six_link_real h_0_2 = h_V_2
-        + (I_yy * link->alpha_0[1] - J_xy * link->alpha_0[0] - J_yz * link->alpha_0[2]);
-    const six_link_real h_0_3 = h_V_3
-        + (I_zz * link->alpha_0[2] - (J_xz * link->alpha_0[0] + J_yz * link->alpha_0[1]));
-    const six_link_real h_0_4 = h_V_4 + (S_z * link->alpha_0[1] - S_y * link->alpha_0[2]);
-    const six_link_real h_0_5 = h_V_5 + (c->S_0_x * link->alpha_0[2] - S_z * link->alpha_0[0]);
-    const six_link_real h_0_6 = h_V_6 + (S_y * link->alpha_0[0] - c->S_0_x * link->alpha_0[1]);
-    const six_link_real h_eta_0_1 = h_eta_1 + (c->chi_1 * link->alpha_0[2] - L_z1 * link->alpha_0[0]);
-    const six_link_real h_eta_0_2 = h_eta_2 + (L_y2 * link->alpha_0[0] - c->chi_2 * link->alpha_0[1]);
-
-    const six_link_real t8 = tip->p[0]
+    const six_link_real t11 = tip->p[0]
         - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const six_link_real t9 = tip->p[1]
+    const six_link_real t12 = tip->p[1]
         - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const six_link_real t10 = tip->p[2]
+    const six_link_real t13 = tip->p[2]
         - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const six_link_real t11 = tip->p[3]
+    const six_link_real t14 = tip->p[3]
         - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const six_link_real t12 = tip->p[4]
+    const six_link_real t15 = tip->p[4]
         - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const six_link_real t13 = tip->p[5]
+    const six_link_real t16 = tip->p[5]
         - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-    const six_link_real t14 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+    const six_link_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
-    const six_link_real t15 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+    const six_link_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
         + S_z * link->delta[3] - c->S_0_x * link->delta[5];
-    const six_link_real t16 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+    const six_link_real t19 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
-    const six_link_real t17 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
+    const six_link_real t20 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
         + c->sigma_y1 * etaddot[0];
-    const six_link_real t18 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
-        + c->sigma_z2 * etaddot[1];
-    const six_link_real wrench_1 = t14 + (L_y2 * etaddot[1] - L_z1 * etaddot[0]) + h_0_1
-        + (t8 + (link->r_T[0] * t13 - link->r_T[1] * t12));
-    const six_link_real wrench_2 = t15 - c->chi_2 * etaddot[1] + h_0_2
-        + (t9 + (link->r_T[1] * t11 - c->length * t13));
-    const six_link_real wrench_3 = t16 + c->chi_1 * etaddot[0] + h_0_3
-        + (t10 + (c->length * t12 - link->r_T[0] * t11));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3] + h_0_4
-        + t11;
-    const six_link_real wrench_5 = t17 + h_0_5 + t12;
-    const six_link_real wrench_6 = t18 + h_0_6 + t13;
-    const six_link_real t19 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+    const six_link_real t21 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
+        + c->sigma_y1 * etaddot[1];
+    const six_link_real wrench_1 = t17 + (L_y1 * etaddot[1] - L_z1 * etaddot[0]) + h_V_1
+        + (t11 + (link->r_T[0] * t16 - link->r_T[1] * t15));
+    const six_link_real wrench_2 = t18 - c->chi_1 * etaddot[1] + h_V_2
+        + (t12 + (link->r_T[1] * t14 - c->length * t16));
+    const six_link_real wrench_3 = t19 + c->chi_1 * etaddot[0] + h_V_3
+        + (t13 + (c->length * t15 - link->r_T[0] * t14));
+    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3] + h_V_4
+        + t14;
+    const six_link_real wrench_5 = t20 + h_V_5 + t15;
+    const six_link_real wrench_6 = t21 + h_V_6 + t16;
+    const six_link_real t22 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t20 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+    const six_link_real t23 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
         + m_eta[1] * etaddot[1];
-    const six_link_real t21 = t19 + h_eta_0_1 + f_eta[0]
-        + c->Psi_c_z1 * (link->J_l[2] * t8 + link->J_l[4] * t9 + link->J_l[5] * t10);
-    const six_link_real t22 = t20 + h_eta_0_2 + f_eta[1]
-        + c->Psi_c_y2 * (link->J_l[3] * t9 - link->J_l[1] * t8 + link->J_l[4] * t10);
-    const six_link_real force_eta_1 = t21 + t12 * REAL(2.23606797749979);
-    const six_link_real force_eta_2 = t22 + t13 * REAL(2.23606797749979);
+    const six_link_real t24 = t22 + h_eta_1 + f_eta[0]
+        + c->Psi_c_z1 * (link->J_l[2] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13);
+    const six_link_real t25 = t23 + h_eta_2 + f_eta[1]
+        + c->Psi_c_y2 * (link->J_l[3] * t12 - link->J_l[1] * t11 + link->J_l[4] * t13);
+    const six_link_real force_eta_1 = t24 + t15 * REAL(2.23606797749979);
+    const six_link_real force_eta_2 = t25 + t16 * REAL(2.23606797749979);
     const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
-    const six_link_real t23 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
-    const six_link_real t24 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
-    const six_link_real t25 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
-    const six_link_real p_1 = link->R_P[0] * t23 + link->R_P[1] * t24 + link->R_P[2] * t25;
-    const six_link_real p_2 = link->R_P[3] * t23 + link->R_P[4] * t24 + link->R_P[5] * t25;
-    const six_link_real p_3 = link->R_P[6] * t23 + link->R_P[7] * t24 + link->R_P[8] * t25;
+    const six_link_real t26 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
+    const six_link_real t27 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t28 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t26 + link->R_P[1] * t27 + link->R_P[2] * t28;
+    const six_link_real p_2 = link->R_P[3] * t26 + link->R_P[4] * t27 + link->R_P[5] * t28;
+    const six_link_real p_3 = link->R_P[6] * t26 + link->R_P[7] * t27 + link->R_P[8] * t28;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
     const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
     const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
@@ -7036,42 +5727,35 @@ static six_link_status inverse_inward_forearm(const six_link_link_constants *c, 
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like wrist_roll: 104 operations */
+/* inverse inward, links like wrist_roll: 98 operations */
 static six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
-
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
     const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
     const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
 
     const six_link_real t2 = tip->p[4] - w_ext[4];
     const six_link_real t3 = tip->p[5] - w_ext[5];
-    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (tip->p[0] - w_ext[0]);
-    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + H_star_1 + (tip->p[0] - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + H_star_2
         + (tip->p[1] - w_ext[1] - c->length * t3);
-    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + H_star_3
         + (tip->p[2] - w_ext[2] + c->length * t2);
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
-    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t2;
-    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t3;
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t2;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t3;
     const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * wrench_3;
     const six_link_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
@@ -7101,42 +5785,35 @@ static six_link_status inverse_inward_wrist_roll(const six_link_link_constants *
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like wrist_pitch: 86 operations */
+/* inverse inward, links like wrist_pitch: 80 operations */
 static six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
-
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
     const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
     const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
 
     const six_link_real t2 = tip->p[4] - w_ext[4];
     const six_link_real t3 = tip->p[5] - w_ext[5];
-    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (tip->p[0] - w_ext[0]);
-    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + H_star_1 + (tip->p[0] - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + H_star_2
         + (tip->p[1] - w_ext[1] - c->length * t3);
-    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + H_star_3
         + (tip->p[2] - w_ext[2] + c->length * t2);
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
-    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t2;
-    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t3;
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t2;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t3;
     const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[2] * wrench_3;
     const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[8] * wrench_3;
@@ -7164,31 +5841,24 @@ static six_link_status inverse_inward_wrist_pitch(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like flange: 182 operations */
+/* inverse inward, links like flange: 176 operations */
 static six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
-
-    /* Omega: centripetal operator */
+    /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
-    const six_link_real Omega_xy = link->omega[0] * link->omega[1];
-    const six_link_real Omega_xz = link->omega[0] * link->omega[2];
+    const six_link_real Omega_yx = link->alpha_0[2] + link->omega[0] * link->omega[1];
+    const six_link_real Omega_zx = link->omega[0] * link->omega[2] - link->alpha_0[1];
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, angular acceleration included */
+    const six_link_real H_star_1 = c->I_s * link->alpha_0[0];
     const six_link_real t1 = c->I_s * link->omega[0];
-    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_xz - c->S_0_x * link->alpha_0[5];
-    const six_link_real H_star_3 = c->J_0_xx * Omega_xy + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
+    const six_link_real H_star_2 = t1 * link->omega[2] - c->J_0_xx * Omega_zx - c->S_0_x * link->alpha_0[5];
+    const six_link_real H_star_3 = c->J_0_xx * Omega_yx + c->S_0_x * link->alpha_0[4] - t1 * link->omega[1];
     const six_link_real H_star_4 = link->alpha_0[3] * c->mu - minus_Omega_xx * c->S_0_x;
-    const six_link_real H_star_5 = Omega_xy * c->S_0_x + link->alpha_0[4] * c->mu;
-    const six_link_real H_star_6 = Omega_xz * c->S_0_x + link->alpha_0[5] * c->mu;
-
-    /* h_0: bias at alpha_0, its angular part included */
-    const six_link_real h_0_1 = c->I_s * link->alpha_0[0];
-    const six_link_real h_0_2 = H_star_2 + c->J_0_xx * link->alpha_0[1];
-    const six_link_real h_0_3 = H_star_3 + c->J_0_xx * link->alpha_0[2];
-    const six_link_real h_0_5 = H_star_5 + c->S_0_x * link->alpha_0[2];
-    const six_link_real h_0_6 = H_star_6 - c->S_0_x * link->alpha_0[1];
+    const six_link_real H_star_5 = Omega_yx * c->S_0_x + link->alpha_0[4] * c->mu;
+    const six_link_real H_star_6 = Omega_zx * c->S_0_x + link->alpha_0[5] * c->mu;
 
     const six_link_real t2 = tip->alpha_0[0] + tip->delta[0];
     const six_link_real t3 = tip->alpha_0[1] + tip->delta[1];
@@ -7216,14 +5886,14 @@ static six_link_status inverse_inward_flange(const six_link_link_constants *c, c
         + (t2 * c->S_T_y - t3 * c->S_T_x + (tip->omega[0] * t15 - tip->omega[1] * t14));
     const six_link_real t20 = t18 - w_ext[4];
     const six_link_real t21 = t19 - w_ext[5];
-    const six_link_real wrench_1 = c->I_s * link->delta[0] + h_0_1 + (t11 - w_ext[0]);
-    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + h_0_2
+    const six_link_real wrench_1 = c->I_s * link->delta[0] + H_star_1 + (t11 - w_ext[0]);
+    const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + H_star_2
         + (t12 - w_ext[1] - c->length * t21);
-    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + h_0_3
+    const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + H_star_3
         + (t13 - w_ext[2] + c->length * t20);
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (t17 - w_ext[3]);
-    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + h_0_5 + t20;
-    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + h_0_6 + t21;
+    const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t20;
+    const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t21;
     const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
     const six_link_real p_2 = link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
     const six_link_real p_3 = link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
@@ -7252,19 +5922,18 @@ static six_link_status inverse_inward_flange(const six_link_link_constants *c, c
 }
 
 /* kinematics, links like shoulder: 0 operations */
-static six_link_status kinematics_shoulder_3(void)
+static six_link_status kinematics_shoulder_2(void)
 {
     return SIX_LINK_OK;
 }
 
 /* kinematics, links like upper_arm: 68 operations */
-static six_link_status kinematics_upper_arm_3(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
     const six_link_real q[1], const six_link_real eta[3])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -7373,19 +6042,18 @@ static six_link_status kinematics_upper_arm_3(const six_link_link_constants *c, 
 }
 
 /* kinematics, links like forearm: 114 operations */
-static six_link_status kinematics_forearm_3(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+static six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real eta[2])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    six_link_real t1, t2;
+    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx + base->R_T[2] * R_rel_zx;
@@ -7477,12 +6145,11 @@ static six_link_status kinematics_forearm_3(const six_link_link_constants *c, si
 }
 
 /* kinematics, links like wrist_roll: 20 operations */
-static six_link_status kinematics_wrist_roll_3(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
+static six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -7506,12 +6173,11 @@ static six_link_status kinematics_wrist_roll_3(six_link_link_store *link, const 
 }
 
 /* kinematics, links like wrist_pitch: 3 operations */
-static six_link_status kinematics_wrist_pitch_3(six_link_link_store *link, const six_link_real q[1])
+static six_link_status kinematics_wrist_pitch_2(six_link_link_store *link, const six_link_real q[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -7525,12 +6191,11 @@ static six_link_status kinematics_wrist_pitch_3(six_link_link_store *link, const
 }
 
 /* kinematics, links like flange: 3 operations */
-static six_link_status kinematics_flange_3(six_link_link_store *link, const six_link_real q[1])
+static six_link_status kinematics_flange_2(six_link_link_store *link, const six_link_real q[1])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -minus_R_rel_yz;
@@ -7547,7 +6212,6 @@ static six_link_status kinematics_flange_3(six_link_link_store *link, const six_
 static six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real qddot[1], six_link_real force[1])
 {
-
     const six_link_real t1 = c->S_T_x * tip->delta[4] + c->I_T_zz * tip->delta[2] + tip->p[2]
         + c->length * (c->body0_mass * tip->delta[4] + tip->delta[2] * c->S_T_x + tip->p[4]);
     const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + t1;
@@ -7558,29 +6222,26 @@ static six_link_status inverse_inward_shoulder_2(const six_link_link_constants *
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like upper_arm: 282 operations */
+/* inverse inward, links like upper_arm: 280 operations */
 static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
     const six_link_real eta[3], const six_link_real m_eta[3], six_link_real force_eta[3],
     six_link_real force[1])
 {
-
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_z2;
+    const six_link_real S_z = eta[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* J: second moment */
     const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[1];
     const six_link_real J_yy = L_y1 * eta[0];
     const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -7628,17 +6289,17 @@ static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants 
     const six_link_real t27 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
         + c->sigma_y1 * etaddot[0];
     const six_link_real t28 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_z2 * etaddot[1];
-    const six_link_real wrench_1 = t24 + (L_y2 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
+        + c->sigma_y1 * etaddot[1];
+    const six_link_real wrench_1 = t24 + (L_y1 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
         + (t18 + (link->r_T[0] * t23 - link->r_T[1] * t22));
-    const six_link_real wrench_2 = t25 - c->chi_2 * etaddot[1] + (t19 + (link->r_T[1] * t21 - c->length * t23));
+    const six_link_real wrench_2 = t25 - c->chi_1 * etaddot[1] + (t19 + (link->r_T[1] * t21 - c->length * t23));
     const six_link_real wrench_3 = t26 + c->chi_1 * etaddot[0] + (t20 + (c->length * t22 - link->r_T[0] * t21));
     const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + t21;
     const six_link_real wrench_5 = t27 + t22;
     const six_link_real wrench_6 = t28 + t23;
     const six_link_real t29 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t30 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+    const six_link_real t30 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
         + m_eta[1] * etaddot[1];
     const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2]
         + (link->J_l[0] * t18 + link->J_l[3] * t19 + link->J_l[6] * t20) * REAL(1.4142135623730951);
@@ -7660,29 +6321,26 @@ static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like forearm: 170 operations */
+/* inverse inward, links like forearm: 168 operations */
 static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
     const six_link_real eta[2], const six_link_real m_eta[2], six_link_real force_eta[2],
     six_link_real force[1])
 {
-
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* J: second moment */
     const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
     const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
     const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -7698,10 +6356,10 @@ static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c
     const six_link_real t4 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
         + c->sigma_y1 * etaddot[0];
     const six_link_real t5 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
-        + c->sigma_z2 * etaddot[1];
-    const six_link_real wrench_1 = t1 + (L_y2 * etaddot[1] - L_z1 * etaddot[0])
+        + c->sigma_y1 * etaddot[1];
+    const six_link_real wrench_1 = t1 + (L_y1 * etaddot[1] - L_z1 * etaddot[0])
         + (tip->p[0] + (link->r_T[0] * tip->p[5] - link->r_T[1] * tip->p[4]));
-    const six_link_real wrench_2 = t2 - c->chi_2 * etaddot[1]
+    const six_link_real wrench_2 = t2 - c->chi_1 * etaddot[1]
         + (tip->p[1] + (link->r_T[1] * tip->p[3] - c->length * tip->p[5]));
     const six_link_real wrench_3 = t3 + c->chi_1 * etaddot[0]
         + (tip->p[2] + (c->length * tip->p[4] - link->r_T[0] * tip->p[3]));
@@ -7711,7 +6369,7 @@ static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c
     const six_link_real wrench_6 = t5 + tip->p[5];
     const six_link_real t6 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t7 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_z2 * link->delta[5]
+    const six_link_real t7 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
         + m_eta[1] * etaddot[1];
     const six_link_real t8 = t6
         + c->Psi_c_z1 * (link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2]);
@@ -7747,7 +6405,6 @@ static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c
 static six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
-
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
         + (tip->p[1] - c->length * tip->p[5]);
@@ -7779,7 +6436,6 @@ static six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants
 static six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
-
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
         + (tip->p[1] - c->length * tip->p[5]);
@@ -7809,7 +6465,6 @@ static six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constant
 static six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
-
     const six_link_real t1 = c->S_T_y * tip->delta[5] - c->S_T_z * tip->delta[4]
         + (c->I_T_xx * tip->delta[0] - c->J_T_xy * tip->delta[1] - c->J_T_xz * tip->delta[2]);
     const six_link_real t2 = c->S_T_z * tip->delta[3] - c->S_T_x * tip->delta[5]
@@ -7850,7 +6505,6 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
     const six_link_real t3 = quaternion[3] * quaternion[3];
@@ -7959,17 +6613,16 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like upper_arm: 592 operations */
+/* joint rows, links like upper_arm: 590 operations */
 static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[3], const six_link_real etadot[3],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
     const six_link_real t1 = -R_rel_xz;
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -8010,28 +6663,26 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
 
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_z2;
+    const six_link_real S_z = eta[1] * c->sigma_y1;
 
     /* Sdot: rate of the first moment */
     const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
     const six_link_real Ldot_z1 = etadot[1] * c->mu;
 
     /* J: second moment */
     const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[1];
     const six_link_real J_yy = L_y1 * eta[0];
     const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -8058,9 +6709,9 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     const six_link_real B_yx = c->chi_1 * etadot[0];
     const six_link_real B_yy = L_y1 * etadot[0];
     const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
@@ -8104,8 +6755,8 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
         + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_z2 + Ldot_y2 * 2 * twist[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+        + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * 2;
@@ -8292,7 +6943,7 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     link->M_V[6] = J_yz;
     link->M_V[7] = I_zz;
     link->M_D[0] = L_z1;
-    link->M_D[1] = L_y2;
+    link->M_D[1] = L_y1;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -8400,23 +7051,22 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like forearm: 544 operations */
+/* joint rows, links like forearm: 542 operations */
 static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[2], const six_link_real etadot[2],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real t1 = six_link_cos(q[0]);
-    const six_link_real t2 = six_link_sin(q[0]);
-    const six_link_real R_rel_xx = c->R_m_xx * t1 - c->R_m_xz * t2;
-    const six_link_real R_rel_xz = c->R_m_xx * t2 + c->R_m_xz * t1;
-    const six_link_real R_rel_yx = c->R_m_yx * t1 - c->R_m_yz * t2;
-    const six_link_real R_rel_yz = c->R_m_yx * t2 + c->R_m_yz * t1;
-    const six_link_real R_rel_zx = c->R_m_zx * t1 - c->R_m_zz * t2;
-    const six_link_real R_rel_zz = c->R_m_zx * t2 + c->R_m_zz * t1;
+    six_link_real t1, t2;
+    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
         + R_rel_zx * base->omega[2];
@@ -8461,28 +7111,26 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
 
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_z2;
+    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
 
     /* Sdot: rate of the first moment */
     const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_z2;
+    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
 
     /* L: first moment weighted by each mode shape (85) */
-    const six_link_real L_y1 = c->M_Wphi_11 * eta[0];
-    const six_link_real L_y2 = eta[0] * c->mu;
+    const six_link_real L_y1 = c->mu * eta[0];
     const six_link_real L_z1 = eta[1] * c->mu;
-    const six_link_real L_z2 = c->M_Wphi_22 * eta[1];
 
     /* Ldot: rate of L */
-    const six_link_real Ldot_y2 = etadot[0] * c->mu;
+    const six_link_real Ldot_y1 = c->mu * etadot[0];
     const six_link_real Ldot_z1 = etadot[1] * c->mu;
 
     /* J: second moment */
     const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
     const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
     const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -8509,9 +7157,9 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     const six_link_real B_yx = c->chi_1 * etadot[0];
     const six_link_real B_yy = L_y1 * etadot[0];
     const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_2 * etadot[1];
-    const six_link_real B_zy = L_y2 * etadot[1];
-    const six_link_real B_zz = L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[1];
+    const six_link_real B_zy = L_y1 * etadot[1];
+    const six_link_real B_zz = L_z1 * etadot[1];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
@@ -8551,8 +7199,8 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
         + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_z2 + Ldot_y2 * 2 * twist[0];
+    const six_link_real h_eta_2 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+        + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
@@ -8702,7 +7350,7 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
     link->M_V[6] = J_yz;
     link->M_V[7] = I_zz;
     link->M_D[0] = L_z1;
-    link->M_D[1] = L_y2;
+    link->M_D[1] = L_y1;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -8817,10 +7465,9 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
     const six_link_real t1 = -minus_R_rel_yz;
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -8947,10 +7594,9 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_xx = six_link_cos(q[0]);
-    const six_link_real R_rel_xz = six_link_sin(q[0]);
+    six_link_real R_rel_xz, R_rel_xx;
+    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
     const six_link_real t1 = -R_rel_xz;
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -9073,10 +7719,9 @@ static six_link_status joint_rows_flange(const six_link_link_constants *c, six_l
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
-
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    const six_link_real R_rel_yy = six_link_cos(q[0]);
-    const six_link_real minus_R_rel_yz = six_link_sin(q[0]);
+    six_link_real minus_R_rel_yz, R_rel_yy;
+    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
     const six_link_real t1 = -minus_R_rel_yz;
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -9222,7 +7867,6 @@ static six_link_status link_rows_shoulder(const six_link_link_constants *c, cons
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     const six_link_real t1 = -c->S_T_z;
     const six_link_real t2 = -c->J_T_yz;
     const six_link_real t3 = -c->S_T_y;
@@ -9366,7 +8010,6 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     six_link_real eta_H[3], six_link_real eta_W[3], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
-
     const six_link_real t1 = link->h_eta[0] + f_eta[0];
     const six_link_real t2 = link->h_eta[1] + f_eta[1];
 
@@ -9506,7 +8149,7 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     const six_link_real V_eta_13 = c->sigma_t_3 + J_Teta_13 * t21 + J_Teta_23 * t22 + J_Teta_33 * t24;
     const six_link_real V_eta_21 = J_Teta_11 * t36 + J_Teta_21 * t37 + J_Teta_31 * t39 + J_Teta_41 * t29
         + J_Teta_51 * t32 + J_Teta_61 * t35;
-    const six_link_real t65 = J_Teta_12 * t36 - c->chi_2 + J_Teta_22 * t37 + J_Teta_32 * t39 + J_Teta_42 * t29
+    const six_link_real t65 = J_Teta_12 * t36 - c->chi_1 + J_Teta_22 * t37 + J_Teta_32 * t39 + J_Teta_42 * t29
         + J_Teta_52 * t32;
     const six_link_real V_eta_22 = t65 + J_Teta_62 * t35;
     const six_link_real V_eta_23 = J_Teta_13 * t36 + J_Teta_23 * t37 + J_Teta_33 * t39;
@@ -9538,7 +8181,7 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
     const six_link_real t76 = t48 - t47;
     const six_link_real V_eta_61 = J_Teta_11 * t74 + J_Teta_21 * t75 + J_Teta_31 * t76 + J_Teta_41 * t60
         + J_Teta_51 * t61 + J_Teta_61 * t62;
-    const six_link_real t77 = c->sigma_z2 + J_Teta_12 * t74 + J_Teta_22 * t75 + J_Teta_32 * t76 + J_Teta_42 * t60
+    const six_link_real t77 = c->sigma_y1 + J_Teta_12 * t74 + J_Teta_22 * t75 + J_Teta_32 * t76 + J_Teta_42 * t60
         + J_Teta_52 * t61;
     const six_link_real V_eta_62 = t77 + J_Teta_62 * t62;
     const six_link_real V_eta_63 = J_Teta_13 * t74 + J_Teta_23 * t75 + J_Teta_33 * t76;
@@ -10100,7 +8743,6 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     six_link_real eta_H[2], six_link_real eta_W[2], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
-
     const six_link_real t1 = -link->M_V[1];
     const six_link_real t2 = -link->M_V[2];
     const six_link_real t3 = -link->M_V[3];
@@ -10108,7 +8750,7 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     const six_link_real t5 = -c->S_0_x;
     const six_link_real t6 = -link->M_V[4];
     const six_link_real t7 = -link->M_D[0];
-    const six_link_real t8 = -c->chi_2;
+    const six_link_real t8 = -c->chi_1;
     const six_link_real eta_H_1 = link->h_eta[0] + f_eta[0];
     const six_link_real eta_H_2 = link->h_eta[1] + f_eta[1];
 
@@ -10339,7 +8981,7 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     M[place[78]] = t8;
     M[place[79]] = c->chi_1;
     M[place[80]] = c->sigma_y1;
-    M[place[81]] = c->sigma_z2;
+    M[place[81]] = c->sigma_y1;
     M[place[82]] = link->R_T[0];
     M[place[83]] = V_next_12;
     M[place[84]] = V_next_13;
@@ -10372,7 +9014,7 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
     M[place[111]] = c->sigma_y1;
     M[place[112]] = link->M_D[1];
     M[place[113]] = t8;
-    M[place[114]] = c->sigma_z2;
+    M[place[114]] = c->sigma_y1;
     M[place[115]] = m_eta[0];
     M[place[116]] = m_eta[1];
     M[place[117]] = J_Teta_11;
@@ -10411,7 +9053,6 @@ static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, co
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     const six_link_real t1 = -c->S_0_x;
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
@@ -10501,7 +9142,6 @@ static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, c
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
-
     const six_link_real t1 = -c->S_0_x;
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
@@ -10597,7 +9237,6 @@ static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, c
 static six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
     const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
-
     const six_link_real t1 = -c->S_T_z;
     const six_link_real t2 = -c->J_T_yz;
     const six_link_real t3 = -c->S_T_y;
@@ -10674,88 +9313,6 @@ static six_link_status link_rows_flange(const six_link_link_constants *c, const 
     return SIX_LINK_OK;
 }
 
-static six_link_status joint_dynamics_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
-{
-    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
-    case 1:
-        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    case 2:
-        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    case 3:
-        return kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
-    case 4:
-        return kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
-    default:
-        return kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
-    }
-}
-
-static six_link_status joint_dynamics_eliminate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
-{
-    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
-    case 1:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
-    case 2:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
-    case 3:
-        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
-    case 4:
-        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
-    default:
-        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
-    }
-}
-
-static six_link_status joint_dynamics_accelerate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
-{
-    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
-    case 1:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    case 2:
-        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    case 3:
-        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
-    case 4:
-        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
-    default:
-        return accelerate_flange(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0);
-    }
-}
-
-static six_link_status joint_dynamics_poses(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
-{
-    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return poses_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1]);
-    case 1:
-        return poses_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    case 2:
-        return poses_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    case 3:
-        return poses_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    default:
-        return poses_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    }
-}
-
 static six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
@@ -10805,17 +9362,17 @@ static six_link_status dae_dynamics_accelerate(const six_link_constants *c, cons
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 1:
-        return accelerate_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 2:
-        return accelerate_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 3:
-        return accelerate_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 4:
-        return accelerate_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     default:
-        return accelerate_flange_2(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_flange(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     }
 }
 
@@ -10881,17 +9438,17 @@ static six_link_status inverse_kinematics(const six_link_constants *c, const six
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
     case 1:
-        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     case 2:
-        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     case 3:
-        return kinematics_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
     case 4:
-        return kinematics_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
     default:
-        return kinematics_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
     }
 }
 
@@ -10944,17 +9501,17 @@ static six_link_status inertia_kinematics(const six_link_constants *c, const six
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_shoulder_3();
+        return kinematics_shoulder_2();
     case 1:
-        return kinematics_upper_arm_3(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     case 2:
-        return kinematics_forearm_3(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     case 3:
-        return kinematics_wrist_roll_3(&chain->links[i], &chain->nodes[i], call->q + q);
+        return kinematics_wrist_roll_2(&chain->links[i], &chain->nodes[i], call->q + q);
     case 4:
-        return kinematics_wrist_pitch_3(&chain->links[i], call->q + q);
+        return kinematics_wrist_pitch_2(&chain->links[i], call->q + q);
     default:
-        return kinematics_flange_3(&chain->links[i], call->q + q);
+        return kinematics_flange_2(&chain->links[i], call->q + q);
     }
 }
 
@@ -11049,45 +9606,6 @@ static void start(const six_link_call *call, six_link_chain *chain)
     for (k = 0; k < 3; ++k) {
         chain->nodes[0].alpha_0[k + 3] = -call->gravity[k];
     }
-}
-
-six_link_status six_link_joint_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
-{
-    six_link_status status;
-    int i;
-    start(call, chain);
-    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
-        status = joint_dynamics_kinematics(c, call, chain, i);
-        if (status != SIX_LINK_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
-        status = joint_dynamics_eliminate(c, call, chain, i);
-        if (status != SIX_LINK_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
-        status = joint_dynamics_accelerate(c, call, chain, i);
-        if (status != SIX_LINK_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    if (!call->tip_pose) {
-        return SIX_LINK_OK;
-    }
-    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
-        status = joint_dynamics_poses(c, call, chain, i);
-        if (status != SIX_LINK_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    return SIX_LINK_OK;
 }
 
 six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)

@@ -18,10 +18,7 @@ enum { SIX_LINK_WRENCHES = 1, SIX_LINK_TIP_POSE = 2 };
 
 /* Joint form: vdot and what is wanted; the rest of output is left alone. fault is set with SIX_LINK_SINGULAR. */
 six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
-    six_link_work *work, int wanted, six_link_output *output);
-
-/* Joint form: accelerations, wrenches and poses by block elimination. */
-six_link_status six_link_joint_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+    const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *output);
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
 six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);

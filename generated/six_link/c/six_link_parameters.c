@@ -102,10 +102,9 @@ void six_link_parameters_default(six_link_parameters *p)
     p->links[5].bodies[0].inertia[5] = REAL(0.0005);
 }
 
-/* links like shoulder */
-static void constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c)
+/* links like shoulder; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c)
 {
-
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
@@ -164,12 +163,16 @@ static void constants_of_shoulder(const six_link_link_parameters *p, six_link_li
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
     c->mu = mu;
+
+    return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
+        + (c->J_T_xz + c->J_T_yz + c->S_0_x + c->S_T_x + c->S_T_y + c->S_T_z)
+        + (c->armature_1 + c->body0_mass + c->joint_damping_1 + c->length + c->mount_xyz_x + c->mount_xyz_y)
+        + (c->mount_xyz_z + c->mu);
 }
 
-/* links like upper_arm */
-static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+/* links like upper_arm; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
 {
-
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
@@ -197,9 +200,6 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
     const six_link_real t5 = t4 * p->length;
     const six_link_real J_0_xx = t5 * REAL(0.3333333333333333) * p->rhoA;
 
-    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
-    const six_link_real M_Wphi_11 = p->length * p->rhoA;
-
     /* Psi_c: turn of the tip section by each mode */
     const six_link_real Psi_c_y2 = REAL(-2.7530109693450697) / p->length;
     const six_link_real Psi_c_z1 = REAL(2.7530109693450697) / p->length;
@@ -215,6 +215,9 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
     /* chi: first moment of each mode shape */
     const six_link_real chi_1 = t4 * REAL(0.5688257437099108) * p->rhoA;
 
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
     /* sigma_t: spin momentum of each torsion mode */
     const six_link_real sigma_t_3 = p->length * REAL(0.9003163161571061) * p->rhoIp;
 
@@ -228,8 +231,8 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
     const six_link_real t6 = p->damping_ratio * 2;
-    const six_link_real D_1 = t6 * six_link_sqrt(K_full_11 * M_Wphi_11);
-    const six_link_real D_2 = t6 * six_link_sqrt(K_full_22 * M_Wphi_11);
+    const six_link_real D_1 = t6 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t6 * six_link_sqrt(K_full_22 * mu);
     const six_link_real D_3 = t6 * six_link_sqrt(K_full_33 * I_s);
 
     /* outputs */
@@ -241,8 +244,6 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
     c->J_T_xy = J_T_xy;
     c->J_T_xz = J_T_xz;
     c->J_T_yz = J_T_yz;
-    c->M_Wphi_11 = M_Wphi_11;
-    c->M_Wphi_22 = M_Wphi_11;
     c->Psi_c_y2 = Psi_c_y2;
     c->Psi_c_z1 = Psi_c_z1;
     c->S_0_x = S_0_x;
@@ -252,18 +253,16 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
     c->armature_1 = p->joint.armature[0];
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
-    c->chi_2 = chi_1;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mount_xyz_x = p->joint.mount_xyz[0];
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
-    c->mu = M_Wphi_11;
+    c->mu = mu;
     c->sigma_t_3 = sigma_t_3;
     c->sigma_y1 = sigma_y1;
-    c->sigma_z2 = sigma_y1;
-    M_eta[0] = M_Wphi_11;
-    M_eta[1] = M_Wphi_11;
+    M_eta[0] = mu;
+    M_eta[1] = mu;
     M_eta[2] = I_s;
     K[0] = K_full_11;
     K[1] = K_full_22;
@@ -271,12 +270,18 @@ static void constants_of_upper_arm(const six_link_link_parameters *p, six_link_l
     D[0] = D_1;
     D[1] = D_2;
     D[2] = D_3;
+
+    return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
+        + (c->J_T_xz + c->J_T_yz + c->Psi_c_y2 + c->Psi_c_z1 + c->S_0_x + c->S_T_x)
+        + (c->S_T_y + c->S_T_z + c->armature_1 + c->body0_mass + c->chi_1 + c->joint_damping_1)
+        + (c->length + c->mount_xyz_x + c->mount_xyz_y + c->mount_xyz_z + c->mu + c->sigma_t_3)
+        + (c->sigma_y1 + M_eta[0] + M_eta[1] + M_eta[2] + K[0] + K[1])
+        + (K[2] + D[0] + D[1] + D[2]);
 }
 
-/* links like forearm */
-static void constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+/* links like forearm; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
 {
-
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
 
@@ -299,30 +304,27 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
     const six_link_real t5 = t4 * p->length;
     const six_link_real J_0_xx = J_B_xx + t5 * REAL(0.3333333333333333) * p->rhoA;
 
-    /* M_Wphi: inertia of the modes (torsion: kg*m^2), diagonal (86) */
-    const six_link_real M_Wphi_11 = p->length * p->rhoA;
-
     /* Psi_c: turn of the tip section by each mode */
     const six_link_real Psi_c_y2 = REAL(-4.47213595499958) / p->length;
     const six_link_real Psi_c_z1 = REAL(4.47213595499958) / p->length;
 
     /* R_m: rotation of the mount */
-    const six_link_real t6 = six_link_cos(p->joint.mount_rpy[1]);
-    const six_link_real t7 = six_link_cos(p->joint.mount_rpy[2]);
-    const six_link_real R_m_xx = t6 * t7;
-    const six_link_real t8 = six_link_sin(p->joint.mount_rpy[0]);
-    const six_link_real minus_R_m_zx = six_link_sin(p->joint.mount_rpy[1]);
-    const six_link_real t9 = t8 * minus_R_m_zx;
-    const six_link_real t10 = six_link_sin(p->joint.mount_rpy[2]);
-    const six_link_real t11 = six_link_cos(p->joint.mount_rpy[0]);
-    const six_link_real R_m_xy = t9 * t7 - t10 * t11;
-    const six_link_real R_m_xz = t8 * t10 + minus_R_m_zx * t11 * t7;
-    const six_link_real R_m_yx = t10 * t6;
-    const six_link_real R_m_yy = t11 * t7 + t9 * t10;
-    const six_link_real R_m_yz = minus_R_m_zx * t10 * t11 - t8 * t7;
+    six_link_real minus_R_m_zx, t6;
+    six_link_sine_cosine(p->joint.mount_rpy[1], &minus_R_m_zx, &t6);
+    six_link_real t7, t8;
+    six_link_sine_cosine(p->joint.mount_rpy[2], &t7, &t8);
+    const six_link_real R_m_xx = t6 * t8;
+    six_link_real t9, t10;
+    six_link_sine_cosine(p->joint.mount_rpy[0], &t9, &t10);
+    const six_link_real t11 = t9 * minus_R_m_zx;
+    const six_link_real R_m_xy = t11 * t8 - t7 * t10;
+    const six_link_real R_m_xz = t9 * t7 + minus_R_m_zx * t10 * t8;
+    const six_link_real R_m_yx = t7 * t6;
+    const six_link_real R_m_yy = t10 * t8 + t11 * t7;
+    const six_link_real R_m_yz = minus_R_m_zx * t7 * t10 - t9 * t8;
     const six_link_real t12 = -minus_R_m_zx;
-    const six_link_real R_m_zy = t8 * t6;
-    const six_link_real R_m_zz = t11 * t6;
+    const six_link_real R_m_zy = t9 * t6;
+    const six_link_real R_m_zz = t10 * t6;
 
     /* S_B: their first moment about the joint point */
     const six_link_real S_B_x = p->bodies[0].com[0] * p->bodies[0].mass;
@@ -335,8 +337,11 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
     /* chi: first moment of each mode shape */
     const six_link_real chi_1 = t4 * REAL(0.5590169943749475) * p->rhoA;
 
+    /* mu: mass of the beam */
+    const six_link_real mu = p->length * p->rhoA;
+
     /* m: mass, base bodies included (27) */
-    const six_link_real m = p->bodies[0].mass + M_Wphi_11;
+    const six_link_real m = p->bodies[0].mass + mu;
 
     /* sigma: momentum of each mode (B1) */
     const six_link_real sigma_y1 = p->length * REAL(0.7453559924999299) * p->rhoA;
@@ -347,8 +352,8 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
     const six_link_real t13 = p->damping_ratio * 2;
-    const six_link_real D_1 = t13 * six_link_sqrt(K_full_11 * M_Wphi_11);
-    const six_link_real D_2 = t13 * six_link_sqrt(K_full_22 * M_Wphi_11);
+    const six_link_real D_1 = t13 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t13 * six_link_sqrt(K_full_22 * mu);
 
     /* outputs */
     c->I_s = I_s;
@@ -358,8 +363,6 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
     c->J_B_yy = J_B_yy;
     c->J_B_yz = J_B_yz;
     c->J_B_zz = J_B_zz;
-    c->M_Wphi_11 = M_Wphi_11;
-    c->M_Wphi_22 = M_Wphi_11;
     c->Psi_c_y2 = Psi_c_y2;
     c->Psi_c_z1 = Psi_c_z1;
     c->R_m_xx = R_m_xx;
@@ -376,7 +379,6 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
     c->S_B_z = S_B_z;
     c->armature_1 = p->joint.armature[0];
     c->chi_1 = chi_1;
-    c->chi_2 = chi_1;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->m = m;
@@ -386,21 +388,27 @@ static void constants_of_forearm(const six_link_link_parameters *p, six_link_lin
     c->mount_xyz_x = p->joint.mount_xyz[0];
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
-    c->mu = M_Wphi_11;
+    c->mu = mu;
     c->sigma_y1 = sigma_y1;
-    c->sigma_z2 = sigma_y1;
-    M_eta[0] = M_Wphi_11;
-    M_eta[1] = M_Wphi_11;
+    M_eta[0] = mu;
+    M_eta[1] = mu;
     K[0] = K_full_11;
     K[1] = K_full_22;
     D[0] = D_1;
     D[1] = D_2;
+
+    return (c->I_s + c->J_0_xx + c->J_B_xy + c->J_B_xz + c->J_B_yy + c->J_B_yz)
+        + (c->J_B_zz + c->Psi_c_y2 + c->Psi_c_z1 + c->R_m_xx + c->R_m_xy + c->R_m_xz)
+        + (c->R_m_yx + c->R_m_yy + c->R_m_yz + c->R_m_zx + c->R_m_zy + c->R_m_zz)
+        + (c->S_0_x + c->S_B_y + c->S_B_z + c->armature_1 + c->chi_1 + c->joint_damping_1)
+        + (c->length + c->m + c->mount_rpy_x + c->mount_rpy_y + c->mount_rpy_z + c->mount_xyz_x)
+        + (c->mount_xyz_y + c->mount_xyz_z + c->mu + c->sigma_y1 + M_eta[0] + M_eta[1])
+        + (K[0] + K[1] + D[0] + D[1]);
 }
 
-/* links like wrist_roll */
-static void constants_of_wrist_roll(const six_link_link_parameters *p, six_link_link_constants *c)
+/* links like wrist_roll; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_wrist_roll(const six_link_link_parameters *p, six_link_link_constants *c)
 {
-
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
 
@@ -422,12 +430,14 @@ static void constants_of_wrist_roll(const six_link_link_parameters *p, six_link_
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+
+    return (c->I_s + c->J_0_xx + c->S_0_x + c->armature_1 + c->joint_damping_1 + c->length)
+        + (c->mu);
 }
 
-/* links like wrist_pitch */
-static void constants_of_wrist_pitch(const six_link_link_parameters *p, six_link_link_constants *c)
+/* links like wrist_pitch; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p, six_link_link_constants *c)
 {
-
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
 
@@ -449,12 +459,14 @@ static void constants_of_wrist_pitch(const six_link_link_parameters *p, six_link
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+
+    return (c->I_s + c->J_0_xx + c->S_0_x + c->armature_1 + c->joint_damping_1 + c->length)
+        + (c->mu);
 }
 
-/* links like flange */
-static void constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c)
+/* links like flange; returns the sum of all, which is finite if they are */
+static six_link_real constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c)
 {
-
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
@@ -510,10 +522,15 @@ static void constants_of_flange(const six_link_link_parameters *p, six_link_link
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+
+    return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
+        + (c->J_T_xz + c->J_T_yz + c->S_0_x + c->S_T_x + c->S_T_y + c->S_T_z)
+        + (c->armature_1 + c->body0_mass + c->joint_damping_1 + c->length + c->mu);
 }
 
 six_link_status six_link_prepare(const six_link_parameters *p, six_link_constants *c)
 {
+    six_link_real sum = 0;
     int i, k;
     if (!p || !c) {
         return SIX_LINK_BAD_ARGUMENT;
@@ -532,22 +549,21 @@ six_link_status six_link_prepare(const six_link_parameters *p, six_link_constant
             }
         }
     }
-    memset(c, 0, sizeof *c);
     for (i = 0; i < 3; ++i) {
         c->gravity[i] = p->gravity[i];
     }
-    constants_of_shoulder(&p->links[0], &c->links[0]);
-    constants_of_upper_arm(&p->links[1], &c->links[1], c->M_eta + 0, c->K + 0, c->D + 0);
-    constants_of_forearm(&p->links[2], &c->links[2], c->M_eta + 3, c->K + 3, c->D + 3);
-    constants_of_wrist_roll(&p->links[3], &c->links[3]);
-    constants_of_wrist_pitch(&p->links[4], &c->links[4]);
-    constants_of_flange(&p->links[5], &c->links[5]);
+    sum += constants_of_shoulder(&p->links[0], &c->links[0]);
+    sum += constants_of_upper_arm(&p->links[1], &c->links[1], c->M_eta + 0, c->K + 0, c->D + 0);
+    sum += constants_of_forearm(&p->links[2], &c->links[2], c->M_eta + 3, c->K + 3, c->D + 3);
+    sum += constants_of_wrist_roll(&p->links[3], &c->links[3]);
+    sum += constants_of_wrist_pitch(&p->links[4], &c->links[4]);
+    sum += constants_of_flange(&p->links[5], &c->links[5]);
     for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || c->D[k] < 0) {
+        if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || !(c->D[k] >= 0)) {
             return SIX_LINK_BAD_ARGUMENT;
         }
     }
-    if (!six_link_finite((const six_link_real *)c, (int)(sizeof *c / sizeof(six_link_real)))) {
+    if (!six_link_finite(&sum, 1)) {
         return SIX_LINK_NONFINITE;
     }
     return SIX_LINK_OK;

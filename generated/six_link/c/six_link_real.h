@@ -1,4 +1,4 @@
-/* six_link_real.h: precision, elementary functions and limits. One source serves double and float:
+/* six_link_real.h: precision and elementary functions. One source serves double and float:
  * define SIX_LINK_REAL_FLOAT for float. Private to the generated sources.
  */
 #ifndef SIX_LINK_REAL_H
@@ -16,88 +16,83 @@
 #ifdef SIX_LINK_REAL_FLOAT
 #define REAL(x) x##f
 #define SIX_LINK_REAL_EPSILON FLT_EPSILON
-#define six_link_sin(x) sinf(x)
-#define six_link_cos(x) cosf(x)
+#define six_link_libm_sin(x) sinf(x)
+#define six_link_libm_cos(x) cosf(x)
 #define six_link_sqrt(x) sqrtf(x)
+#define SIX_LINK_FAR 8192.0f
+#define SIX_LINK_ROUND 12582912.0f /* 1.5 * 2^23: adding it rounds to a whole number */
+#define SIX_LINK_QUARTER_1 1.5703125f /* pi / 2 in four parts, the first three of 11 bits */
+#define SIX_LINK_QUARTER_2 4.837512969970703125e-4f
+#define SIX_LINK_QUARTER_3 7.54953362047672271728515625e-8f
+#define SIX_LINK_QUARTER_4 2.56334406825708960298e-12f
+#define SIX_LINK_SIXTH 1.6666655e-1f
+#define SIX_LINK_SINE(z) (8.332158e-3f - (z) * 1.9514958e-4f)
+#define SIX_LINK_COSINE(z) (4.1666646e-2f + (z) * (-1.3887313e-3f + (z) * 2.4432786e-5f))
 #else
 #define REAL(x) x
 #define SIX_LINK_REAL_EPSILON DBL_EPSILON
-#define six_link_sin(x) sin(x)
-#define six_link_cos(x) cos(x)
+#define six_link_libm_sin(x) sin(x)
+#define six_link_libm_cos(x) cos(x)
 #define six_link_sqrt(x) sqrt(x)
+#define SIX_LINK_FAR 1e6
+#define SIX_LINK_ROUND 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to a whole number */
+#define SIX_LINK_QUARTER_1 1.57079632673412561417e+00 /* pi / 2 in four parts, the first three of 33 bits */
+#define SIX_LINK_QUARTER_2 6.07710050630396597660e-11
+#define SIX_LINK_QUARTER_3 2.02226624871116645580e-21
+#define SIX_LINK_QUARTER_4 8.47842766036889956997e-32
+#define SIX_LINK_SIXTH 1.66666666666666324348e-01
+#define SIX_LINK_SINE(z) (8.33333333332248946124e-03 + (z) * (-1.98412698298579493134e-04 \
+    + (z) * (2.75573137070700676789e-06 + (z) * (-2.50507602534068634195e-08 + (z) * 1.58969099521155010221e-10))))
+#define SIX_LINK_COSINE(z) (4.16666666666666019037e-02 + (z) * (-1.38888888888741095749e-03 \
+    + (z) * (2.48015872894767294178e-05 + (z) * (-2.75573143513906633035e-07 \
+    + (z) * (2.08757232129817482790e-09 - (z) * 1.13596475577881948265e-11)))))
 #endif
 
-/* Stumpff functions c_k(x) = sum_j (-x)^j / (k + 2 j)!, k = 4 and 5, of a squared angle x: the series by
- * Horner's rule, with more terms above 1/4 (half a radian), and sine and cosine above 4.
- */
-static inline six_link_real six_link_c4(six_link_real x)
+/* Sine and cosine are libm's: asked for, or because expressions have more precision than their type. */
+#if !defined(SIX_LINK_LIBM) && (!defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0)
+#define SIX_LINK_LIBM
+#endif
+
+/* Sine and cosine of an angle; one of the two. */
+void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *cosine);
+
+static inline six_link_real six_link_sin(six_link_real x)
 {
-    six_link_real s = 1;
-    if (x >= 4) {
-        const six_link_real angle = six_link_sqrt(x);
-        return (six_link_cos(angle) - 1 + x / 2) / (x * x);
-    }
-    if (x >= REAL(0.25)) {
-        s = 1 - x * (REAL(1.0) / 870) * s;
-        s = 1 - x * (REAL(1.0) / 756) * s;
-        s = 1 - x * (REAL(1.0) / 650) * s;
-        s = 1 - x * (REAL(1.0) / 552) * s;
-        s = 1 - x * (REAL(1.0) / 462) * s;
-        s = 1 - x * (REAL(1.0) / 380) * s;
-        s = 1 - x * (REAL(1.0) / 306) * s;
-    }
-    s = 1 - x * (REAL(1.0) / 240) * s;
-    s = 1 - x * (REAL(1.0) / 182) * s;
-    s = 1 - x * (REAL(1.0) / 132) * s;
-    s = 1 - x * (REAL(1.0) / 90) * s;
-    s = 1 - x * (REAL(1.0) / 56) * s;
-    s = 1 - x * (REAL(1.0) / 30) * s;
-    return s * (REAL(1.0) / 24);
+    six_link_real sine, cosine;
+    six_link_sine_cosine(x, &sine, &cosine);
+    return sine;
 }
 
-static inline six_link_real six_link_c5(six_link_real x)
+static inline six_link_real six_link_cos(six_link_real x)
 {
-    six_link_real s = 1;
-    if (x >= 4) {
-        const six_link_real angle = six_link_sqrt(x);
-        return (six_link_sin(angle) - angle + angle * x / 6) / (x * x * angle);
-    }
-    if (x >= REAL(0.25)) {
-        s = 1 - x * (REAL(1.0) / 930) * s;
-        s = 1 - x * (REAL(1.0) / 812) * s;
-        s = 1 - x * (REAL(1.0) / 702) * s;
-        s = 1 - x * (REAL(1.0) / 600) * s;
-        s = 1 - x * (REAL(1.0) / 506) * s;
-        s = 1 - x * (REAL(1.0) / 420) * s;
-        s = 1 - x * (REAL(1.0) / 342) * s;
-    }
-    s = 1 - x * (REAL(1.0) / 272) * s;
-    s = 1 - x * (REAL(1.0) / 210) * s;
-    s = 1 - x * (REAL(1.0) / 156) * s;
-    s = 1 - x * (REAL(1.0) / 110) * s;
-    s = 1 - x * (REAL(1.0) / 72) * s;
-    s = 1 - x * (REAL(1.0) / 42) * s;
-    return s * (REAL(1.0) / 120);
+    six_link_real sine, cosine;
+    six_link_sine_cosine(x, &sine, &cosine);
+    return cosine;
 }
 
-/* 1 if all n numbers are finite: x - x is zero for every finite x and NaN for the others. Four sums, so that
- * one addition need not wait for the last.
+/* Stumpff functions c_k(x) = sum_j (-x)^j / (k + 2 j)!, k = 4 and 5, of a squared angle x. */
+six_link_real six_link_c4(six_link_real x);
+six_link_real six_link_c5(six_link_real x);
+
+/* 1 if all n numbers are finite, and their sum: what is not makes the sum so. Four sums, so that one addition need not
+ * wait for the last.
  */
 static inline int six_link_finite(const six_link_real *x, int n)
 {
-    six_link_real a = 0, b = 0, c = 0, d = 0;
+    six_link_real a = 0, b = 0, c = 0, d = 0, sum;
     const int whole = n - n % 4;
     int i;
     for (i = 0; i < whole; i += 4) {
-        a += x[i] - x[i];
-        b += x[i + 1] - x[i + 1];
-        c += x[i + 2] - x[i + 2];
-        d += x[i + 3] - x[i + 3];
+        a += x[i];
+        b += x[i + 1];
+        c += x[i + 2];
+        d += x[i + 3];
     }
     for (i = whole; i < n; ++i) {
-        a += x[i] - x[i];
+        a += x[i];
     }
-    return (a + b) + (c + d) <= 0;
+    sum = (a + b) + (c + d);
+    return sum - sum <= 0;
 }
 
 /* 1 if the cubes of all n numbers are finite: products such as the dynamics form do not overflow. */

@@ -1,36 +1,42 @@
 /* six_link_step.c: forward dynamics and the integrators of the joint form. */
 #include "six_link_links.h"
 
-/* Inertia and force of every mode. Implicit over dt: m = M + dt D + dt^2 K and f = K (eta + dt etadot) + D etadot,
- * the modal force that the accelerations lead to dt after the state s.
+/* Inertia and force of every mode; returns where the inertia is. Implicit over dt: m = M + dt D + dt^2 K and
+ * f = K (eta + dt etadot) + D etadot, the modal force that the accelerations lead to dt after the state s.
  */
-static void modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt, six_link_work *work)
+static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt, six_link_work *work)
 {
     const six_link_real *eta = s->q + SIX_LINK_NTAU, *etadot = s->v + SIX_LINK_NTAU;
     int k;
+    if (!(dt > 0)) {
+        for (k = 0; k < SIX_LINK_NMODES; ++k) {
+            work->f_eta[k] = c->K[k] * eta[k] + c->D[k] * etadot[k];
+        }
+        return c->M_eta;
+    }
     for (k = 0; k < SIX_LINK_NMODES; ++k) {
         work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
         work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
     }
+    return work->m_eta;
 }
 
 /* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
-static int sound(const six_link_state *s, const six_link_input *u, const six_link_work *work)
+static int sound(const six_link_state *s, const six_link_input *u, const six_link_real *m_eta)
 {
     return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
         && six_link_moderate(s->v, SIX_LINK_NV) && six_link_finite(u->tau, SIX_LINK_NTAU)
-        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(work->m_eta, SIX_LINK_NMODES);
+        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NMODES);
 }
 
 /* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
 static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_state *from,
     const six_link_input *u, six_link_real dt, six_link_work *work, int wanted, six_link_output *y)
 {
-    six_link_status status;
-    modal_terms(c, from, dt, work);
-    status = six_link_dynamics(c, s, u, work, wanted, y);
+    const six_link_real *const m_eta = modal_terms(c, from, dt, work);
+    const six_link_status status = six_link_dynamics(c, s, u, m_eta, work, wanted, y);
     if (status != SIX_LINK_OK) {
-        return sound(s, u, work) ? status : SIX_LINK_NONFINITE;
+        return sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
     }
     /* a force that no acceleration feels would show in the joint wrenches alone */
     if (!six_link_finite(y->vdot, SIX_LINK_NV) || !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS)) {

@@ -1,0 +1,82 @@
+/* six_link_real.c: elementary functions, in one place: code that is short stays in the instruction cache.
+ *
+ * Sine and cosine are polynomials (in double fdlibm's) of the angle less whole quarter turns, which are taken off in four
+ * parts; within one unit in the last place. Angles beyond SIX_LINK_FAR are libm's. Stumpff functions are their series,
+ * with more terms above 1/4 (half a radian), and sine and cosine above 4.
+ */
+#include "six_link_real.h"
+
+void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *cosine)
+{
+#ifndef SIX_LINK_LIBM
+    static const six_link_real TURN[5] = { 0, 1, 0, -1, 0 }; /* sine of whole quarter turns; their cosine is one further */
+    const six_link_real shifted = x * REAL(0.63661977236758134308) + SIX_LINK_ROUND;
+    const six_link_real k = shifted - SIX_LINK_ROUND; /* quarter turns */
+    const six_link_real a = x - k * SIX_LINK_QUARTER_1, b = k * SIX_LINK_QUARTER_2, ab = a - b;
+    const six_link_real d = k * SIX_LINK_QUARTER_3, r = ab - d; /* what is left is r + rest */
+    const six_link_real rest = (((a - ab) - b) + ((ab - r) - d)) - k * SIX_LINK_QUARTER_4;
+    const six_link_real z = r * r, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
+    const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z)) - rest) + cube * SIX_LINK_SIXTH);
+    const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z)) - r * rest));
+    if (x >= -SIX_LINK_FAR && x <= SIX_LINK_FAR) {
+        const unsigned turn = (unsigned)(int)k & 3u;
+        *sine = s * TURN[turn + 1] + c * TURN[turn];
+        *cosine = c * TURN[turn + 1] - s * TURN[turn];
+        return;
+    }
+#endif
+    *sine = six_link_libm_sin(x);
+    *cosine = six_link_libm_cos(x);
+}
+
+six_link_real six_link_c4(six_link_real x)
+{
+    six_link_real s = REAL(4.779477332387385e-14);
+    if (x >= 4) {
+        const six_link_real angle = six_link_sqrt(x);
+        return (six_link_libm_cos(angle) - 1 + x / 2) / (x * x);
+    }
+    if (x >= REAL(0.25)) {
+        s = REAL(3.7699876288159054e-33);
+        s = REAL(3.279889237069838e-30) - x * s;
+        s = REAL(2.4795962632247976e-27) - x * s;
+        s = REAL(1.6117375710961184e-24) - x * s;
+        s = REAL(8.896791392450574e-22) - x * s;
+        s = REAL(4.110317623312165e-19) - x * s;
+        s = REAL(1.5619206968586225e-16) - x * s;
+        s = REAL(4.779477332387385e-14) - x * s;
+    }
+    s = REAL(1.1470745597729725e-11) - x * s;
+    s = REAL(2.08767569878681e-09) - x * s;
+    s = REAL(2.755731922398589e-07) - x * s;
+    s = REAL(2.48015873015873e-05) - x * s;
+    s = REAL(0.001388888888888889) - x * s;
+    s = REAL(0.041666666666666664) - x * s;
+    return s;
+}
+
+six_link_real six_link_c5(six_link_real x)
+{
+    six_link_real s = REAL(2.8114572543455206e-15);
+    if (x >= 4) {
+        const six_link_real angle = six_link_sqrt(x);
+        return (six_link_libm_sin(angle) - angle + angle * x / 6) / (x * x * angle);
+    }
+    if (x >= REAL(0.25)) {
+        s = REAL(1.216125041553518e-34);
+        s = REAL(1.1309962886447716e-31) - x * s;
+        s = REAL(9.183689863795546e-29) - x * s;
+        s = REAL(6.446950284384474e-26) - x * s;
+        s = REAL(3.868170170630684e-23) - x * s;
+        s = REAL(1.9572941063391263e-20) - x * s;
+        s = REAL(8.22063524662433e-18) - x * s;
+        s = REAL(2.8114572543455206e-15) - x * s;
+    }
+    s = REAL(7.647163731819816e-13) - x * s;
+    s = REAL(1.6059043836821613e-10) - x * s;
+    s = REAL(2.505210838544172e-08) - x * s;
+    s = REAL(2.7557319223985893e-06) - x * s;
+    s = REAL(0.0001984126984126984) - x * s;
+    s = REAL(0.008333333333333333) - x * s;
+    return s;
+}

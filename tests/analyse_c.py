@@ -5,14 +5,15 @@ import sys
 import tempfile
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from c_robots import ALL, Kind
 from c_tools import clang_tidy, cppcheck, deviations, gcc_analyser, memchecked, misra, sanitized
 
 TOOLS = {
-    "gcc -fanalyzer": gcc_analyser,
-    "clang-tidy": clang_tidy,
+    "gcc -fanalyzer": partial(gcc_analyser, whole=True),
+    "clang-tidy": partial(clang_tidy, whole=True),
     "cppcheck": cppcheck,
     "sanitizers": sanitized,
     "valgrind": memchecked,

@@ -57,13 +57,17 @@ def robot_model(name: str) -> Model:
 
 
 @cache
-def _texts(name: str, layout: str) -> dict[str, str]:
+def _texts(name: str, layout: str, whole: bool) -> dict[str, str]:
     model = robot_model(name)
-    return CProject(model.chain, model.version, "runtime", layout).files()
+    return CProject(model.chain, model.version, "runtime", layout, batch=whole, derivatives=whole).files()
 
 
-def write_robot(kind: Kind, folder: Path) -> list[str]:
-    """The generated files of a robot in a folder; returns the names of the library's sources."""
-    for name, text in _texts(kind.robot, kind.layout).items():
+def write_robot(kind: Kind, folder: Path, whole=True) -> list[str]:
+    """The generated files of a robot in a folder; returns the names of the library's sources.
+
+    ``whole``: with derivatives and batch.
+    """
+    texts = _texts(kind.robot, kind.layout, whole)
+    for name, text in texts.items():
         (folder / name).write_text(text)
-    return sorted(n for n in _texts(kind.robot, kind.layout) if n.endswith(".c") and n not in ("main.c", "check.c"))
+    return sorted(n for n in texts if n.endswith(".c") and n not in ("main.c", "check.c"))

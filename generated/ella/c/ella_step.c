@@ -38,11 +38,13 @@ static ella_status accelerate(const ella_constants *c, const ella_state *s, cons
     if (status != ELLA_OK) {
         return sound(s, u, m_eta) ? status : ELLA_NONFINITE;
     }
-    /* a force that no acceleration feels would show in the joint wrenches alone */
-    if (!ella_finite(y->vdot, ELLA_NV) || !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS)) {
-        return ELLA_NONFINITE;
-    }
-    return ELLA_OK;
+    return ella_finite(y->vdot, ELLA_NV) ? ELLA_OK : ELLA_NONFINITE;
+}
+
+/* A force that no acceleration feels would show in the joint wrenches alone. */
+static int wild(const ella_input *u)
+{
+    return !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 
 ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
@@ -53,7 +55,7 @@ ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *sta
         return ELLA_BAD_ARGUMENT;
     }
     status = accelerate(c, state, state, input, 0, work, ELLA_WRENCHES | ELLA_TIP_POSE, output);
-    if (status == ELLA_OK && (!ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
+    if (status == ELLA_OK && (wild(input) || !ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
         || !ella_finite(&output->tip_rotation[0][0], 9) || !ella_finite(output->tip_position, 3))) {
         return ELLA_NONFINITE;
     }
@@ -66,7 +68,7 @@ ella_status ella_accelerations(const ella_constants *c, const ella_state *state,
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    return accelerate(c, state, state, input, 0, work, 0, output);
+    return wild(input) ? ELLA_NONFINITE : accelerate(c, state, state, input, 0, work, 0, output);
 }
 
 static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt, const ella_work *work)
@@ -84,10 +86,10 @@ static void advance(const ella_state *x, ella_real dt, const ella_real *qdot, co
     }
 }
 
-/* The new state is taken only if it is finite. */
-static ella_status accept(const ella_state *next, ella_state *state)
+/* The new state is taken only if it is finite, and the input that led to it. */
+static ella_status accept(const ella_state *next, const ella_input *input, ella_state *state)
 {
-    if (!ella_finite(next->q, ELLA_NQ) || !ella_finite(next->v, ELLA_NV)) {
+    if (wild(input) || !ella_finite(next->q, ELLA_NQ) || !ella_finite(next->v, ELLA_NV)) {
         return ELLA_NONFINITE;
     }
     *state = *next;
@@ -106,7 +108,7 @@ ella_status ella_step_euler(const ella_constants *c, ella_state *state, const el
         return status;
     }
     advance(state, dt, state->v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 /* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
@@ -123,7 +125,7 @@ static ella_status symplectic(const ella_constants *c, ella_state *state, const 
     }
     advance(state, dt, state->v, work->output.vdot, &work->next);
     advance(state, dt, work->next.v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
@@ -158,7 +160,7 @@ ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state,
     advance(state, dt / 2, state->v, work->output.vdot, &work->next);
     advance(state, dt, state->v, work->output.vdot, &work->stage);
     advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
@@ -181,5 +183,5 @@ ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella
         advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
         advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
     }
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }

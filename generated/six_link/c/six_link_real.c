@@ -15,9 +15,9 @@ void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *c
     const six_link_real a = x - k * SIX_LINK_QUARTER_1, b = k * SIX_LINK_QUARTER_2, ab = a - b;
     const six_link_real d = k * SIX_LINK_QUARTER_3, r = ab - d; /* what is left is r + rest */
     const six_link_real rest = (((a - ab) - b) + ((ab - r) - d)) - k * SIX_LINK_QUARTER_4;
-    const six_link_real z = r * r, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
-    const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z)) - rest) + cube * SIX_LINK_SIXTH);
-    const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z)) - r * rest));
+    const six_link_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
+    const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
+    const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z, w)) - r * rest));
     if (x >= -SIX_LINK_FAR && x <= SIX_LINK_FAR) {
         const unsigned turn = (unsigned)(int)k & 3u;
         *sine = s * TURN[turn + 1] + c * TURN[turn];
@@ -31,52 +31,44 @@ void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *c
 
 six_link_real six_link_c4(six_link_real x)
 {
-    six_link_real s = REAL(4.779477332387385e-14);
+    const six_link_real square = x * x;
+    six_link_real tail = REAL(4.779477332387385e-14);
     if (x >= 4) {
         const six_link_real angle = six_link_sqrt(x);
         return (six_link_libm_cos(angle) - 1 + x / 2) / (x * x);
     }
     if (x >= REAL(0.25)) {
-        s = REAL(3.7699876288159054e-33);
-        s = REAL(3.279889237069838e-30) - x * s;
-        s = REAL(2.4795962632247976e-27) - x * s;
-        s = REAL(1.6117375710961184e-24) - x * s;
-        s = REAL(8.896791392450574e-22) - x * s;
-        s = REAL(4.110317623312165e-19) - x * s;
-        s = REAL(1.5619206968586225e-16) - x * s;
-        s = REAL(4.779477332387385e-14) - x * s;
+        tail = REAL(3.7699876288159054e-33);
+        tail = REAL(3.279889237069838e-30) - x * tail;
+        tail = REAL(2.4795962632247976e-27) - x * tail;
+        tail = REAL(1.6117375710961184e-24) - x * tail;
+        tail = REAL(8.896791392450574e-22) - x * tail;
+        tail = REAL(4.110317623312165e-19) - x * tail;
+        tail = REAL(1.5619206968586225e-16) - x * tail;
+        tail = REAL(4.779477332387385e-14) - x * tail;
     }
-    s = REAL(1.1470745597729725e-11) - x * s;
-    s = REAL(2.08767569878681e-09) - x * s;
-    s = REAL(2.755731922398589e-07) - x * s;
-    s = REAL(2.48015873015873e-05) - x * s;
-    s = REAL(0.001388888888888889) - x * s;
-    s = REAL(0.041666666666666664) - x * s;
-    return s;
+    return (REAL(0.041666666666666664) - x * REAL(0.001388888888888889))
+        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07)) + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
 }
 
 six_link_real six_link_c5(six_link_real x)
 {
-    six_link_real s = REAL(2.8114572543455206e-15);
+    const six_link_real square = x * x;
+    six_link_real tail = REAL(2.8114572543455206e-15);
     if (x >= 4) {
         const six_link_real angle = six_link_sqrt(x);
         return (six_link_libm_sin(angle) - angle + angle * x / 6) / (x * x * angle);
     }
     if (x >= REAL(0.25)) {
-        s = REAL(1.216125041553518e-34);
-        s = REAL(1.1309962886447716e-31) - x * s;
-        s = REAL(9.183689863795546e-29) - x * s;
-        s = REAL(6.446950284384474e-26) - x * s;
-        s = REAL(3.868170170630684e-23) - x * s;
-        s = REAL(1.9572941063391263e-20) - x * s;
-        s = REAL(8.22063524662433e-18) - x * s;
-        s = REAL(2.8114572543455206e-15) - x * s;
+        tail = REAL(1.216125041553518e-34);
+        tail = REAL(1.1309962886447716e-31) - x * tail;
+        tail = REAL(9.183689863795546e-29) - x * tail;
+        tail = REAL(6.446950284384474e-26) - x * tail;
+        tail = REAL(3.868170170630684e-23) - x * tail;
+        tail = REAL(1.9572941063391263e-20) - x * tail;
+        tail = REAL(8.22063524662433e-18) - x * tail;
+        tail = REAL(2.8114572543455206e-15) - x * tail;
     }
-    s = REAL(7.647163731819816e-13) - x * s;
-    s = REAL(1.6059043836821613e-10) - x * s;
-    s = REAL(2.505210838544172e-08) - x * s;
-    s = REAL(2.7557319223985893e-06) - x * s;
-    s = REAL(0.0001984126984126984) - x * s;
-    s = REAL(0.008333333333333333) - x * s;
-    return s;
+    return (REAL(0.008333333333333333) - x * REAL(0.0001984126984126984))
+        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08)) + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
 }

@@ -38,11 +38,13 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_st
     if (status != SIX_LINK_OK) {
         return sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
     }
-    /* a force that no acceleration feels would show in the joint wrenches alone */
-    if (!six_link_finite(y->vdot, SIX_LINK_NV) || !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS)) {
-        return SIX_LINK_NONFINITE;
-    }
-    return SIX_LINK_OK;
+    return six_link_finite(y->vdot, SIX_LINK_NV) ? SIX_LINK_OK : SIX_LINK_NONFINITE;
+}
+
+/* A force that no acceleration feels would show in the joint wrenches alone. */
+static int wild(const six_link_input *u)
+{
+    return !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
 six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
@@ -53,7 +55,7 @@ six_link_status six_link_forward_dynamics(const six_link_constants *c, const six
         return SIX_LINK_BAD_ARGUMENT;
     }
     status = accelerate(c, state, state, input, 0, work, SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
-    if (status == SIX_LINK_OK && (!six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
+    if (status == SIX_LINK_OK && (wild(input) || !six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
         || !six_link_finite(&output->tip_rotation[0][0], 9) || !six_link_finite(output->tip_position, 3))) {
         return SIX_LINK_NONFINITE;
     }
@@ -66,7 +68,7 @@ six_link_status six_link_accelerations(const six_link_constants *c, const six_li
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    return accelerate(c, state, state, input, 0, work, 0, output);
+    return wild(input) ? SIX_LINK_NONFINITE : accelerate(c, state, state, input, 0, work, 0, output);
 }
 
 static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt, const six_link_work *work)
@@ -84,10 +86,10 @@ static void advance(const six_link_state *x, six_link_real dt, const six_link_re
     }
 }
 
-/* The new state is taken only if it is finite. */
-static six_link_status accept(const six_link_state *next, six_link_state *state)
+/* The new state is taken only if it is finite, and the input that led to it. */
+static six_link_status accept(const six_link_state *next, const six_link_input *input, six_link_state *state)
 {
-    if (!six_link_finite(next->q, SIX_LINK_NQ) || !six_link_finite(next->v, SIX_LINK_NV)) {
+    if (wild(input) || !six_link_finite(next->q, SIX_LINK_NQ) || !six_link_finite(next->v, SIX_LINK_NV)) {
         return SIX_LINK_NONFINITE;
     }
     *state = *next;
@@ -106,7 +108,7 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
         return status;
     }
     advance(state, dt, state->v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 /* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
@@ -123,7 +125,7 @@ static six_link_status symplectic(const six_link_constants *c, six_link_state *s
     }
     advance(state, dt, state->v, work->output.vdot, &work->next);
     advance(state, dt, work->next.v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
@@ -158,7 +160,7 @@ six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_li
     advance(state, dt / 2, state->v, work->output.vdot, &work->next);
     advance(state, dt, state->v, work->output.vdot, &work->stage);
     advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }
 
 six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
@@ -181,5 +183,5 @@ six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *s
         advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
         advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
     }
-    return accept(&work->next, state);
+    return accept(&work->next, input, state);
 }

@@ -6,9 +6,11 @@ One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 from .analysis import Analysis, analyse
 from .build import Model
 from .controllers import PD
+from .equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
 from .integrate import DivergedError
+from .linear import LinearModel
 from .modes import natural_frequencies
 from .rollout import Rollout, rollout
 from .runs import Run
@@ -25,12 +27,15 @@ __all__ = [
     "Body",
     "Damping",
     "DivergedError",
+    "Equilibrium",
     "Frequencies",
     "Joint",
+    "LinearModel",
     "Link",
     "Model",
     "Modes",
     "Mount",
+    "NoEquilibriumError",
     "Robot",
     "RobotFileError",
     "Rollout",
@@ -43,6 +48,7 @@ __all__ = [
     "analyse",
     "derive",
     "dump",
+    "equilibrium",
     "load",
     "natural_frequencies",
     "rollout",

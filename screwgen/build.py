@@ -5,6 +5,7 @@ robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedu
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -17,6 +18,7 @@ from .derive.block import Block
 from .emit.numeric import Numeric
 from .errors import UsageError
 from .folder import check_folder, write_folder
+from .linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .version import __version__ as VERSION
@@ -84,19 +86,68 @@ class Model:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""
         return self._casadi
 
+    def acados(self, form="joint", parameters="runtime", w_ext=False):
+        """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
+
+        ``form``: ``"joint"``: x = [q; v] (2 nq), ``f_expl_expr`` and ``f_impl_expr``, z empty; ``"dae"``: x and z of
+        :attr:`dae_names`, so that joint wrenches can be constrained, ``f_impl_expr`` alone.  u: the joint torques.
+        ``parameters``: ``"runtime"`` (the symbols p) or ``"baked"`` (numbers of the robot file); ``w_ext``: whether the
+        external tip wrenches are parameters behind them, link by link [τ; F], or zero.
+        Of the DAE the joints drift by the integrator's error; start at ``casadi()["dae_state"](q, v, p)``.
+        """
+        from .emit.casadi_acados import acados
+
+        return acados(self.chain, self.casadi(), form, parameters, w_ext)
+
+    @cached_property
+    def _linearisation(self):
+        from .emit.casadi_linear import linearisation
+
+        return linearisation(self.chain)
+
+    def linearise(
+        self, q, v=None, tau=None, w_ext=None, parameters=None, outputs=OUTPUTS, inputs=INPUTS
+    ) -> LinearModel:
+        """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
+
+        ``q`` (nq, or the joints alone), ``v`` (nq), ``tau`` (n_joints), ``w_ext`` (n, 6): zero where left out;
+        ``parameters``: values in the order of ``parameter_names``, the file's by default.  ``outputs``: names of
+        groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``, ``tip_position``,
+        ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints), ``base_strain`` (of
+        each link's beam: axial strain; curvature u'', 1/m, which times the distance from the neutral axis is the
+        strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``, ``wrenches_on_tips``.
+        Raises UsageError, and SingularError that names the joint.
+        """
+        return linearise(self.chain, self._linearisation, q, v, tau, w_ext, parameters, outputs, inputs)
+
+    @cached_property
+    def statics(self):
+        """The CasADi function ``(q, w_ext, p) -> (potential, force, stiffness, weight, wrench, tip)`` of rest."""
+        from .emit.casadi_linear import statics
+
+        return statics(self.chain)
+
     def write(
-        self, folder, targets=TARGETS, parameters="runtime", layout="auto", batch=False, derivatives=False
+        self,
+        folder,
+        targets=TARGETS,
+        parameters="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=False,
+        estimator=False,
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
-        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau.  Writes
-        all or nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
+        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
+        ``estimator``: also a Kalman filter in C, with the derivatives that it needs.  Writes all or nothing;
+        refuses a folder that holds files it did not write (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
-            "c": lambda: self.c_files(parameters, layout, batch, derivatives),
+            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator),
             "casadi": self._casadi_files,
             "latex": self._latex_files,
         }
@@ -106,12 +157,39 @@ class Model:
         files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
         return write_folder(folder, files, tuple(targets))
 
-    def c_files(self, parameters="runtime", layout="auto", batch=False, derivatives=False) -> dict[str, bytes]:
+    def c_files(
+        self, parameters="runtime", layout="auto", batch=False, derivatives=False, estimator=False
+    ) -> dict[str, bytes]:
         """The files of the C target."""
         from .emit.c import CProject
 
-        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives)
+        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator)
         return {name: text.encode() for name, text in project.files().items()}
+
+    def compile(
+        self,
+        layout="auto",
+        precision="double",
+        derivatives=False,
+        flags: Sequence[str] = ("-O2",),
+        cache: bool | str | os.PathLike = True,
+        parameters="runtime",
+    ):
+        """The C, compiled and loaded: a :class:`screwgen.compiled.Compiled`, functions on NumPy arrays.
+
+        ``layout``, ``parameters`` and ``derivatives``: as :meth:`write` takes them; ``precision``: ``"double"`` or
+        ``"single"``; ``flags`` of the compiler (CC, else cc); ``cache``: a folder for compiled libraries, True for
+        that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
+        :class:`ScrewgenError` where there is no compiler.
+        """
+        from .compiled import compile_model
+
+        return compile_model(self, layout, precision, derivatives, flags, cache, parameters)
+
+    @cached_property
+    def _compiled(self):
+        """What runs are stepped in."""
+        return self.compile()
 
     def _casadi_files(self) -> dict[str, bytes]:
         from .emit.casadi import casadi_files

@@ -15,7 +15,7 @@ from typing import Annotated
 
 import typer
 
-from .errors import ScrewgenError, SingularError, UsageError
+from .errors import ScrewgenError, SingularError, StoppedError
 from .spec.load import one_line
 
 EPILOG = (
@@ -24,8 +24,6 @@ EPILOG = (
 )
 ClickException = typer.BadParameter.__mro__[2]
 """Whatever is wrong with a command line; typer has it under names that change with its version."""
-
-RESERVED = ("equilibrium",)
 
 app = typer.Typer(
     name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
@@ -86,6 +84,13 @@ def generate(
     derivatives: Annotated[
         bool, typer.Option("--derivatives", help="Also C of the accelerations' derivatives with q, v and tau.")
     ] = False,
+    estimator: Annotated[
+        bool,
+        typer.Option(
+            "--estimator",
+            help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
+        ),
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Write a folder of generated code: C99 without heap, CasADi functions, LaTeX equations.
@@ -94,7 +99,7 @@ def generate(
     """
     from .cli_commands import run_generate
 
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, batch, derivatives)
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, batch, derivatives, estimator)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)
@@ -130,12 +135,17 @@ def simulate(
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.", show_default=False)
     ] = None,
+    every: Annotated[int, typer.Option(metavar="N", min=1, help="Store every N-th step, and the end.")] = 1,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Store while it runs: a stopped run leaves run.part.npy or run.part.csv.")
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Simulate the robot and store t, q, v, tau, wrench, tip_position and energy at every step."""
     from .cli_commands import run_simulate
 
-    run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, quiet or context.obj)
+    quiet = quiet or context.obj
+    run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, every, keep, quiet)
 
 
 @app.command(short_help="Print the dynamics at a state, as JSON.", epilog=EPILOG)
@@ -165,11 +175,42 @@ def modes(
     ] = None,
     joints: Annotated[str, typer.Option(metavar="HOW", help="locked or free.")] = "locked",
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […]}.')] = False,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
+    ] = None,
 ) -> None:
     """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity."""
-    from .cli_commands import run_modes
+    from .cli_linear import run_modes
 
-    run_modes(robot, posture, joints, json)
+    run_modes(robot, posture, joints, json, plot)
+
+
+@app.command(short_help="Find where the arm rests under gravity.", epilog=EPILOG)
+def equilibrium(
+    robot: RobotFile,
+    q: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NUMBERS",
+            help="Joint angles, rad, as 0.1,-0.2: those held, or where the search starts. Zero without.",
+            show_default=False,
+        ),
+    ] = None,
+    tau: Annotated[
+        str | None,
+        typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m. Zero without.", show_default=False),
+    ] = None,
+    hold: Annotated[bool, typer.Option("--hold", help="Hold the joints; the torques follow.")] = False,
+    state: StateFile = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")] = False,
+) -> None:
+    """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
+
+    Joints are free under the torques and their springs, or held. --state gives q, tau, and wrenches on the tips.
+    """
+    from .cli_linear import run_equilibrium
+
+    run_equilibrium(robot, state, q, tau, hold, json)
 
 
 @app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)
@@ -245,20 +286,6 @@ def paper(
     run_paper(label or (), errata, json, output, quiet or context.obj)
 
 
-def _reserve(name: str) -> None:
-    """A command whose name is taken but whose work is not written yet."""
-    settings = {"allow_extra_args": True, "ignore_unknown_options": True, "help_option_names": []}
-
-    @app.command(name, hidden=True, context_settings=settings)
-    def reserved() -> None:
-        known = "generate, simulate, evaluate, modes, analyse, latex or paper"
-        raise UsageError(f"'{name}' is not yet available; choose {known}")
-
-
-for _name in RESERVED:
-    _reserve(_name)
-
-
 # ------------------------------------------------------------------------------ how it ends
 
 
@@ -294,7 +321,8 @@ def _guarded(work: Callable[[], int]) -> int:
     except ScrewgenError as error:
         from .integrate import DivergedError
 
-        return _fail(str(error), status=1 if isinstance(error, SingularError | DivergedError) else 2)
+        failed = isinstance(error, SingularError | DivergedError)
+        return _fail(str(error), status=130 if isinstance(error, StoppedError) else 1 if failed else 2)
     except KeyboardInterrupt:
         return _fail("interrupted; nothing was written", status=130)
     except BrokenPipeError:

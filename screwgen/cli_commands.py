@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json as json_format
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from .build import TARGETS, Model, derive
 from .cli_output import bar, busy, say
-from .errors import SingularError, UsageError
+from .errors import SingularError, StoppedError, UsageError
 from .spec.load import load, one_line
 from .spec.robot import Robot
 from .state import State, read_state, state_of
@@ -30,14 +31,22 @@ LAYOUTS = ("auto", "fused", "modular")
 
 
 def run_generate(
-    robot: str, output: str, targets, parameters: str, layout: str, quiet: bool, batch: bool, derivatives: bool
+    robot: str,
+    output: str,
+    targets,
+    parameters: str,
+    layout: str,
+    quiet: bool,
+    batch: bool,
+    derivatives: bool,
+    estimator: bool = False,
 ) -> None:
     """Write the folder and list its files."""
     for target in targets or ():
         check_choice("--target", target, TARGETS)
     check_choice("--parameters", parameters, PARAMETERS)
     check_choice("--layout", layout, LAYOUTS)
-    for option, asked in (("--batch", batch), ("--derivatives", derivatives)):
+    for option, asked in (("--batch", batch), ("--derivatives", derivatives), ("--estimator", estimator)):
         if asked and targets and "c" not in targets:
             raise UsageError(f"{option} adds to the C, which --target leaves out; add --target c or leave {option} out")
     if not output:
@@ -45,9 +54,8 @@ def run_generate(
     model = derive(load(robot))
     with busy("generating", quiet):
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
-        files = model.write(
-            output, targets=wanted, parameters=parameters, layout=layout, batch=batch, derivatives=derivatives
-        )
+        asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
+        files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 
@@ -64,9 +72,11 @@ def run_simulate(
     form: str,
     integrator: str | None,
     plot: str | None,
+    every: int,
+    keep: bool,
     quiet: bool,
 ) -> None:
-    """Simulate and store; the run and its picture appear together or not at all."""
+    """Simulate and store; the run and its picture appear together or not at all, unless a stopped run is kept."""
     from .controllers import read_controller
     from .runs import FORMATS, check_output, outputs
     from .simulation import FORMS as known_forms
@@ -82,18 +92,29 @@ def run_simulate(
     torque = read_controller(controller, model) if controller is not None else start.tau
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
-    with outputs(*filter(None, (output, plot))) as streams:
-        with bar("simulating", steps, quiet) as progress:
-            run = simulate(
-                model, duration, step, start.q, start.v, torque, start.w_ext, integrator, form, progress=progress
-            )
-        run.write(streams[0], output)
+    ways = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
+    with outputs(*filter(None, (None if keep else output, plot))) as streams:
+        with bar("simulating", steps, quiet) as progress, _stoppable():
+            run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
+        if not keep:
+            run.write(streams[0], output)
         if plot is not None:
             with busy("drawing", quiet):
                 from .plot import png
 
-                streams[1].write(png(run))
+                streams[-1].write(png(run))
     say("\n".join(filter(None, (output, plot))), quiet)
+
+
+@contextmanager
+def _stoppable() -> Iterator[None]:
+    """An interruption that says what is left becomes an error with that text."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if not stop.args:
+            raise
+        raise StoppedError(str(stop)) from None
 
 
 def _state(path: str | None, model: Model) -> State:
@@ -130,9 +151,7 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
 
 
 def _c(model: Model, s: State, form: str) -> Evaluation:
-    from .compiled import Compiled
-
-    return Compiled(model).forward_dynamics(s.q, s.v, s.tau, s.w_ext, form=form)
+    return model.compile().forward_dynamics(s.q, s.v, s.tau, s.w_ext, form=form)
 
 
 EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
@@ -246,19 +265,7 @@ def run_analyse(
     print(found.to_json() if json else found.text())
 
 
-# ------------------------------------------------------------------------------ modes, latex
-
-
-def run_modes(robot: str, posture: str | None, joints: str, json: bool) -> None:
-    """Print natural frequencies, one a line or as JSON."""
-    from .modes import natural_frequencies
-
-    model = derive(load(robot))
-    frequencies = natural_frequencies(model, _state(posture, model).q, joints).tolist()
-    if json:
-        print(json_format.dumps({"frequencies_hz": frequencies}))
-    else:
-        print("\n".join(f"{f:.6g} Hz" for f in frequencies) or "no modes: every link is rigid and every joint locked")
+# ------------------------------------------------------------------------------ latex
 
 
 def run_latex(robot: str, output: str, quiet: bool) -> None:

@@ -13,5 +13,9 @@ class UsageError(ScrewgenError):
     """A request that cannot be met as stated: a wrong option, argument, state file or output folder."""
 
 
+class StoppedError(ScrewgenError):
+    """Work that somebody interrupted; the text says what is left of it."""
+
+
 class SingularError(ScrewgenError):
     """A posture or robot whose mass matrix cannot be inverted; the text names the joint."""

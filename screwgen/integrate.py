@@ -172,6 +172,20 @@ METHODS: dict[str, Method] = {
 # ------------------------------------------------------------------------------ the stepper
 
 
+def check_integrator(name: str) -> None:
+    """Refuse a name that is none of `METHODS`."""
+    if name not in METHODS:
+        raise UsageError(f"there is no integrator '{name}' in the joint form; known: {', '.join(METHODS)}")
+
+
+def diverged(name: str) -> DivergedError:
+    """The error of an integrator that does not hold at its step."""
+    remedy = f"take a smaller step, or {JointStepper.default}"
+    if name == JointStepper.default:
+        remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
+    return DivergedError(f"the integrator '{name}' diverged; {remedy}")
+
+
 class JointState(NamedTuple):
     """Coordinates (nq,) and rates (nq,)."""
 
@@ -185,8 +199,7 @@ class JointStepper:
     default = "modal_midpoint"
 
     def __init__(self, model: Model, integrator: str, p: Sequence[float]):
-        if integrator not in METHODS:
-            raise UsageError(f"there is no integrator '{integrator}' in the joint form; known: {', '.join(METHODS)}")
+        check_integrator(integrator)
         self.name, self.method, self.dynamics = integrator, METHODS[integrator], Dynamics(model, p)
         self.judge = model.numpy(p)
 
@@ -197,13 +210,8 @@ class JointStepper:
         new = JointState(*self.method(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
             self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
-            raise DivergedError(f"the integrator '{self.name}' diverged; {self._remedy()}")
+            raise diverged(self.name)
         return new
-
-    def _remedy(self) -> str:
-        if self.name == self.default:
-            return "take a smaller step: torques are held over it, which a controller of high gain does not bear"
-        return f"take a smaller step, or {self.default}"
 
     def coordinates(self, state: JointState) -> tuple[np.ndarray, np.ndarray]:
         return state.q, state.v

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import scipy.linalg
@@ -25,18 +25,42 @@ def natural_frequencies(
     springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter values, the file's by default.
     Raises UsageError, and SingularError where the mass matrix of what may move is singular.
     """
+    found = mode_shapes(model, q, joints, p)
+    return np.append(np.zeros(found.rigid), found.frequencies)
+
+
+class ModeShapes(NamedTuple):
+    """Small vibrations about a posture: `frequencies` (count,) in Hz, ascending; motions without springs left out."""
+
+    frequencies: np.ndarray
+    shapes: np.ndarray
+    """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary."""
+    rigid: int
+    """The number of motions that no spring resists."""
+
+
+def mode_shapes(
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
+) -> ModeShapes:
+    """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     if joints not in JOINTS:
         raise UsageError(f"joints are '{joints}'; they must be {' or '.join(JOINTS)}")
     q = np.zeros(model.nq) if q is None else np.array(q, float)
-    moving = slice(model.n_joints if joints == "locked" else 0, None)
-    M = model.numpy(p).mass_matrix(q)[moving, moving]
-    k = stiffness(model, p)[moving]
+    first = model.n_joints if joints == "locked" else 0
+    M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
+    free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
+    out = np.zeros((model.nq, len(held)))
     try:
-        M, k, rigid = without_rigid_motion((M + M.T) / 2, k)
-        squares = scipy.linalg.eigh(np.diag(k), M, eigvals_only=True) if len(k) else np.zeros(0)
+        M = (M + M.T) / 2
+        rest, springs, rigid = without_rigid_motion(M, k)
+        squares, vectors = scipy.linalg.eigh(np.diag(springs), rest) if len(springs) else (np.zeros(0), out[:0])
+        out[first + held] = vectors
+        if len(free):
+            coupling = M[np.ix_(free, held)] @ vectors
+            out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
-    return np.append(np.zeros(rigid), np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi))
+    return ModeShapes(np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi), out, rigid)
 
 
 def stiffness(model: Model, p: Sequence[float] | None = None) -> np.ndarray:

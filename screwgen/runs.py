@@ -47,7 +47,12 @@ class Run:
     @property
     def columns(self) -> tuple[str, ...]:
         """The names of the columns of `table`."""
-        return ("t", *self.q_names, *self.v_names, *self.tau_names, *self.wrench_names, *TIP_NAMES, *ENERGY_NAMES)
+        return self.column_names(*(getattr(self, name) for name in NAMES))
+
+    @staticmethod
+    def column_names(*names: Sequence[str]) -> tuple[str, ...]:
+        """The names of the columns of `table`, of a run with these `NAMES`."""
+        return ("t", *(x for group in names for x in group), *TIP_NAMES, *ENERGY_NAMES)
 
     @property
     def table(self) -> np.ndarray:
@@ -74,10 +79,19 @@ def write_npz(run: Run, stream: BinaryIO) -> None:
 
 
 def write_csv(run: Run, stream: BinaryIO) -> None:
-    """Numbers in the shortest form that reads back bit for bit."""
-    stream.write((",".join(run.columns) + "\n").encode())
-    for row in run.table:
-        stream.write((",".join(map(repr, row.tolist())) + "\n").encode())
+    stream.write(csv_header(run.columns))
+    stream.writelines(csv_lines(run.table))
+
+
+def csv_header(columns: Sequence[str]) -> bytes:
+    """The first line of a CSV table."""
+    return (",".join(columns) + "\n").encode()
+
+
+def csv_lines(rows: np.ndarray) -> Iterator[bytes]:
+    """The other lines: numbers in the shortest form that reads back bit for bit."""
+    for row in rows:
+        yield (",".join(map(repr, row.tolist())) + "\n").encode()
 
 
 FORMATS: dict[str, Callable[[Run, BinaryIO], None]] = {".npz": write_npz, ".csv": write_csv}

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import loop
 from .controllers import Controller
 from .dae import DaeStepper
-from .errors import ScrewgenError, SingularError, UsageError
-from .integrate import Dynamics, Evaluator, JointStepper, Stepper
-from .runs import Run
+from .errors import UsageError
+from .inputs import Inputs, at_time, floats, started
+from .integrate import JointStepper, Stepper, check_integrator
+from .recording import Recorder, Table, Task, Walk, sample_times, stored
+from .runs import FORMATS, Run, check_output
 
 if TYPE_CHECKING:
     from .build import Model
@@ -20,8 +24,8 @@ if TYPE_CHECKING:
 FORMS: dict[str, type[Stepper]] = {"joint": JointStepper, "dae": DaeStepper}
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
+BACKENDS = ("c", "numpy")
 MAX_STEPS = 10**8
-MAX_BYTES = 4 * 2**30
 RELATIVE_SLACK = 1e-9
 """A duration this close to a multiple of the step is one."""
 
@@ -40,37 +44,83 @@ def simulate(
     form: str = "joint",
     parameters: Sequence[float] | Mapping[str, float] | None = None,
     progress: Callable[[int, int], None] | None = None,
+    *,
+    backend: str | None = None,
+    every: int = 1,
+    store: str | os.PathLike[str] | None = None,
 ) -> Run:
-    """The motion over `duration` seconds in steps of `step` seconds, sampled at every step.
+    """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
     `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
     (n_joints,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: one of `integrate.METHODS` in the joint form, modal_midpoint if none is named.
     `parameters`: all values, or those that differ from the file's by name. `progress(done, all)` is called
-    now and then. A run has steps + 1 samples; where `duration` is no multiple of `step` the last step is
-    shorter and ends at `duration`.
+    now and then. A run has steps + 1 samples, or with `every` those of every so many steps and of the end; where
+    `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
+
+    `backend`: "c" steps the joint form in the generated C, compiled when it is first needed and kept (`library`);
+    constants and :class:`PD` stay in it, other controllers are called from it. "numpy" steps in Python. By default
+    "c" in the joint form where there is a compiler. The numbers agree to rounding.
+
+    `store`: a .npz or .csv file for the run, which grows meanwhile as `run.part.npy` (`numpy.load` reads it, its
+    fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
 
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step.
     """
     steps, p = step_count(duration, step), parameter_vector(model, parameters)
-    plant = stepper(model, integrator, form, p)
+    if store is not None:
+        check_output(store, FORMATS)
+    if not (isinstance(every, int | np.integer) and 1 <= every <= MAX_STEPS):
+        raise UsageError(f"every is {every!r}; it must be a whole number of steps >= 1")
+    walk = (_c_walk if _in_c(backend, form, model) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
-    given = Inputs(model, started(controller, q0), w_ext)
-    record = Recorder(model, p, duration, step)
-    _check_posture(model, p, given, q0, v0)
-    state, every = plant.initial(q0, v0), max(1, steps // 200)
-    for k in range(steps + 1):
-        t = float(record.times[k])
-        with at_time(t):
-            q, v = plant.coordinates(state)
-            tau, wrench = given(t, q, v)
-            record(k, q, v, tau, wrench)
-            if k < steps:
-                state = plant.step(state, tau, wrench, step if k < steps - 1 else duration - t)
-        if progress and (k % every == 0 or k == steps):
-            progress(k, steps)
-    return record.run()
+    law = started(controller, q0)
+    given = Inputs(model, law, w_ext)
+    table = Table(model, sample_times(time_grid(duration, step), every), p)
+    with stored(table, store):
+        walk(Task(steps, step, duration, int(every), q0, v0, given, law, progress), table)
+        return table.run()
+
+
+def _in_c(backend: str | None, form: str, model: Model) -> bool:
+    """Whether a run is stepped in C."""
+    if backend not in (None, *BACKENDS):
+        raise UsageError(f"backend: there is no '{backend}'; choose {' or '.join(BACKENDS)}")
+    if backend == "c" and form in FORMS and form != "joint":
+        raise UsageError(
+            f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
+        )
+    return form == "joint" and (backend == "c" or (backend is None and loop.available(model)))
+
+
+def _c_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
+    name = FORMS[form].default if integrator is None else integrator
+    check_integrator(name)
+    return loop.Loop(loop.instance(model, p), name)
+
+
+def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
+    plant = stepper(model, integrator, form, p)
+
+    def walk(task: Task, table: Table) -> None:
+        record = Recorder(table)
+        _check_posture(model, p, task.given, task.q0, task.v0)
+        state, often = plant.initial(task.q0, task.v0), max(1, task.steps // 200)
+        for k in range(task.steps + 1):
+            t = task.time(k)
+            with at_time(t):
+                q, v = plant.coordinates(state)
+                tau, wrench = task.given(t, q, v)
+                if k % task.every == 0 or k == task.steps:
+                    record(task.rows(k), q, v, tau, wrench)
+                if k < task.steps:
+                    state = plant.step(state, tau, wrench, task.reach(k))
+            if task.progress and (k % often == 0 or k == task.steps):
+                task.progress(k, task.steps)
+        record.check()
+
+    return walk
 
 
 def stepper(
@@ -108,7 +158,7 @@ def time_grid(duration: float, step: float) -> np.ndarray:
 
 def coordinates(values: Sequence[float] | None, name: str, model: Model) -> np.ndarray:
     """`values` as (nq,); the joints alone leave the modes at zero."""
-    given = np.ravel(_floats([] if values is None else values, name))
+    given = np.ravel(floats([] if values is None else values, name))
     if len(given) not in (0, model.n_joints, model.nq):
         allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
         raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
@@ -122,52 +172,9 @@ def parameter_vector(model: Model, parameters: Sequence[float] | Mapping[str, fl
         if unknown := [name for name in parameters if name not in values]:
             raise UsageError(f"parameters: there is no '{unknown[0]}'; see model.parameter_names")
         parameters = list((values | dict(parameters)).values())
-    out = np.ravel(_floats(model.parameter_values if parameters is None else parameters, "parameters"))
+    out = np.ravel(floats(model.parameter_values if parameters is None else parameters, "parameters"))
     if len(out) != len(model.parameter_names):
         raise UsageError(f"parameters has length {len(out)}; it must have {len(model.parameter_names)}")
-    return out
-
-
-def started(controller: Any, q0: np.ndarray) -> Any:
-    """The controller at the start of a run: one with `starting_at(q)` is asked for itself there."""
-    return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
-
-
-class Inputs:
-    """Torques (n_joints,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
-
-    def __init__(self, model: Model, controller: Any, w_ext: Any):
-        self.sources = (
-            _source(controller, "the controller", (model.n_joints,)),
-            _source(w_ext, "w_ext", (model.n_links, 6)),
-        )
-
-    def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        torque, wrench = self.sources
-        return torque(t, q, v), wrench(t, q, v)
-
-
-def _source(given: Any, name: str, shape: tuple[int, ...]) -> Callable:
-    if callable(given):
-        return lambda t, q, v: _shaped(given(t, q.copy(), v.copy()), name, shape)
-    constant = np.zeros(shape) if given is None else _shaped(given, name, shape)
-    return lambda t, q, v: constant
-
-
-def _shaped(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
-    out = _floats(values, name)
-    if out.size != math.prod(shape):
-        raise UsageError(f"{name} gives an array of shape {out.shape}; it must give {shape}")
-    return out.reshape(shape)
-
-
-def _floats(values: Any, name: str) -> np.ndarray:
-    try:
-        out = np.array(values, dtype=float)
-    except (TypeError, ValueError):
-        raise UsageError(f"{name} gives something else than numbers; it must give an array of numbers") from None
-    if not np.isfinite(out).all():
-        raise UsageError(f"{name} gives a NaN or an infinity; it must give finite numbers")
     return out
 
 
@@ -175,58 +182,3 @@ def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v:
     """Refuse a singular start; NumPy's dynamics knows the joint."""
     with at_time(0.0):
         model.numpy(p).forward_dynamics(q, v, *given(0.0, q, v))
-
-
-class at_time:
-    """Puts the time in front of an error inside."""
-
-    def __init__(self, t: float):
-        self.t = t
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: type | None, error: BaseException | None, _: object) -> None:
-        if isinstance(error, ScrewgenError):
-            raise type(error)(f"t = {self.t:.6g} s: {error}") from None
-
-
-# ------------------------------------------------------------------------------ what is kept
-
-
-class Recorder:
-    """The arrays of a run while they fill."""
-
-    def __init__(self, model: Model, p: np.ndarray, duration: float, step: float):
-        widths = {"q": model.nq, "v": model.nq, "tau": model.n_joints}
-        widths |= {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
-        samples = step_count(duration, step) + 1
-        if (size := 8 * samples * (1 + sum(widths.values()))) > MAX_BYTES:
-            raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
-        functions = model.casadi()
-        self.model, self.p, self.dynamics = model, p, Dynamics(model, p)
-        self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
-        self.times = time_grid(duration, step)
-        self.arrays = {"t": self.times} | {name: np.zeros((samples, width)) for name, width in widths.items()}
-
-    def __call__(self, k: int, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> None:
-        """Keep sample `k`."""
-        sample = {
-            "q": q,
-            "v": v,
-            "tau": tau,
-            "wrench": self.dynamics.explicit(q, v, tau, w_ext)[1],
-            "tip_position": self.tip_pose(q, self.p)[1],
-            "energy": np.concatenate(self.energy(q, v, self.p)),
-        }
-        for name, values in sample.items():
-            self.arrays[name][k] = values
-
-    def run(self) -> Run:
-        """The run; raises SingularError where a joint wrench is no number."""
-        m, arrays = self.model, self.arrays
-        if not np.isfinite(arrays["wrench"]).all():
-            raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")
-        wrench = arrays["wrench"].reshape(len(arrays["t"]), m.n_links, 6)
-        names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(m.robot.name, **(arrays | {"wrench": wrench}), **names)

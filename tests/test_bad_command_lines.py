@@ -17,7 +17,6 @@ LINES = {
     "simulat ella.toml": "no such command 'simulat'",
     "--quie": "no such option: --quie",
     "paper 4711": "the paper has no equation '4711'",
-    "equilibrium ella.toml -o x.json": "'equilibrium' is not yet available",
     # robots
     "modes": "missing argument 'ROBOT'",
     "modes none.toml": "none.toml: there is no such file",
@@ -70,6 +69,25 @@ LINES = {
     "evaluate ella.toml --state binary.json": "binary.json: line 1: is not UTF-8 text",
     "modes ella.toml --joints welded": "locked or free",
     "modes ella.toml --posture folder": "folder: is a directory",
+    "modes ella.toml --plot m.jpg": "m.jpg: has an unknown suffix",
+    "modes ella.toml --plot none/m.png": "its folder does not exist",
+    "modes rigid.toml --plot m.png": "there are no modes to draw",
+    # equilibrium
+    "equilibrium": "missing argument 'ROBOT'",
+    "equilibrium none.toml": "none.toml: there is no such file",
+    "equilibrium massless.toml": "links[0].section.rhoA",
+    "equilibrium ella.toml -o x.json": "no such option: -o",
+    "equilibrium ella.toml --q 1,2": "--q: has 2 numbers; it must have 3 finite joint angles",
+    "equilibrium ella.toml --q 1,2,nan": "it must have 3 finite joint angles",
+    "equilibrium ella.toml --q 1,2,up": "--q: '1,2,up' is no list of numbers",
+    "equilibrium ella.toml --q": "option '--q' requires an argument",
+    "equilibrium ella.toml --tau 1": "--tau: has 1 numbers; it must have 3 finite joint torques",
+    "equilibrium ella.toml --tau 1e999,0,0": "it must have 3 finite joint torques",
+    "equilibrium ella.toml --hold --tau 1,0,0": "--tau: the torques follow where --hold holds the joints",
+    "equilibrium ella.toml --hold --state torque.json": "torque.json: tau: the torques follow",
+    "equilibrium ella.toml --state moving.json": "moving.json: v: an arm at rest has none",
+    "equilibrium ella.toml --state none.json": "none.json: there is no such file",
+    "equilibrium ella.toml --tau -200,0,0": "upper_arm.joint[0]: no posture found balances its torque of -200 N·m",
     "latex ella.toml": "missing option",
     "latex ella.toml -o x.docx": "it must end in .tex or .pdf or .html",
     "latex ella.toml -o none/x.tex": "its folder does not exist",
@@ -152,6 +170,8 @@ def folder(tmp_path, monkeypatch):
     Path("bad.toml").write_text("name = \n")
     Path("massless.toml").write_text(EXAMPLE.read_text().replace("rhoA = 1.6302", "rhoA = 0.0"))
     Path("gains.toml").write_text(GAINS)
+    Path("moving.json").write_text('{"v": [1, 0, 0]}')
+    Path("rigid.toml").write_text("\n".join(x for x in EXAMPLE.read_text().splitlines() if not x.startswith("modes")))
     Path("torque.json").write_text('{"tau": [1, 0, 0]}')
     Path("binary.json").write_bytes(b"\xff\xfe\x00")
     return tmp_path
@@ -182,7 +202,11 @@ def test_bad_command_line(capsys, folder, line):
 @pytest.mark.parametrize("text", STATES, ids=lambda text: text[:40])
 @pytest.mark.parametrize(
     "command",
-    ["evaluate ella.toml --state", "analyse ella.toml --state", "modes ella.toml --posture", f"{RUN} --state"],
+    [
+        *(f"{name} ella.toml --state" for name in ("evaluate", "analyse", "equilibrium")),
+        "modes ella.toml --posture",
+        f"{RUN} --state",
+    ],
 )
 def test_bad_state(capsys, folder, command, text):
     Path("state.json").write_text(text)

@@ -35,7 +35,7 @@ def step(compiled, form: str, method: str, q, v, tau, w_ext, dt=1e-4) -> tuple[i
     arrays = [np.array(q, float), np.array(v, float)] if form == "joint" else [np.array(q, float)]
     call = compiled.library.shim_step if form == "joint" else compiled.library.shim_dae_step
     before = [a.tobytes() for a in arrays]
-    status = call(number, 1, dt, *map(pointer, inputs), *map(pointer, arrays))
+    status = call(compiled.memory, number, 1, dt, *map(pointer, inputs), *map(pointer, arrays))
     return status, [a.tobytes() for a in arrays] == before
 
 
@@ -197,7 +197,7 @@ def test_singular_postures_are_named_in_c(name, layout):
         assert step(c, "joint", method, q, 0 * q, tau, w_ext) == (SINGULAR, True), method
         x = model.numpy().dae_state(q, 0 * q)
         assert step(c, "dae", method, x, 0 * q, tau, w_ext) == (SINGULAR, True), method
-        assert model.robot.links[c.library.shim_fault()].name == culprit
+        assert model.robot.links[c.library.shim_fault(c.memory)].name == culprit
 
 
 def test_near_a_singular_posture_the_numbers_are_finite():

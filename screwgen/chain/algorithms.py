@@ -102,6 +102,13 @@ class Functions:
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta")
 
+    def statics(self, q, w_ext) -> tuple[list, list]:
+        """The generalised forces that rest needs, and the joint wrenches there, link by link."""
+        rest = [0.0] * self.chain.nq
+        still = self.chain.split(rest, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
+
     def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
         """What every link answers to small changes at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")

@@ -14,7 +14,7 @@ from ..chain.parameters import label
 from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
-from . import c_batch, c_derivatives
+from . import c_batch, c_derivatives, c_estimator
 from .c_code import Writer, literal, sizes, trimmed
 from .c_fields import (
     body_count,
@@ -32,7 +32,7 @@ from .reference import cases, rounding_error
 from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
-FUSED_BEST = 2050
+FUSED_BEST = 1950
 """Up to this many operations ``auto`` writes the joint form in one piece."""
 MODULAR_BEST = 2900
 """Up to this many operations in its functions ``auto`` writes a longer joint form as functions of its own: at about 13
@@ -54,9 +54,18 @@ MARGIN = 5.0
 class CProject:
     """The files of a robot's C, as a mapping from name to text."""
 
-    def __init__(self, chain: Chain, version: str, binding="runtime", layout="auto", batch=False, derivatives=False):
+    def __init__(
+        self,
+        chain: Chain,
+        version: str,
+        binding="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=False,
+        estimator=False,
+    ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
-        self.with_derivatives = derivatives
+        self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.name = chain.robot.name
         self.baked = fuse.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.name, self.baked)
@@ -101,6 +110,8 @@ class CProject:
             sources |= {f"{n}_{file}": file for file in c_batch.FILES}
         if self.with_derivatives:
             sources |= {f"{n}_{file}": file for file in c_derivatives.FILES}
+        if self.with_estimator:
+            sources |= {f"{n}_{file}": file for file in c_estimator.FILES}
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
     def shim(self, template="shim.c") -> str:
@@ -159,6 +170,7 @@ class CProject:
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and c_derivatives.content(self.chain, bool(self.baked), fused_place),
+            "estimator": self.with_estimator and c_estimator.content(self.chain, bool(self.baked), fused_place),
         }
 
     # programs ---------------------------------------------------------------------------------

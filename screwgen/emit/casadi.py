@@ -18,6 +18,7 @@ from ..chain.dae_functions import state_size, unknown_size
 from ..lower.program import Program
 from ..lower.replay import run
 from ..spec.robot import Robot
+from .casadi_patterns import jacobians, structures
 from .templates import render
 
 LIMIT = 4.0
@@ -167,12 +168,18 @@ INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), 
 
 
 def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str) -> dict[str, bytes]:
-    """``NAME.casadi`` per function and a README that lists their signatures."""
+    """``NAME.casadi`` per function and a README: their signatures, and where their Jacobians have nonzeros."""
     saved = {name: _saved(name, value) for name, value in functions.items()}
     files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
     rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
+    patterns = {"jacobians": jacobians(saved), "structures": structures(robot, saved)}
     readme = render(
-        "casadi/README.md.jinja", name=robot.name, version=version, functions=rows, parameters=parameter_names
+        "casadi/README.md.jinja",
+        name=robot.name,
+        version=version,
+        functions=rows,
+        parameters=parameter_names,
+        **patterns,
     )
     return files | {"README.md": readme.encode()}
 

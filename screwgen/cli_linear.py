@@ -1,0 +1,145 @@
+"""The commands `modes` and `equilibrium`: vibrations about a posture, and the posture in which an arm rests."""
+
+from __future__ import annotations
+
+import json as json_format
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .build import Model, derive
+from .errors import UsageError
+from .spec.load import load, one_line
+from .state import State, read_state, state_of
+
+if TYPE_CHECKING:
+    from .equilibrium import Equilibrium
+
+LARGE = 0.1
+"""Deflection of a link's tip over its length beyond which the model, linear in bending, is stretched."""
+
+
+def state_in(path: str | None, model: Model) -> State:
+    """The state in a file, all zero without."""
+    return state_of({}, model) if path is None else read_state(path, model)
+
+
+def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: str | None) -> None:
+    """Print natural frequencies, one a line or as JSON, and draw the shapes."""
+    from .modes import mode_shapes
+    from .runs import check_output, outputs
+
+    if plot is not None:
+        check_output(plot, (".png",))
+    model = derive(load(robot))
+    q = state_in(posture, model).q
+    found = mode_shapes(model, q, joints)
+    frequencies = [*found.rigid * [0.0], *found.frequencies.tolist()]
+    if plot is not None:
+        from .mode_plot import png
+
+        with outputs(plot) as (stream,):
+            stream.write(png(model, q, found))
+    if json:
+        print(json_format.dumps({"frequencies_hz": frequencies}))
+    else:
+        print("\n".join(f"{f:.6g} Hz" for f in frequencies) or "no modes: every link is rigid and every joint locked")
+
+
+# ------------------------------------------------------------------------------ equilibrium
+
+
+def run_equilibrium(robot: str, state: str | None, q: str | None, tau: str | None, hold: bool, json: bool) -> None:
+    """Print where the arm rests, as a report or as JSON."""
+    from .equilibrium import equilibrium
+
+    model = derive(load(robot))
+    given = state_in(state, model)
+    if given.v.any():
+        raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
+    start = given.q if q is None else numbers("--q", q, model.n_joints, "joint angles in rad")
+    torques = given.tau if tau is None else numbers("--tau", tau, model.n_joints, "joint torques in N·m")
+    if hold and (tau is not None or given.tau.any()):
+        option = "--tau" if tau is not None else f"{one_line(str(state))}: tau"
+        raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
+    found = equilibrium(model, start, None if hold else torques, given.w_ext, hold)
+    print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
+
+
+def numbers(option: str, given: str, size: int, what: str) -> np.ndarray:
+    """`size` finite numbers out of an option, by commas or blanks."""
+    words = given.replace(",", " ").split()
+    try:
+        out = np.array([float(word) for word in words])
+    except ValueError:
+        wanted = f"give {size} {what}, as 0.1,-0.2"
+        raise UsageError(f"{option}: '{one_line(given)}' is no list of numbers; {wanted}") from None
+    if len(out) != size or not np.isfinite(out).all():
+        raise UsageError(f"{option}: has {len(out)} numbers; it must have {size} finite {what}, separated by commas")
+    return out
+
+
+def record(e: Equilibrium) -> dict:
+    """What `--json` prints."""
+    lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
+    words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
+    return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
+
+
+def text(model: Model, e: Equilibrium) -> str:
+    """The report."""
+    m = model.n_joints
+    angles = "joint angles, held" if e.held else "joint angles"
+    torques = "torques that hold them" if e.held else "torques given"
+    lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
+    lines += table(angles, model.q_names[:m], e.q[:m], "rad")
+    lines += table(torques, model.tau_names, e.tau, "N·m")
+    lines += [f"{'tip in the inertial frame':29}" + heads(1)]
+    lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
+    titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")
+    lines += ["", f"{'links, components in F_i':29}" + "".join(f"{title:>36}" for title in titles)]
+    lines += [" " * 29 + heads(3)]
+    small = float(np.max(np.abs(e.wrench)))
+    for link, moved, wrench in zip(model.robot.links, e.deflections, e.wrench, strict=True):
+        lines.append(f"  {link.name:27}" + row(1e3 * moved) + row(wrench[:3], small) + row(wrench[3:], small))
+    return "\n".join(lines + notes(model, e))
+
+
+def table(title: str, names: list[str], values: np.ndarray, unit: str) -> list[str]:
+    rows = [f"  {name:27}{tidy(value, 1.0):>12} {unit}" for name, value in zip(names, values, strict=True)]
+    return [title, *rows, ""] if rows else []
+
+
+def heads(count: int) -> str:
+    """x, y, z over columns."""
+    return "".join(f"{axis:>12}" for axis in "xyz" * count)
+
+
+def row(values: np.ndarray, size: float = 0.0) -> str:
+    """Three numbers side by side; what is nothing beside the largest, or beside `size`, is zero."""
+    size = max(size, float(np.max(np.abs(values))))
+    return "".join(f"{tidy(x, size):>12}" for x in values)
+
+
+def tidy(value: float, size: float) -> str:
+    """A number to five digits; rounding errors beside a number of that size as 0."""
+    return "0" if abs(value) <= 1e-12 * max(size, 1e-3) else f"{value:.5g}"
+
+
+def stability(e: Equilibrium) -> str:
+    names = ", ".join(e.loose)
+    return {
+        "stable": "stable",
+        "neutral": f"neutral, nothing resists a motion of {names}",
+        "unstable": f"unstable, it gives way with {names}",
+        "flutter": "unstable, it flutters under the wrenches that turn with the tips",
+    }[e.stability]
+
+
+def notes(model: Model, e: Equilibrium) -> list[str]:
+    """Which links bend so far that the model no longer holds well."""
+    lengths = [link.length for link in model.robot.links]
+    shares = np.linalg.norm(e.deflections, axis=1) / lengths
+    far = [(link.name, s) for link, s in zip(model.robot.links, shares, strict=True) if s > LARGE]
+    what = "of its length; the model is one of small deflections"
+    return [f"\nnote: {name} bends by {100 * s:.0f} % {what}" for name, s in far]

@@ -1,0 +1,108 @@
+"""What stands between the generated C and callers in other languages: one memory, energies, the loop of a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..chain import fuse
+from ..chain.parameters import label
+from ..lower.program import Program, live
+from ..lower.split import KEPT, split
+from ..spec.parameters import parameters
+from .c_code import Writer, trimmed
+from .c_derivatives import PIECE, PieceWriter
+from .c_fields import parameter_member
+from .c_links import RUNS
+from .templates import render
+
+if TYPE_CHECKING:
+    from .c import CProject
+
+FILES = ("shim.h", "shim.c", "run_shim.c")
+
+
+def shims(project: CProject) -> dict[str, str]:
+    """The files beside a robot's C that its shared library is made of."""
+    energy = fuse.energy(project.chain, "baked" if project.baked is not None else "constants")
+    pieces, kept = split(energy, -(-energy.operation_count // PIECE))
+    extra = _extra(project, energy)
+    known = _labels(project)
+    names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
+    chain = project.chain
+    values = dict(
+        places=[_parameter_place(p) for p in parameters(chain.robot)],
+        extra=extra,
+        extra_lines=_extra_lines(project, extra),
+        pieces=[_energy_lines(project, piece, known, extra) for piece in pieces],
+        kept=kept,
+        width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
+    )
+    return {name: render(f"c/{name}.jinja", **project.context, **values) for name in names}
+
+
+def _parameter_place(p) -> str:
+    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
+
+
+def _labels(project: CProject) -> list[tuple[str, ...]]:
+    """The constants that `<robot>_prepare` leaves for every link."""
+    algorithms = tuple(run.algorithm for run in RUNS.values())
+    return [project.chain.labels(key, algorithms) for key in project.chain.keys]
+
+
+def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
+    """Link and label of the constants that the energy reads and `<robot>_prepare` does not leave."""
+    known, found = _labels(project), []
+    for node in live([v for values in energy.outputs.values() for v in values]):
+        if node.op == "input":
+            link, _, what = node.args[0].partition(":")
+            if what.startswith("c.") and what[2:] not in known[int(link)]:
+                found.append((int(link), what[2:]))
+    return sorted(set(found))
+
+
+def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
+    """Their preparation, link by link."""
+    out = []
+    for i in sorted({link for link, _ in extra}):
+        wanted = tuple(name for link, name in extra if link == i)
+        whole = fuse.preparation(project.chain.keys[i], wanted)
+        outputs = {name: whole.outputs[name] for name in wanted}
+        program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
+
+        def place(name: str, k: int, i=i) -> str:
+            if name.startswith("p."):
+                return f"p->links[{i}].{parameter_member(name[2:])}"
+            return f"m->extra[{extra.index((i, name))}]"
+
+        lines = trimmed(Writer(program, project.name, place, lambda _, __: "", {"p", "m"}).lines())
+        out += ["{", *(f"    {line}" if line else "" for line in lines), "}"]
+    return out
+
+
+def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> list[str]:
+    offsets = project.chain.eta_offset
+    own = {
+        "kinetic": lambda k: "energy[0]",
+        "potential": lambda k: "energy[1]",
+        "gravity": lambda k: f"c->gravity[{k}]",
+        "q": lambda k: f"state->q[{k}]",
+        "v": lambda k: f"state->v[{k}]",
+    }
+
+    def place(name: str, k: int) -> str:
+        link, _, what = name.partition(":")
+        if link == KEPT:
+            return f"kept[{int(what or 0) + k}]"
+        if what in fuse.COLUMNS:
+            return f"c->{what}[{offsets[int(link)] + k}]"
+        if what.startswith("c."):
+            member = what[2:]
+            kept = member in known[int(link)]
+            return f"c->links[{link}].{member}" if kept else f"extra[{extra.index((int(link), member))}]"
+        return own[name](k)
+
+    pointers = ("c", "state", "extra", "kept", "energy")
+    lines = PieceWriter(program, project.name, place, lambda _, __: "", set(pointers), apart=True).lines()
+    text = "\n".join(lines)
+    return [f"(void){x};" for x in pointers if f"{x}->" not in text and f"{x}[" not in text] + lines

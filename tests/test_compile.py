@@ -1,0 +1,278 @@
+"""`model.compile`: the C as functions on NumPy arrays, and the cache that it comes from."""
+
+import os
+import shutil
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+from conftest import require_tool
+from helpers import EPS32, arm, drawn, example, link, model_of, relative
+
+from screwgen import ScrewgenError, SingularError, UsageError, library
+from screwgen.compiled import Compiled
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+@pytest.fixture(autouse=True)
+def _compiler():
+    require_tool("cc")
+
+
+@pytest.fixture(scope="module")
+def ella():
+    return example("ella").compile()
+
+
+def state(model, seed=0):
+    rng = np.random.default_rng(seed)
+    q, v = 0.05 * rng.normal(size=(2, model.nq))
+    return q, v, rng.normal(size=model.n_joints), rng.normal(size=(model.n_links, 6))
+
+
+# -------- functions
+
+
+@pytest.mark.parametrize("seed", [2, 11])
+def test_random_robots_agree_with_the_oracle(seed):
+    case = drawn(seed, 2, limit=1e6)
+    c, (q, v, tau, w_ext) = case.model.compile(flags=("-O1",)), case.inputs
+    vdot, wrench = c.forward_dynamics(q, v, tau, w_ext)
+    expected = case.oracle.forward_dynamics(q, v, tau, w_ext)
+    assert relative(vdot, expected[0]) < case.tolerance and relative(wrench, expected[1]) < case.tolerance
+    assert np.allclose(c.energy(q, v), case.oracle.energy(q, v), rtol=1e-9, atol=1e-9)
+    assert np.allclose(c.complete_dynamics(q, v, tau, w_ext)[3], case.oracle.tip_pose(q)[1], atol=1e-9)
+    force, _ = c.inverse_dynamics(q, v, vdot, w_ext)
+    assert relative(force[: case.model.n_joints], tau) < 1e-6 and np.array_equal(
+        c.accelerations(q, v, tau, w_ext), vdot
+    )
+
+
+def test_energy_of_other_parameters():
+    """Spin and lengths are constants that the energy alone reads: they follow the parameters too."""
+    case = drawn(12, 2, max_modes=2)
+    p = np.array(case.model.parameter_values) * np.linspace(1.01, 1.1, len(case.model.parameter_values))
+    c = case.model.compile(flags=("-O0",))
+    c.prepare(p)
+    q, v, *_ = case.inputs
+    assert np.allclose(c.energy(q, v), case.model.numpy(p).energy(q, v), rtol=1e-11)
+
+
+def test_what_fits_is_taken_and_all_else_converted(ella):
+    q, v, tau, w_ext = state(ella.model)
+    expected = ella.forward_dynamics(q, v, tau, w_ext)
+    others = [
+        (q.tolist(), tuple(v), tau.tolist(), w_ext.tolist()),
+        (np.repeat(q, 2)[::2], v[:, None], tau, np.asfortranarray(w_ext)),
+        (q.astype(">f8"), v.astype(object), tau, w_ext.ravel()),
+    ]
+    for given in others:
+        assert all(np.array_equal(a, b) for a, b in zip(ella.forward_dynamics(*given), expected, strict=True))
+    rough = ella.forward_dynamics(*(x.astype(np.float32) for x in (q, v, tau, w_ext)))
+    assert 0 < relative(rough[0], expected[0]) < 1e3 * EPS32
+    alone = ella.forward_dynamics(q, v)
+    nothing = ella.forward_dynamics(q, v, 0 * tau, 0 * w_ext)
+    assert np.array_equal(alone[0], nothing[0]) and not np.array_equal(alone[0], expected[0])
+
+
+def test_results_go_where_they_are_wanted(ella):
+    given = state(ella.model)
+    expected = ella.forward_dynamics(*given)
+    out = np.full(ella.model.nq, np.nan), np.full((2, 12), np.nan)[:, ::2]
+    found = ella.forward_dynamics(*given, out=out)
+    assert found[0] is out[0] and found[1] is out[1]
+    assert all(np.array_equal(a, b) for a, b in zip(out, expected, strict=True))
+    ella.forward_dynamics(*(2 * x for x in given))
+    assert np.array_equal(expected[0], out[0])  # what was returned is the caller's
+    assert ella.accelerations(*given, out=out[0]) is out[0] and np.array_equal(out[0], expected[0])
+    with pytest.raises(UsageError, match=r"out: wrench has the shape \(12,\); it must be \(2, 6\)"):
+        ella.forward_dynamics(*given, out=(out[0], np.zeros(12)))
+
+
+@pytest.mark.parametrize(("place", "name", "count"), [(0, "q", 9), (1, "v", 9), (2, "tau", 3), (3, "w_ext", 12)])
+def test_arrays_of_another_size_are_refused(ella, place, name, count):
+    given = list(state(ella.model))
+    for bad, message in ((np.zeros(count + 1), f"it must have {count}"), ("text", "not an array of numbers")):
+        given[place] = bad
+        with pytest.raises(UsageError, match=f"^{name} .*{message}"):
+            ella.forward_dynamics(*given)
+
+
+def test_arms_without_joints_or_modes():
+    welded = model_of(arm(link("beam", axes=(), modes={"bending_y": 2}))).compile(flags=("-O0",))
+    vdot, wrench = welded.forward_dynamics([0.01, 0.0], [0.0, 0.0])
+    assert vdot.shape == (2,) and wrench.shape == (1, 6) and vdot[0] < 0
+    rigid = model_of(arm(link("rod", axes=()))).compile(flags=("-O0",))
+    vdot, wrench = rigid.forward_dynamics([], [])
+    assert vdot.shape == (0,) and wrench[0, 5] == pytest.approx(9.81) and rigid.energy([], []) == (0.0, 0.0)
+
+
+def test_precisions_and_layouts():
+    model = model_of(arm(link("a", modes={"bending_y": 1}), link("b", axes="y")))
+    given = state(model)
+    expected = model.numpy().forward_dynamics(*given)[0]
+    for layout in ("fused", "modular"):
+        single = model.compile(layout, "single", flags=("-O0",))
+        assert single.forward_dynamics(*given)[0].dtype == np.float32
+        assert relative(single.forward_dynamics(*given)[0], expected) < 1e3 * EPS32
+        exact = model.compile(layout, derivatives=True, parameters="baked", flags=("-O0",))
+        assert relative(exact.linearise(*given)[0], expected) < 1e-12
+    for option, message in (
+        ({"layout": "best"}, "fused"),
+        ({"precision": "half"}, "single"),
+        ({"flags": "-O3"}, "sequence"),
+    ):
+        with pytest.raises(UsageError, match=message):
+            model.compile(**option)
+    with pytest.raises(UsageError, match="derivatives=True"):
+        model.compile("fused", flags=("-O0",)).linearise(*given)
+
+
+def test_instances_of_one_library_keep_apart(ella):
+    """Also in threads: each its own parameters and state."""
+    given, heavy = state(ella.model), np.array(ella.model.parameter_values) * 1.5
+    others = [ella.fresh(p) for p in (None, heavy)]
+    expected = [x.forward_dynamics(*given)[0] for x in others]
+    assert not np.allclose(*expected)
+    wrong = []
+
+    def work(c, answer):
+        for _ in range(2000):
+            if not np.array_equal(c.forward_dynamics(*given)[0], answer):
+                wrong.append(1)
+
+    threads = [threading.Thread(target=work, args=pair) for pair in zip(others, expected, strict=True)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    assert not wrong
+
+
+def test_errors_name_what_is_wrong():
+    spherical = {
+        "name": "wrist",
+        "length": 0.5,
+        "section": {"rhoA": 1.0, "rhoIp": 0.01},
+        "joint": {"axes": ["x", "z", "x"]},
+    }
+    c = model_of(arm(spherical)).compile(flags=("-O0",))
+    with pytest.raises(SingularError, match="'wrist'"):
+        c.forward_dynamics(np.zeros(3), np.zeros(3))
+    with pytest.raises(ScrewgenError, match="non-finite"):
+        c.forward_dynamics(np.array([0.1, 0.5, np.nan]), np.zeros(3))
+
+
+# -------- the cache
+
+SMALL = {"one.c": "int answer(void) { return 42; }\n"}
+
+
+def answer(folder, files=SMALL, flags=("-O0",)) -> int:
+    return library.load(files, flags, cache=folder).answer()
+
+
+def entries(folder) -> list[str]:
+    return sorted(os.listdir(folder))
+
+
+def test_the_same_is_built_once_and_anything_else_anew(tmp_path, monkeypatch):
+    assert answer(tmp_path) == 42
+    (first,) = entries(tmp_path)
+    with monkeypatch.context() as m:
+        m.setattr(library, "_compiled", lambda *_: pytest.fail("built again"))
+        assert answer(tmp_path) == 42
+    assert answer(tmp_path, {"one.c": "int answer(void) { return 43; }\n"}) == 43
+    assert answer(tmp_path, flags=("-O1",)) == 42
+    assert len(entries(tmp_path)) == 3 and first in entries(tmp_path)
+
+
+@pytest.mark.parametrize("damage", ["cut", "empty", "changed", "text"])
+def test_a_damaged_entry_is_built_again(tmp_path, damage):
+    assert answer(tmp_path) == 42
+    path = tmp_path / entries(tmp_path)[0]
+    data = path.read_bytes()
+    flipped = data[:100] + bytes([data[100] ^ 1]) + data[101:]
+    path.unlink()
+    path.write_bytes({"cut": data[: len(data) // 2], "empty": b"", "changed": flipped, "text": b"no library"}[damage])
+    assert answer(tmp_path) == 42
+    assert path.read_bytes() == data or len(path.read_bytes()) == len(data)
+
+
+def test_two_processes_at_once_both_succeed(tmp_path):
+    code = f"""
+import sys
+from screwgen import Robot, derive
+model = derive(Robot.model_validate({arm(link("a", modes={"bending_y": 1}), link("b", axes="y"))!r}))
+print("ready", flush=True)
+sys.stdin.readline()
+print(model.compile().forward_dynamics([0.1] * 3, [0.0] * 3)[0].tolist())
+"""
+    settings = os.environ | {"SCREWGEN_CACHE": str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"}
+    start = dict(
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=settings, cwd=ROOT
+    )
+    both = [subprocess.Popen([sys.executable, "-c", code], **start) for _ in range(2)]
+    assert [p.stdout.readline() for p in both] == ["ready\n"] * 2
+    for p in both:
+        p.stdin.write("\n")
+        p.stdin.flush()
+    said = [p.communicate(timeout=120) for p in both]
+    assert [p.returncode for p in both] == [0, 0], said
+    assert said[0][0] == said[1][0] and said[0][0].count(",") == 2
+    assert len(entries(tmp_path)) == 1 and entries(tmp_path)[0].endswith(".so")
+
+
+def test_a_cache_that_cannot_be_written_is_done_without(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("in the way")
+    for place in (tmp_path / "file", tmp_path / "file" / "below", "/proc/none"):
+        assert answer(place) == 42
+    assert entries(tmp_path) == ["file"]
+    assert answer(False) == 42
+    monkeypatch.setenv("SCREWGEN_CACHE", str(tmp_path / "file"))
+    assert answer(True) == 42
+
+
+def test_where_the_cache_is(tmp_path, monkeypatch):
+    monkeypatch.setenv("SCREWGEN_CACHE", str(tmp_path / "own"))
+    assert answer(True) == 42 and len(entries(tmp_path / "own")) == 1
+    monkeypatch.delenv("SCREWGEN_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert library.cache_folder() == tmp_path / "screwgen"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert library.cache_folder() == tmp_path / ".cache" / "screwgen"
+
+
+def test_the_cache_forgets_what_is_old(tmp_path, monkeypatch):
+    monkeypatch.setattr(library, "MAX_ENTRIES", 2)
+    for number in range(4):
+        assert answer(tmp_path, {"one.c": f"int answer(void) {{ return {number}; }}\n"}) == number
+        for age, name in enumerate(entries(tmp_path)):
+            os.utime(tmp_path / name, (1e9 + number - age, 1e9 + number - age))
+    (tmp_path / "building-abandoned").mkdir()
+    os.utime(tmp_path / "building-abandoned", (1e9, 1e9))
+    assert answer(tmp_path, {"one.c": "int answer(void) { return 9; }\n"}) == 9
+    assert len(entries(tmp_path)) == 2
+
+
+def test_the_library_follows_the_environment_and_says_what_is_missing(tmp_path, monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(ScrewgenError, match=r"no C compiler 'no-such-compiler'; install gcc .* CC$") as caught:
+        example("ella").compile()
+    assert "\n" not in str(caught.value)
+    monkeypatch.setenv("CC", f"{shutil.which('cc')} -DANSWER=7")
+    assert answer(tmp_path, {"one.c": "int answer(void) { return ANSWER; }\n"}) == 7
+    monkeypatch.setenv("CC", "cc")
+    with pytest.raises(ScrewgenError, match=r"^cc failed on the generated C: .*error") as caught:
+        answer(tmp_path, {"one.c": "int answer(void) { return x; }\n"})
+    assert "\n" not in str(caught.value) and len(entries(tmp_path)) == 1
+
+
+def test_nothing_is_left_in_the_folder_of_work(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    c = Compiled(example("ella"), flags=("-O0",))
+    assert np.isfinite(c.forward_dynamics(np.zeros(9), np.zeros(9))[0]).all() and os.listdir() == []

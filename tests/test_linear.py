@@ -1,0 +1,217 @@
+"""Linear models against finite differences of an independent Lagrangian, frequencies, SciPy and python-control."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import casadi as ca
+import control
+import numpy as np
+import pytest
+from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
+
+from screwgen import SingularError, UsageError
+from screwgen.modes import natural_frequencies, stiffness
+from screwgen.motion import displacements
+
+TIP = ("tip_position", "tip_velocity", "tip_acceleration")
+EVERYTHING = ("joint_angles", "joint_rates", "modes", "mode_rates", *TIP, "wrenches")
+SETPOINTS = [-0.4928, 0.6922, 0.4270]
+
+
+def case(seed: int) -> Case:
+    return drawn(seed, 1 + seed % 3, limit=1e6, max_modes=1, max_axes=2)
+
+
+def tip_motion(c: Case) -> ca.Function:
+    """The last tip's position, velocity and acceleration by the oracle's own kinematics."""
+    tip = c.oracle.clouds[-1]
+    (acceleration,) = c.oracle.along_motion([tip.rate["tip_point"]])
+    return ca.Function(
+        "tip", [c.oracle.q, c.oracle.v, c.oracle.a], [tip.tip_point, tip.rate["tip_point"], acceleration]
+    )
+
+
+def response(c: Case, tip: ca.Function, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    """`vdot` and all of `EVERYTHING` by the oracle."""
+    vdot, wrench = c.oracle.forward_dynamics(q, v, tau, w_ext)
+    m = c.model.n_joints
+    coordinates = [q[:m], v[:m], q[m:], v[m:]]
+    return vdot, np.concatenate([*coordinates, *map(flat, tip(q, v, vdot)), wrench.ravel()])
+
+
+def richardson(f, x: np.ndarray, h: float, levels: int = 4) -> np.ndarray:
+    """The Jacobian of f at x by central differences extrapolated to high order."""
+
+    def column(k: int) -> np.ndarray:
+        step = np.zeros(x.size)
+        rows = []
+        for level in range(levels):
+            step[k] = h / 2**level
+            rows.append((f(x + step) - f(x - step)) / (2 * step[k]))
+        for order in range(1, levels):
+            rows = [(4**order * b - a) / (4**order - 1) for a, b in pairwise(rows)]
+        return rows[0]
+
+    return np.array([column(k) for k in range(x.size)]).T
+
+
+def blocks(names: tuple[str, ...]) -> dict[str, list[int]]:
+    """The rows of outputs by kind: what has one unit and one meaning."""
+    out: dict[str, list[int]] = {}
+    for k, name in enumerate(names):
+        kind = name.split(".")[0] if name.startswith("tip_") else name.split(".")[1].split("[")[0].split("_")[0]
+        out.setdefault(kind, []).append(k)
+    return out
+
+
+@pytest.mark.parametrize("seed", [0, 1, 5])
+def test_all_four_matrices_equal_finite_differences_of_the_oracle(seed):
+    """To 1e-7 of the largest entry of every block: outputs of a kind against q, v, torques or wrenches."""
+    c = case(seed)
+    q, v, tau, w_ext = c.inputs
+    linear = c.model.linearise(q, v, tau, w_ext, outputs=EVERYTHING, inputs=("torques", "wrenches_on_tips"))
+    nq, m, tip = c.model.nq, c.model.n_joints, tip_motion(c)
+    rows = {"vdot": range(nq)} | {kind: [nq + k for k in found] for kind, found in blocks(linear.output_names).items()}
+    stacked = lambda *x: np.concatenate(response(c, tip, *x))  # noqa: E731
+    parts = {
+        "q": (lambda x: stacked(x, v, tau, w_ext), q, 0.002, linear.A[nq:, :nq], linear.C[:, :nq]),
+        "v": (lambda x: stacked(q, x, tau, w_ext), v, 0.5, linear.A[nq:, nq:], linear.C[:, nq:]),
+        "tau": (lambda x: stacked(q, v, x, w_ext), tau, 5.0, linear.B[nq:, :m], linear.D[:, :m]),
+        "w": (lambda x: stacked(q, v, tau, x), w_ext.ravel(), 5.0, linear.B[nq:, m:], linear.D[:, m:]),
+    }
+    for name, (f, x, h, state, output) in parts.items():
+        expected, found = richardson(f, x, h), np.vstack([state, output])
+        for kind, k in rows.items():
+            assert relative(found[list(k)], expected[list(k)]) < 1e-7, (name, kind)
+    assert np.array_equal(linear.A[:nq], np.hstack([np.zeros((nq, nq)), np.eye(nq)])) and not linear.B[:nq].any()
+    vdot, y = response(c, tip, *c.inputs)
+    assert relative(linear.vdot, vdot) < c.tolerance and relative(linear.y, y) < 1e-8
+    assert np.array_equal(linear.x, np.r_[q, v]) and np.array_equal(linear.u, np.r_[tau, w_ext.ravel()])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_eigenvalues_at_rest_without_gravity_are_the_natural_frequencies(seed):
+    robot = dict(drawn(seed, 1 + seed % 3, limit=1e6, max_modes=1).robot)
+    robot |= {"gravity": [0.0] * 3, "links": [{k: v for k, v in x.items() if k != "damping"} for x in robot["links"]]}
+    for x in robot["links"]:
+        x["joint"] = {k: v for k, v in x["joint"].items() if k != "damping"}
+    model = model_of(robot)
+    q = np.append(np.random.default_rng(seed).uniform(-2, 2, model.n_joints), np.zeros(model.nq - model.n_joints))
+    tau = (stiffness(model) * q)[: model.n_joints]  # so that joint springs are at rest, too
+    found = model.linearise(q, tau=tau).eigenvalues()
+    squares = np.sort(-np.real(found**2))[::2]
+    expected = (2 * np.pi * natural_frequencies(model, q, "free")) ** 2
+    assert np.allclose(squares, expected, rtol=1e-7, atol=1e-9 * max(expected, default=0.0))
+    assert np.abs(np.imag(found**2)).max(initial=0.0) <= 1e-9 * max(expected, default=0.0)
+
+
+def test_poles_of_a_welded_arm_are_its_locked_frequencies():
+    """As `screwgen modes` prints them: joints locked, which here are welds."""
+    soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
+    links = [link(name, 0.5, [], modes={"bending_y": 2, "bending_z": 1}, section=soft) for name in ("a", "b")]
+    model = model_of(arm(*links, gravity=(0.0, 0.0, 0.0)))
+    poles = model.linearise([0.0] * model.nq).eigenvalues()
+    assert np.allclose(poles.imag[model.nq :] / (2 * np.pi), natural_frequencies(model), rtol=1e-9)
+    assert model.linearise([0.0] * model.nq).B.shape == (2 * model.nq, 0)
+
+
+def test_a_pendulum_is_the_textbooks():
+    """A thin rod about its end: `3 g / 2 l`, damping and torque over `m l² / 3`."""
+    model = model_of(arm(link("rod", 2.0, "y", rhoA=0.7, joint={"damping": [0.3]})))
+    linear = model.linearise([np.pi / 2], outputs=("joint_angles", "tip_acceleration"))
+    inertia = 0.7 * 2.0 * 2.0**2 / 3
+    assert np.allclose(linear.A, [[0, 1], [-1.5 * G / 2.0, -0.3 / inertia]], rtol=1e-12)
+    assert np.allclose(linear.B, [[0], [1 / inertia]], rtol=1e-12)
+    assert np.allclose(linear.D, [[0], [-2 / inertia], [0], [0]], atol=1e-12)
+    assert linear.output_units == ("rad", "m/s²", "m/s²", "m/s²") and linear.input_units == ("N·m",)
+
+
+def test_base_strain_is_the_curvature_at_the_clamp():
+    model = example("ella")
+    linear = model.linearise(SETPOINTS, outputs="base_strain")
+    eta = np.zeros(model.nq)
+    eta[3:] = [2e-6, 0.01, -0.02, 1e-6, 0.004, 0.03]
+    strains = dict(zip(linear.output_names, linear.C @ np.r_[eta, 0 * eta], strict=True))
+    for i, beam in enumerate(model.robot.links):
+        s = 1e-4 * np.array([1.0, 2.0])
+        u = displacements(model, eta[None], i, s)[0]
+        axial, curvature = u / (s * beam.length)[:, None], 2 * u / (s * beam.length)[:, None] ** 2
+        expected = [(2 * axial[0] - axial[1])[0], *(2 * curvature[0] - curvature[1])[1:]]
+        found = [strains[f"{beam.name}.base_strain.{d}"] for d in ("axial", "bending_y", "bending_z")]
+        assert np.allclose(found, expected, rtol=1e-6)
+
+
+def test_scipy_and_python_control_take_it():
+    model = example("ella")
+    linear = model.linearise(SETPOINTS, outputs="tip_acceleration")
+    frequencies = np.array([0.3, 2.0, 7.0, 40.0])
+    expected = linear.response(frequencies)
+    system = control.ss(*linear, **linear.labels())
+    answer = control.frequency_response(system, 2 * np.pi * frequencies)
+    assert np.allclose(np.moveaxis(answer.complex, 2, 0), expected, rtol=1e-9, atol=1e-12)
+    assert system.input_labels == [name.replace(".", "/") for name in model.tau_names]
+    assert system.state_labels[0] == "upper_arm/joint[0]" and system.output_labels[2] == "tip_acceleration/z"
+    by_scipy = linear.scipy()
+    shifted = [2j * np.pi * f * np.eye(18) - by_scipy.A for f in frequencies]
+    again = np.array([by_scipy.C @ np.linalg.inv(s) @ by_scipy.B + by_scipy.D for s in shifted])
+    assert np.allclose(again, expected, rtol=1e-9, atol=1e-12)
+    assert all(
+        np.array_equal(a, b) for a, b in zip((by_scipy.A, by_scipy.B, by_scipy.C, by_scipy.D), linear, strict=True)
+    )
+
+
+def test_parameters_take_the_place_of_the_files():
+    model = example("ella")
+    p = np.array(model.parameter_values)
+    p[:3] = 0.0
+    weightless = model.linearise(SETPOINTS, parameters=p)
+    assert not weightless.vdot.any() and model.linearise(SETPOINTS).vdot.any()
+    frequencies = natural_frequencies(model, [*SETPOINTS, *[0.0] * 6], "free")
+    poles = weightless.eigenvalues().imag[9:] / (2 * np.pi)
+    assert np.allclose(poles[3:], frequencies[3:], rtol=1e-8)
+
+
+def test_names_choose_groups_and_entries():
+    linear = example("ella").linearise(
+        SETPOINTS, outputs=("tip_velocity.y", "forearm.F_x", "joint_rates", "tip_velocity.y"), inputs="tip_wrench"
+    )
+    assert linear.output_names == ("tip_velocity.y", "forearm.F_x", "upper_arm.joint_rate[0]",
+                                   "upper_arm.joint_rate[1]", "forearm.joint_rate[0]")  # fmt: skip
+    assert linear.output_units == ("m/s", "N", "rad/s", "rad/s", "rad/s")
+    assert linear.input_names[3:] == ("forearm.w_ext.F_x", "forearm.w_ext.F_y", "forearm.w_ext.F_z")
+    assert linear.input_units == ("N·m",) * 3 + ("N",) * 3 and linear.state_units[2:5] == ("rad", "m", "m")
+    assert not example("ella").linearise(SETPOINTS, outputs=()).C.size
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"q": [0.0] * 4}, "q: has 4 numbers; it must have 9"),
+        ({"q": "straight"}, "q: is no array of numbers"),
+        ({"v": [np.nan] * 9}, "v: holds a number that is not finite"),
+        ({"tau": [1.0]}, "tau: has 1 numbers; it must have 3"),
+        ({"w_ext": [0.0] * 6}, "w_ext: has 6 numbers; it must have 12"),
+        ({"parameters": [1.0]}, "parameters: has 1 numbers"),
+        ({"outputs": "tip_posiition"}, "outputs: there is no 'tip_posiition'.* did you mean 'tip_position'"),
+        ({"inputs": ["voltage"]}, "inputs: there is no 'voltage'; choose of torques"),
+    ],
+)
+def test_bad_requests_are_one_line(options, message):
+    with pytest.raises(UsageError, match=message) as error:
+        example("ella").linearise(**({"q": SETPOINTS} | options))
+    assert "\n" not in str(error.value)
+
+
+def test_a_singular_posture_names_the_link():
+    ball = model_of(arm(link("wrist", 0.5, "xzx")))
+    with pytest.raises(SingularError, match="wrist"):
+        ball.linearise([0.0] * 3)
+
+
+def test_a_pole_at_the_frequency_is_refused():
+    rod = model_of(arm(link("rod", 1.0, "z"), gravity=(0, 0, 0))).linearise([0.0])
+    with pytest.raises(UsageError, match="pole"):
+        rod.response([0.0])
+    with pytest.raises(UsageError, match="one of each"):
+        model_of(arm(link("rod", 1.0, "z"))).linearise([0.0], inputs=()).scipy()

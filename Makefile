@@ -18,6 +18,10 @@ demo: $(READY)
 paper: $(READY)
 	$(BIN)/python examples/ella_paper.py
 
+# Model-predictive control of ELLA in closed loop against the generated C, beside PD: build/mpc.
+mpc: $(READY)
+	$(BIN)/python examples/mpc_ella.py
+
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) -q -p no:cacheprovider $(ARGS)
 
@@ -31,6 +35,7 @@ bench: $(BENCH)/.ready
 # What ELLA costs on a Cortex-M4F, a Cortex-M7 and a RISC-V: cross-compiled, run under QEMU, held against the budgets.
 firmware: $(READY)
 	$(BIN)/python firmware/firmware.py --workers $(WORKERS) $(ARGS)
+	$(BIN)/python firmware/estimate.py
 
 # Every analyser over the C of three robots in all layouts and precisions: gcc -fanalyzer, clang-tidy, cppcheck with its
 # MISRA addon, sanitizers, valgrind. Some minutes.
@@ -64,4 +69,4 @@ $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 clean:
 	rm -rf $(VENV) $(BENCH) build
 
-.PHONY: demo paper test lint bench analyse-c long-run firmware generated clean
+.PHONY: demo paper mpc test lint bench analyse-c long-run firmware generated clean

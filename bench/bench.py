@@ -23,6 +23,7 @@ import casadi as ca
 import derivation
 import groups as gs
 import pendulum
+import python_calls
 from contenders import STATES, Missing
 from native import LEVELS, PEAK, PROCESSES, BenchError, Compiler, Program
 from plot import draw, short
@@ -100,7 +101,8 @@ def run(options: argparse.Namespace, progress: Progress) -> tuple[list[Row], lis
 
     jobs = {name: partial(native, make) for name, make in gs.groups(options.quick, compiler.store, options.level)}
     jobs["medians"] = lambda: (same_function_medians(rows), [])
-    for name, make in (("pendulum", pendulum.rows), ("derivation", derivation.rows)):
+    others = (("pendulum", pendulum.rows), ("derivation", derivation.rows), ("python", python_calls.rows))
+    for name, make in others:
         if not options.quick:
             jobs[name] = partial(make, options.out / name, compiler, progress)
     for name, job in jobs.items():
@@ -121,7 +123,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--check", action="store_true", help="exit with status 1 if a ratio misses its target")
     parser.add_argument("--level", choices=tuple(LEVELS), default="O3", help="optimisation of all C, O3")
     parser.add_argument("--rounds", type=int, help="rounds of timing, at least 15")
-    parser.add_argument("--groups", help="some of them, as ella,links,modes,steps,pendulum,derivation")
+    parser.add_argument("--groups", help="some of them, as ella,links,modes,steps,pendulum,derivation,python")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "bench", help="folder of the results")
     given = parser.parse_args()
     given.groups = given.groups and tuple(given.groups.split(","))

@@ -17,12 +17,12 @@ LIMIT = 600.0
 VERSIONS = range(1, 7)
 """Of QEMU's plugin interface; what the counter uses is the same in all."""
 PAINTED = 16384
-"""Bytes of painted stack in measure.c."""
+"""Bytes of painted stack in instruments.h."""
 
 
 @dataclass
 class Findings:
-    """What measure.c printed."""
+    """What measure.c or estimate.c printed."""
 
     sizes: dict[str, int] = field(default_factory=dict)
     stacks: dict[str, int] = field(default_factory=dict)
@@ -30,6 +30,7 @@ class Findings:
     intervals: list[str] = field(default_factory=list)
     """The names of the counted intervals, in the order in which they were counted."""
     counts: dict[str, list[int]] = field(default_factory=dict)
+    figures: dict[str, int] = field(default_factory=dict)
 
 
 def read_findings(text: str) -> Findings:
@@ -42,6 +43,8 @@ def read_findings(text: str) -> Findings:
                 out.stacks[name] = max(out.stacks.get(name, 0), int(value))
             case ["count", name, times]:
                 out.intervals += [name] * int(times)
+            case ["figure", name, value]:
+                out.figures[name] = int(value)
             case ["sample", _, *bits]:
                 out.samples.append([struct.unpack(">d", bytes.fromhex(b))[0] for b in bits])
     if text.split()[-1:] != ["done"]:

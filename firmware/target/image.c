@@ -1,9 +1,13 @@
 /* image.c: the smallest firmware that uses the model; its sections are the table's flash and RAM.
  *
- * It calls the whole joint form: parameters, forward dynamics, every integrator. With -DDAE_FORM the DAE form as well.
+ * It calls the whole joint form: parameters, forward dynamics, every integrator. With -DDAE_FORM the DAE form as well,
+ * with -DESTIMATOR_HEADER="ella_estimator.h" the Kalman filter.
  * All memory of the model is static here, so that .bss is what a caller needs.
  */
 #include "model.h"
+#ifdef ESTIMATOR_HEADER
+#include ESTIMATOR_HEADER
+#endif
 
 static M(parameters) parameters;
 static M(constants) constants;
@@ -14,6 +18,11 @@ static M(work) work;
 #ifdef DAE_FORM
 static M(dae_state) dae_state;
 static M(dae_work) dae_work;
+#endif
+#ifdef ESTIMATOR_HEADER
+static M(estimator) estimator;
+static M(measurement) measurement;
+static M(estimator_work) estimator_work;
 #endif
 
 /* What a controller would set and read; volatile, so that nothing is computed at compile time. */
@@ -41,6 +50,17 @@ int main(void)
             break;
         case 33:
             (void)M(dae_forward_dynamics)(&constants, &dae_state, &input, &dae_work, &output);
+            break;
+#endif
+#ifdef ESTIMATOR_HEADER
+        case 34:
+            (void)M(estimator_init)(&parameters, &state, &state, &estimator);
+            break;
+        case 35:
+            (void)M(estimator_predict)(&constants, &estimator, &input, dt, &estimator_work);
+            break;
+        case 36:
+            (void)M(estimator_update)(&constants, &estimator, &input, &measurement, &estimator_work);
             break;
 #endif
         default:

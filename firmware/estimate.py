@@ -1,0 +1,139 @@
+"""What the Kalman filter costs on a Cortex-M4F, and what it finds there: the example arm in float under QEMU.
+
+python firmware/estimate.py
+
+Prints a table and writes build/firmware_estimator.csv. The exit status is 1 where the filter misses its figure, 2 where
+a tool is missing or a program fails.
+"""
+
+from __future__ import annotations
+
+import csv
+import sys
+from dataclasses import dataclass
+
+from cross import Build, FirmwareError, Sources, run, size_of
+from emulate import Counter, Findings, read_findings
+from stack import worst_stacks
+from targets import COMMON, HERE, PACKAGES, TARGETS, Variant
+
+import screwgen
+from screwgen.errors import ScrewgenError
+
+ROOT = HERE.parent
+EXAMPLE = ROOT / "examples" / "ella.toml"
+OUT = ROOT / "build"
+WORK = OUT / "firmware_estimator"
+VARIANT = Variant(TARGETS["m4f"], "float", "fused", "runtime")
+PROGRAM, IMAGE = HERE / "target" / "estimate.c", HERE / "target" / "image.c"
+LIMIT = 0.1
+"""The filter's error over the open-loop model's, at most."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """Of the filter on the target: bytes, executed instructions, metres."""
+
+    flash: int
+    """Of the whole image with filter and joint form."""
+    flash_alone: int
+    """Of the image without the filter."""
+    ram: int
+    """The structs of the filter."""
+    stack: int
+    counts: dict[str, int]
+    errors: dict[str, float]
+    errors_on_host: dict[str, float]
+
+    @property
+    def part(self) -> float:
+        """The filter's error over the open-loop model's."""
+        return self.errors["filter"] / self.errors["open_loop"]
+
+
+def generate(model: screwgen.Model) -> Sources:
+    folder = WORK / "source"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, data in model.c_files(VARIANT.parameters, VARIANT.layout, estimator=True).items():
+        (folder / name).write_bytes(data)
+    return Sources(model.robot.name, folder)
+
+
+def on_host(sources: Sources, define: str) -> Findings:
+    """The same program in double on this machine."""
+    program = WORK / "estimate"
+    run("cc", *COMMON, "-O2", "-w", *sources.defines, define, PROGRAM, *sources.parts, "-lm", "-o", program)
+    return read_findings(run(program))
+
+
+def measure() -> Result:
+    """Compile for the target and for this machine, run both."""
+    target = VARIANT.target
+    if target.missing:
+        missing = ", ".join(target.missing)
+        raise FirmwareError(f"not installed: {missing}; on Debian: apt-get install {PACKAGES[target.name]}")
+    sources = generate(screwgen.derive(screwgen.load(EXAMPLE)))
+    build = Build(VARIANT, sources, WORK / VARIANT.name)
+    define = f'-DESTIMATOR_HEADER="{sources.name}_estimator.h"'
+    alone, whole = size_of(build, build.image(False)), size_of(build, build.link("filter", IMAGE, False, define))
+    program = build.link("estimate", PROGRAM, True, define)
+    found = Counter(WORK / "counter").run(build, program)
+    stacks = worst_stacks(build, program, [f"{sources.name}_{call}" for call in found.stacks])
+    for call, painted in found.stacks.items():
+        if painted > stacks[f"{sources.name}_{call}"]:
+            raise FirmwareError(f"{call} used {painted} bytes of stack, more than its call graph")
+    counts = {name: max(numbers) for name, numbers in found.counts.items()}
+    errors, host = ({n: 1e-9 * x for n, x in f.figures.items()} for f in (found, on_host(sources, define)))
+    return Result(whole.flash, alone.flash, sum(found.sizes.values()), max(stacks.values()), counts, errors, host)
+
+
+def text(r: Result) -> str:
+    """The table."""
+    lines = [("Cortex-M4F, float, ELLA with 9 coordinates", "")]
+    lines += [("flash: image with the filter", f"{r.flash:,} B"), ("flash: image without", f"{r.flash_alone:,} B")]
+    lines += [("RAM: structs of the filter", f"{r.ram:,} B"), ("stack: worst", f"{r.stack:,} B")]
+    names = {
+        "predict": "instructions: prediction",
+        "update": "instructions: update, 3 encoders and 4 gauges",
+        "update_acceleration": "instructions: with the accelerometer besides",
+    }
+    lines += [(title, f"{r.counts[name]:,}") for name, title in names.items()]
+    titles = {
+        "deflection": "tip deflection",
+        "open_loop": "error of the open-loop model",
+        "filter": "error of the filter",
+    }
+    for name, title in titles.items():
+        there, here = 1e3 * r.errors[name], 1e3 * r.errors_on_host[name]
+        lines.append((f"{title}, RMS", f"{there:.3f} mm (double on this machine: {here:.3f} mm)"))
+    lines.append(("filter over open loop", f"{r.part:.1%}"))
+    return "\n".join(f"{name:46} {value}".rstrip() for name, value in lines)
+
+
+def write(r: Result) -> None:
+    row = {"flash": r.flash, "flash_alone": r.flash_alone, "ram": r.ram, "stack": r.stack} | r.counts
+    row |= {f"error_{n}": f"{x:.3e}" for n, x in r.errors.items()}
+    row |= {f"error_{n}_on_host": f"{x:.3e}" for n, x in r.errors_on_host.items()}
+    with (OUT / "firmware_estimator.csv").open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, row, lineterminator="\n")
+        writer.writeheader()
+        writer.writerow(row)
+
+
+def main() -> int:
+    OUT.mkdir(exist_ok=True)
+    result = measure()
+    print(text(result))
+    write(result)
+    if result.part > LIMIT:
+        print(f"the filter's error is {result.part:.1%} of the open-loop model's, the limit is {LIMIT:.0%}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (FirmwareError, ScrewgenError) as error:
+        print(f"firmware: error: {error}", file=sys.stderr)
+        sys.exit(2)

@@ -2,7 +2,9 @@
 
 import os
 import shutil
+import signal
 import tempfile
+import threading
 from collections import Counter
 
 import hypothesis.configuration
@@ -16,6 +18,12 @@ hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdi
 settings.register_profile("screwgen", derandomize=True, deadline=None, database=None, print_blob=False)
 settings.load_profile("screwgen")
 os.environ.setdefault("SCREWGEN_CACHE", os.path.join(tempfile.gettempdir(), f"screwgen-cache-{os.getuid()}"))
+
+
+def pytest_configure():
+    """A job in the background of a shell ignores Ctrl-C, and so would all that it starts."""
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def require_tool(name: str) -> str:

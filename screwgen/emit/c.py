@@ -15,7 +15,7 @@ from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
 from . import c_batch, c_derivatives, c_estimator
-from .c_code import Writer, literal, sizes, trimmed
+from .c_code import Writer, literal, sizes, trimmed, with_unused
 from .c_fields import (
     body_count,
     constant_fields,
@@ -202,7 +202,7 @@ class CProject:
         lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
-        return ignored + [f"(void){x};" for x in self._unused(lines)] + lines
+        return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
 
     @property
     def _batch(self) -> dict:
@@ -219,10 +219,6 @@ class CProject:
     def masked(self) -> bool:
         """Whether one word has a bit for every link."""
         return self.chain.n <= MASK_BITS
-
-    def _unused(self, lines: list[str]) -> list[str]:
-        text = "\n".join(lines)
-        return [x for x in ("state", "input", "work") if f"{x}->" not in text] + ["m_eta"] * ("m_eta[" not in text)
 
     @cached_property
     def operations(self) -> dict[str, int]:

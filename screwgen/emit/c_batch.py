@@ -8,7 +8,7 @@ from ..chain import fuse
 from ..chain.chain import Chain
 from ..lower.program import Node, Program
 from ..lower.split import KEPT, split
-from .c_code import ATOM, Writer
+from .c_code import ATOM, Writer, with_unused
 
 Place = Callable[[str, int], str]
 
@@ -80,11 +80,7 @@ def _lines(program: Program, name: str, place: Place) -> list[str]:
     pointers = ("c", "state", "input", "work", "output")
     taken = {*pointers, KEPT, "bad", "sin_q", "cos_q"}
     lines = LaneWriter(program, f"{name}_lanes", kept_or, _no_guard, taken, apart=True).lines()
-    text = "\n".join(lines)
-    unused = [x for x in pointers if f"{x}->" not in text] + [
-        x for x in ("sin_q", "cos_q", KEPT) if f"{x}[" not in text
-    ]
-    return [f"(void){x};" for x in unused] + lines
+    return with_unused((*pointers, "sin_q", "cos_q", KEPT), lines)
 
 
 def _no_guard(test: str, link: int) -> str:

@@ -6,6 +6,7 @@ what it computes.  The grouping of the program is kept, so C and the judge round
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -222,6 +223,12 @@ class Writer:
 def trimmed(lines: list[str]) -> list[str]:
     """The body of a function that has nothing before it."""
     return lines[1:] if lines[:1] == [""] else lines
+
+
+def with_unused(names: Iterable[str], lines: list[str]) -> list[str]:
+    """The body of a function that says which of its pointers it does not use."""
+    text = "\n".join(lines)
+    return [f"(void){x};" for x in names if not re.search(rf"\b{x}(->|\[)", text)] + lines
 
 
 def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:

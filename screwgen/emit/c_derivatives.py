@@ -10,7 +10,7 @@ from ..chain.linearise import linearisation
 from ..errors import UsageError
 from ..lower.program import Program
 from ..lower.split import KEPT, split
-from .c_code import Writer
+from .c_code import Writer, with_unused
 
 Place = Callable[[str, int], str]
 
@@ -90,8 +90,7 @@ def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
     fail = lambda test, link: f"if ({test}) {{ work->fault = {link}; return {name.upper()}_SINGULAR; }}"  # noqa: E731
     pointers = ("c", "state", "input", "work", "out")
     lines = PieceWriter(program, name, placed, fail, {*pointers, KEPT}, apart=True).lines()
-    text = "\n".join(lines)
-    return [f"(void){x};" for x in pointers if f"{x}->" not in text] + lines
+    return with_unused(pointers, lines)
 
 
 def _triangle(k: int) -> tuple[int, int]:

@@ -8,7 +8,7 @@ from ..chain.tip_acceleration import tip_acceleration
 from ..lower.program import Program
 from ..lower.split import KEPT, split
 from ..spec.parameters import parameters
-from .c_code import literal
+from .c_code import literal, with_unused
 from .c_derivatives import LIMIT, PIECE, PieceWriter, Place, check_size
 
 FILES = ("estimator.h", "estimator.c")
@@ -73,8 +73,7 @@ def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
 
     pointers = ("c", "state", "work")
     lines = PieceWriter(program, name, placed, _no_guard, {*pointers, KEPT}, apart=True).lines()
-    text = "\n".join(lines)
-    return [f"(void){x};" for x in pointers if f"{x}->" not in text] + lines
+    return with_unused(pointers, lines)
 
 
 def _no_guard(test: str, link: int) -> str:

@@ -9,7 +9,7 @@ from ..chain.parameters import label
 from ..lower.program import Program, live
 from ..lower.split import KEPT, split
 from ..spec.parameters import parameters
-from .c_code import Writer, trimmed
+from .c_code import Writer, trimmed, with_unused
 from .c_derivatives import PIECE, PieceWriter
 from .c_fields import parameter_member
 from .c_links import RUNS
@@ -104,5 +104,4 @@ def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[
 
     pointers = ("c", "state", "extra", "kept", "energy")
     lines = PieceWriter(program, project.name, place, lambda _, __: "", set(pointers), apart=True).lines()
-    text = "\n".join(lines)
-    return [f"(void){x};" for x in pointers if f"{x}->" not in text and f"{x}[" not in text] + lines
+    return with_unused(pointers, lines)

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "driver.h"
 #include "robot.h"
 
 typedef robot_real real;
@@ -45,27 +46,6 @@ enum { WILD_COUNT = (int)(sizeof WILD / sizeof WILD[0]), ROUNDS = 400 };
 
 static robot_constants constants;
 static long calls[4];
-static int failures;
-
-/* What the functions are given: a block of its own, so that reading or writing past its end shows. */
-static void *scratch(size_t size)
-{
-    void *block = malloc(size);
-    if (!block) {
-        exit(3);
-    }
-#ifdef FILL
-    memset(block, FILL, size);
-#endif
-    return block;
-}
-
-static void expect(int good, const char *what, int number)
-{
-    if (!good && ++failures < 20) {
-        printf("%s (%d)\n", what, number);
-    }
-}
 
 static robot_status counted(robot_status status)
 {

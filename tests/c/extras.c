@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "driver.h"
 #include "robot_batch.h"
 #include "robot_derivatives.h"
 
@@ -21,26 +22,6 @@ static const batch_step STEPS[] = { EACH_METHOD(X) };
 enum { METHODS = (int)(sizeof STEPS / sizeof STEPS[0]), ROUNDS = 60, COUNT = 11, STRIDE = 13 };
 
 static robot_constants constants;
-static int failures;
-
-static void expect(int good, const char *what, int number)
-{
-    if (!good && ++failures < 20) {
-        printf("%s (%d)\n", what, number);
-    }
-}
-
-static void *scratch(size_t size)
-{
-    void *block = malloc(size);
-    if (!block) {
-        exit(3);
-    }
-#ifdef FILL
-    memset(block, FILL, size);
-#endif
-    return block;
-}
 
 /* Uniform in [-1, 1), or now and then something wild. */
 static real draw(int wild)

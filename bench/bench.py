@@ -39,8 +39,11 @@ ops: operations of straight-line code; multiplications, additions, divisions and
 alike. instr: executed instructions, by callgrind. KiB: code and constants of the function, without
 libm. ±: half the distance between the quartiles over the median. peak: operations per second over
 the machine's rate of scalar multiplications and additions, measured in the same processes.
-screwgen's functions also check for numbers that are not finite and return a status. Where wrenches
-are said, and against CasADi's C of the same function, joint wrenches and tip pose are included."""
+All C is compiled with the flags of the title. screwgen's source has GCC compile the dynamics for
+processors with AVX too, and that runs where there is one (KiB counts it alone); the rows -mavx
+give it to CasADi's C by a flag. screwgen's functions also check for numbers that are not finite
+and return a status. Where wrenches are said, and against CasADi's C of the same function, joint
+wrenches and tip pose are included."""
 MEDIANS = "the same function in CasADi's C, all robots above; ratio: median of their ratios"
 
 
@@ -75,6 +78,7 @@ def same_function_medians(rows: list[Row]) -> list[Row]:
     out, more = [], [f", {robot}" for robot in gs.MORE]
     for title, kinds, bound in (
         ("CasADi, constants as inputs", ("CasADi", *(f"CasADi{r}" for r in more)), 1.2),
+        (gs.AVX, (gs.AVX, *(f"{gs.AVX}{r}" for r in more)), None),
         (gs.FROM_PARAMETERS, (gs.FROM_PARAMETERS, *(f"{gs.FROM_PARAMETERS}{r}" for r in more)), 1.2),
         ("CasADi, baked", ("CasADi, baked / baked", "CasADi, baked, cse / baked"), None),
     ):

@@ -166,6 +166,12 @@ def theirs(model: Model, title: str, library: Library, *defines: str, exact=True
     return Contender(library.name, title, library, "adapter_casadi.c", model.robot.name, defined, exact=exact, **more)
 
 
+def has_avx() -> bool:
+    """Whether this machine's processor has AVX."""
+    flags = Path("/proc/cpuinfo")
+    return flags.exists() and " avx " in flags.read_text()
+
+
 # ------------------------------------------------------------------------------------------------- states
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -18,6 +18,7 @@ from contenders import (
     casadi_function,
     casadi_library,
     data_header,
+    has_avx,
     ours,
     same_function,
     screwgen_library,
@@ -69,6 +70,8 @@ CONSTANTS = ("constants", "parameters", "baked")
 """Where CasADi has the constants from: they are inputs, it computes them from parameters at every call, numbers."""
 
 FROM_PARAMETERS = "CasADi from parameters"
+AVX = "CasADi, -mavx"
+"""As screwgen's own C is compiled where the processor has it."""
 
 
 def over(bound: float | None) -> tuple[float | None, float | None]:
@@ -114,6 +117,7 @@ def same(name: str) -> Group:
         ours(model, "auto", f"{auto.layout}, runtime", auto, against="auto"),
         _same(model, given, "casadi", "CasADi", "auto", bound),
         _same(model, given, "casadi_cse", "CasADi, cse", "auto", bound, cse=True),
+        *_with_avx(model, given, "casadi_avx", "auto"),
         _variant(model, other, "runtime", "other", "auto"),
         ours(model, "prepare", f"prepare + {auto.layout}", auto, "-DWITH_PREPARE", against="auto"),
         _same(model, own, "casadi_p", FROM_PARAMETERS, "auto", bound),
@@ -139,6 +143,7 @@ def more() -> Group:
             ours(model, f"{r}_auto", f"{auto.layout}, {r}", auto, against=f"{r}_auto"),
             _same(model, given, f"{r}_casadi", f"CasADi, {r}", f"{r}_auto", over(1.0), extra="-DEXTRA=data_c"),
             _same(model, own, f"{r}_p", f"{FROM_PARAMETERS}, {r}", f"{r}_auto", over(1.0), extra="-DEXTRA=data_p"),
+            *_with_avx(model, given, f"{r}_avx", f"{r}_auto", f", {r}"),
         ]
     return group
 
@@ -251,9 +256,17 @@ def _lagrangian(model, title: str, name: str, against: str, tuned: bool, target)
     return theirs(model, f"CasADi {title}", library, *PLAIN, against=against, target=target)
 
 
-def _same(model, program, name, title, against: str, target, cse=False, real="double", extra="") -> Contender:
+def _with_avx(model, program, name: str, against: str, more="") -> list[Contender]:
+    """CasADi's C for processors with AVX; nothing where the machine is none."""
+    if not has_avx():
+        return []
+    return [_same(model, program, name, AVX + more, against, over(1.0), extra="-DEXTRA=data_c", flags=("-mavx",))]
+
+
+def _same(model, program, name, title, against, target, cse=False, real="double", extra="", flags=()) -> Contender:
     options = {"casadi_real": real} if real != "double" else None
     library = casadi_library(casadi_function(program, name, cse), options)
+    library = replace(library, defines=(*library.defines, *flags))
     extra = extra or {"casadi_p": "-DEXTRA=data_p"}.get(name, "-DBAKED" if "baked" in name else "-DEXTRA=data_c")
     defines = (extra, *([f"-Dcasadi_real={real}"] if options else []))
     return theirs(model, title, library, *defines, against=against, target=target, exact=not options)

@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from contenders import Contender, Library
+from contenders import Contender, Library, has_avx
 
 HERE = Path(__file__).resolve().parent
 COMMON = ("-std=c99", "-ffunction-sections", "-fdata-sections", "-w")
@@ -123,8 +123,8 @@ class Program:
         command("objcopy", f"--keep-global-symbol={c.symbol}", f"--keep-global-symbol={c.symbol}_call", whole)
 
     def _partial(self, out: Path, entries: Sequence[str], objects: Sequence[Path]) -> None:
-        """Objects as one, without what the entries do not reach."""
-        keep = [f"-Wl,-u,{entry}" for entry in entries]
+        """Objects as one, without what the entries do not reach; no group of sections stands for another's."""
+        keep = ["-Wl,--force-group-allocation", *(f"-Wl,-u,{entry}" for entry in entries)]
         command(self.compiler.name, "-r", "-nostdlib", "-Wl,--gc-sections", *keep, "-o", out, *objects)
 
     def _link(self) -> None:
@@ -184,9 +184,11 @@ class Program:
         return {name: int(count.replace(",", "")) / calls for count, name in found}
 
     def text_size(self, c: Contender) -> int | None:
-        """Bytes of code and constants that the entries of a contender's library need."""
+        """Bytes of code and constants that the entries of a contender's library need on this machine's processor."""
         if not c.library.sources:
             return None
         out = self.folder / f"{c.name}.reachable.o"
         self._partial(out, c.library.entries, self.objects[c.library.name])
-        return int(command("size", out).splitlines()[1].split()[0])
+        symbols = [line.split() for line in command("nm", "-S", out).splitlines()]
+        idle = sum(int(s[1], 16) for s in symbols if s[-1].endswith(".default")) if has_avx() else 0
+        return int(command("size", out).splitlines()[1].split()[0]) - idle

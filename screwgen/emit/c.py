@@ -32,14 +32,12 @@ from .reference import cases, rounding_error
 from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
-FUSED_BEST = 1950
-"""Up to this many operations ``auto`` writes the joint form in one piece."""
-MODULAR_BEST = 2900
-"""Up to this many operations in its functions ``auto`` writes a longer joint form as functions of its own: at about 13
-bytes each they stay in a first-level cache of 32 KiB."""
+FUSED_BEST = 2600
+"""Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a first-level
+cache of 32 KiB."""
 SHARED = 0.75
-"""So do those that links share: where they hold less than this part of what is run, functions win at any length."""
-FUSED_MOST = 16_000
+"""Beyond, it writes functions where those that links share hold less than this part of what is run."""
+FUSED_MOST = 14_000
 """The largest function that is written: compilers need more than twice the time for twice the length."""
 
 ASKED = {"wrench": "WRENCHES", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
@@ -82,7 +80,7 @@ class CProject:
         if asked != "auto":
             return asked
         written = sizes({id(p.program): p.program for p in passages}.values())
-        modular = size > FUSED_BEST and (written <= MODULAR_BEST or written < SHARED * size)
+        modular = size > FUSED_BEST and written < SHARED * size
         return "modular" if modular or size > FUSED_MOST else "fused"
 
     def files(self) -> dict[str, str]:

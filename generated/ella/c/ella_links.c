@@ -27,42 +27,40 @@ static const int M_PLACE[ELLA_NNZ] = {
 };
 static const int M_OFFSET[ELLA_NLINKS] = { 0, 178 };
 
-/* kinematics, links like upper_arm: 150 operations */
-static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 2], const ella_real qdot[restrict 2],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3])
+/* dae kinematics, links like upper_arm: 161 operations */
+ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
+    ella_node *restrict tip, const ella_real q[restrict 2], const ella_real twist[restrict 6],
+    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     ella_real R_rel_xz, R_rel_zz;
     ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    link->R_rel[2] = R_rel_xz;
-    link->R_rel[7] = R_rel_zz;
     ella_real R_rel_yx, R_rel_yy;
     ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
-    link->R_rel[3] = R_rel_yx;
     link->A[0] = R_rel_yx;
-    link->R_rel[4] = R_rel_yy;
     link->A[1] = R_rel_yy;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    link->R_rel[0] = R_rel_xx;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    link->R_rel[1] = minus_R_rel_xy;
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
-    link->R_rel[5] = minus_R_rel_zx;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
-    link->R_rel[6] = R_rel_zy;
+
+    const ella_real t1 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
+    if (!(t1 - ELLA_REAL_EPSILON * 64 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t2 = 1 / t1;
+    const ella_real qdot_1 = R_rel_yx * t2 * twist[0] + R_rel_yy * t2 * twist[1];
+    qdot[0] = qdot_1;
 
     /* omega_J: angular velocity of the link relative to its parent's tip */
-    const ella_real omega_J_x = R_rel_yx * qdot[0];
+    const ella_real omega_J_x = R_rel_yx * qdot_1;
     link->omega[0] = omega_J_x;
-    const ella_real omega_J_y = R_rel_yy * qdot[0];
+    const ella_real omega_J_y = R_rel_yy * qdot_1;
     link->omega[1] = omega_J_y;
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const ella_real t1 = qdot[0] * qdot[1];
-    const ella_real beta_omega_x = t1 * R_rel_yy;
+    const ella_real t3 = qdot_1 * twist[2];
+    const ella_real beta_omega_x = t3 * R_rel_yy;
     link->alpha_0[0] = beta_omega_x;
-    const ella_real minus_beta_omega_y = t1 * R_rel_yx;
+    const ella_real minus_beta_omega_y = t3 * R_rel_yx;
     link->alpha_0[1] = -minus_beta_omega_y;
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
@@ -93,13 +91,13 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real t2 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t2;
+    const ella_real t4 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t4;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real t3 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t3;
+    const ella_real t5 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t5;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real theta_hat2_23 = theta_y * theta_z;
@@ -144,64 +142,63 @@ static ella_status kinematics_upper_arm(const ella_link_constants *restrict c, e
     const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t4 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t4;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t4;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t4;
+    const ella_real t6 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real omega_s_x = c2 * t6;
+    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t6;
+    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t6;
 
     /* xdot: rate of the squared angle */
     const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t3 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t5 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t2 * REAL(1.5) - t3 * REAL(0.5));
+    const ella_real c3dot = xdot * (t4 * REAL(1.5) - t5 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t4;
-    const ella_real alpha_s_y = c3 * thetadot_z * t4 + c3dot * theta_z * t4;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t4 + c3dot * theta_y * t4;
+    const ella_real alpha_s_x = c2dot * t6;
+    const ella_real alpha_s_y = c3 * thetadot_z * t6 + c3dot * theta_z * t6;
+    const ella_real minus_alpha_s_z = c3 * thetadot_y * t6 + c3dot * theta_y * t6;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_1 = omega_J_x + omega_s_x;
     tip->omega[0] = omega_T_1;
     const ella_real omega_T_2 = omega_J_y + omega_s_y;
     tip->omega[1] = omega_T_2;
-    const ella_real omega_T_3 = qdot[1] + omega_s_z;
+    const ella_real omega_T_3 = twist[2] + omega_s_z;
     tip->omega[2] = omega_T_3;
-    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - qdot[1] * omega_s_y);
+    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - twist[2] * omega_s_y);
     tip->alpha_0[0] = alpha_0_T_1;
-    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (qdot[1] * omega_s_x - omega_J_x * omega_s_z);
+    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (twist[2] * omega_s_x - omega_J_x * omega_s_z);
     tip->alpha_0[1] = alpha_0_T_2;
     const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
     tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t5 = omega_J_y * r_T_z - qdot[1] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t6 = qdot[1] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t7 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t7 - qdot[1] * t6);
+    const ella_real t7 = omega_J_y * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
+    const ella_real t8 = twist[2] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
+    const ella_real t9 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
+    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t9 - twist[2] * t8);
     tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t5 - omega_J_x * t7);
+    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t7 - omega_J_x * t9);
     tip->alpha_0[4] = alpha_0_T_5;
     const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t6 - omega_J_y * t5);
+        + (omega_J_x * t8 - omega_J_y * t7);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
-    link->omega[2] = qdot[1];
+    qdot[1] = twist[2];
+    link->omega[2] = twist[2];
     return ELLA_OK;
 }
 
-/* kinematics, links like forearm: 143 operations */
-static ella_status kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 1], const ella_real qdot[restrict 1],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3])
+/* dae kinematics, links like forearm: 143 operations */
+ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
+    ella_node *restrict tip, const ella_real q[restrict 1], const ella_real twist[restrict 6],
+    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     ella_real minus_R_rel_xy, R_rel_xx;
     ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
-    link->R_rel[1] = minus_R_rel_xy;
-    link->R_rel[0] = R_rel_xx;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -223,17 +220,18 @@ static ella_status kinematics_forearm(const ella_link_constants *restrict c, ell
     const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
         + base->R_T[8] * base->omega[2];
 
+    const ella_real qdot_1 = twist[2] - omega_R_3;
+    qdot[0] = qdot_1;
+
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real omega_z = omega_R_3 + qdot[0];
-    link->omega[2] = omega_z;
     const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
         + base->R_T[8] * base->alpha_0[2];
     link->alpha_0[2] = alpha_0_3;
     const ella_real alpha_0_1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2]
-        + omega_R_2 * qdot[0];
+        + omega_R_2 * qdot_1;
     link->alpha_0[0] = alpha_0_1;
     const ella_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2]
-        - omega_R_1 * qdot[0];
+        - omega_R_1 * qdot_1;
     link->alpha_0[1] = alpha_0_2;
     const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
@@ -297,14 +295,14 @@ static ella_status kinematics_forearm(const ella_link_constants *restrict c, ell
     link->R_T[5] = R_T_zz;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t1 = omega_R_2 * r_T_z - omega_z * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t2 = omega_z * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
+    const ella_real t1 = omega_R_2 * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
+    const ella_real t2 = twist[2] * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
     const ella_real t3 = omega_R_1 * r_T_y - omega_R_2 * r_T_x + etadot[2] * 4;
     const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t3 - omega_z * t2);
+        + (omega_R_2 * t3 - twist[2] * t2);
     tip->alpha_0[3] = alpha_0_T_4;
     const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * r_T_x - alpha_0_1 * r_T_z)
-        + (omega_z * t1 - omega_R_1 * t3);
+        + (twist[2] * t1 - omega_R_1 * t3);
     tip->alpha_0[4] = alpha_0_T_5;
     const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * r_T_x)
         + (omega_R_1 * t2 - omega_R_2 * t1);
@@ -314,11 +312,12 @@ static ella_status kinematics_forearm(const ella_link_constants *restrict c, ell
     link->R_P[2] = base->R_T[2];
     link->R_P[5] = base->R_T[5];
     link->R_P[8] = base->R_T[8];
+    link->omega[2] = twist[2];
     return ELLA_OK;
 }
 
 /* eliminate, links like upper_arm: 830 operations */
-static ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
+ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
     const ella_real eta[restrict 3], const ella_real etadot[restrict 3], const ella_real w_ext[restrict 6],
     const ella_real m_eta[restrict 3], const ella_real f_eta[restrict 3], const ella_real tau[restrict 2])
 {
@@ -678,7 +677,7 @@ static ella_status eliminate_upper_arm(const ella_link_constants *restrict c, el
 }
 
 /* eliminate, links like forearm: 620 operations */
-static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
+ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
     const ella_node *restrict tip, const ella_real eta[restrict 3], const ella_real etadot[restrict 3],
     const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 3],
     const ella_real f_eta[restrict 3], const ella_real tau[restrict 1])
@@ -1040,496 +1039,8 @@ static ella_status eliminate_forearm(const ella_link_constants *restrict c, ella
     return ELLA_OK;
 }
 
-/* accelerate, links like upper_arm: 60 operations */
-static ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
-    ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real etaddot[restrict 3])
-{
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real qddot_1 = link->joint_w[0] - link->joint_L[0] * link->joint_w[1];
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_1 = link->A[0] * qddot_1;
-    const ella_real delta_2 = link->A[1] * qddot_1;
-    const ella_real t1 = link->modes_w[0]
-        + (link->modes_W[0] * delta_1 + link->modes_W[1] * delta_2 + link->modes_W[2] * link->joint_w[1]);
-    const ella_real t2 = link->modes_w[1]
-        + (link->modes_W[6] * delta_1 + link->modes_W[7] * delta_2 + link->modes_W[8] * link->joint_w[1]);
-    const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * delta_1 + link->modes_W[13] * delta_2 + link->modes_W[14] * link->joint_w[1]);
-    etaddot[2] = -minus_etaddot_3;
-    const ella_real minus_etaddot_2 = t2 - link->modes_L[2] * minus_etaddot_3;
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_1 = t1 - link->modes_L[0] * minus_etaddot_2
-        - link->modes_L[1] * minus_etaddot_3;
-    etaddot[0] = -minus_etaddot_1;
-
-    /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t3 = c->Psi_c_y3 * minus_etaddot_3;
-    const ella_real t4 = c->Psi_c_z2 * minus_etaddot_2;
-    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t3 - link->J_l[2] * t4);
-    tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t3 + link->J_l[4] * t4);
-    tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t3 + link->J_l[5] * t4);
-    tip->delta[2] = delta_T_3;
-    const ella_real delta_T_4 = delta_2 * link->r_T[2] - link->joint_w[1] * link->r_T[1]
-        - minus_etaddot_1 * REAL(1.4142135623730951);
-    tip->delta[3] = delta_T_4;
-    const ella_real delta_T_5 = link->joint_w[1] * link->r_T[0] - delta_1 * link->r_T[2] - minus_etaddot_2 * 2;
-    tip->delta[4] = delta_T_5;
-    const ella_real delta_T_6 = delta_1 * link->r_T[1] - delta_2 * link->r_T[0] - minus_etaddot_3 * 2;
-    tip->delta[5] = delta_T_6;
-
-    /* outputs */
-    qddot[1] = link->joint_w[1];
-
-    if (wrench) {
-        /* outputs */
-        wrench[0] = link->p_i[0];
-        wrench[1] = link->p_i[1];
-        wrench[2] = link->p_i[2];
-        wrench[3] = link->p_i[3];
-        wrench[4] = link->p_i[4];
-        wrench[5] = link->p_i[5];
-    }
-    return ELLA_OK;
-}
-
-/* accelerate, links like forearm: 103 operations */
-static ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
-    ella_real wrench[restrict 6], ella_real etaddot[restrict 3])
-{
-    /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
-        + link->R_P[6] * base->delta[2];
-    const ella_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
-        + link->R_P[7] * base->delta[2];
-    const ella_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
-        + link->R_P[8] * base->delta[2];
-    const ella_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
-        + link->R_P[6] * base->delta[5];
-    const ella_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
-        + link->R_P[7] * base->delta[5];
-    const ella_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
-        + link->R_P[8] * base->delta[5];
-    const ella_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2 + carried_3
-        + link->joint_W[2] * carried_4;
-    const ella_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[3] * carried_5);
-    qddot[0] = qddot_1;
-
-    /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_3 = carried_3 + qddot_1;
-    const ella_real minus_etaddot_1 = link->modes_w[0]
-        + (link->modes_W[1] * carried_2 + link->modes_W[2] * delta_3 + link->modes_W[3] * carried_4);
-    etaddot[0] = -minus_etaddot_1;
-    const ella_real minus_etaddot_2 = link->modes_w[1]
-        + (link->modes_W[6] * carried_1 + link->modes_W[8] * delta_3 + link->modes_W[10] * carried_5);
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * carried_1 + link->modes_W[13] * carried_2 + link->modes_W[17] * carried_6);
-    etaddot[2] = -minus_etaddot_3;
-
-    if (wrench) {
-        /* joint wrench (48) */
-        const ella_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
-            + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t2 + link->Lambda_i[4] * carried_6 + link->p_i[0];
-        wrench[0] = wrench_1;
-        const ella_real wrench_2 = t3 + link->Lambda_i[8] * carried_6 + link->p_i[1];
-        wrench[1] = wrench_2;
-        const ella_real wrench_4 = t4 + link->p_i[3];
-        wrench[3] = wrench_4;
-        const ella_real wrench_5 = t5 + link->p_i[4];
-        wrench[4] = wrench_5;
-        const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
-            + link->Lambda_i[14] * carried_6 + link->p_i[5];
-        wrench[5] = wrench_6;
-
-        /* outputs */
-        wrench[2] = link->p_i[2];
-    }
-    return ELLA_OK;
-}
-
-/* poses, links like upper_arm: 52 operations */
-static ella_status poses_upper_arm(const ella_link_store *restrict link, ella_node *restrict tip)
-{
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const ella_real R_tip_xx = link->R_rel[0] * link->R_T[0] - link->R_rel[1] * link->R_T[1]
-        - link->R_rel[2] * link->R_T[2];
-    tip->R[0] = R_tip_xx;
-    const ella_real R_tip_xy = link->R_rel[2] * link->R_T[4]
-        - (link->R_rel[1] * link->R_T[3] + link->R_rel[0] * link->R_T[1]);
-    tip->R[1] = R_tip_xy;
-    const ella_real R_tip_xz = link->R_rel[0] * link->R_T[2] - link->R_rel[1] * link->R_T[4]
-        + link->R_rel[2] * link->R_T[5];
-    tip->R[2] = R_tip_xz;
-    const ella_real R_tip_yx = link->R_rel[3] * link->R_T[0] + link->R_rel[4] * link->R_T[1];
-    tip->R[3] = R_tip_yx;
-    const ella_real R_tip_yy = link->R_rel[4] * link->R_T[3] - link->R_rel[3] * link->R_T[1];
-    tip->R[4] = R_tip_yy;
-    const ella_real R_tip_yz = link->R_rel[3] * link->R_T[2] + link->R_rel[4] * link->R_T[4];
-    tip->R[5] = R_tip_yz;
-    const ella_real R_tip_zx = link->R_rel[6] * link->R_T[1] - link->R_rel[5] * link->R_T[0]
-        - link->R_rel[7] * link->R_T[2];
-    tip->R[6] = R_tip_zx;
-    const ella_real R_tip_zy = link->R_rel[6] * link->R_T[3] + link->R_rel[5] * link->R_T[1]
-        + link->R_rel[7] * link->R_T[4];
-    tip->R[7] = R_tip_zy;
-    const ella_real R_tip_zz = link->R_rel[6] * link->R_T[4] - link->R_rel[5] * link->R_T[2]
-        + link->R_rel[7] * link->R_T[5];
-    tip->R[8] = R_tip_zz;
-    const ella_real r_tip_x = link->R_rel[0] * link->r_T[0] - link->R_rel[1] * link->r_T[1]
-        + link->R_rel[2] * link->r_T[2];
-    tip->r[0] = r_tip_x;
-    const ella_real r_tip_y = link->R_rel[3] * link->r_T[0] + link->R_rel[4] * link->r_T[1];
-    tip->r[1] = r_tip_y;
-    const ella_real r_tip_z = link->R_rel[6] * link->r_T[1] - link->R_rel[5] * link->r_T[0]
-        + link->R_rel[7] * link->r_T[2];
-    tip->r[2] = r_tip_z;
-    return ELLA_OK;
-}
-
-/* poses, links like forearm: 81 operations */
-static ella_status poses_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_node *restrict tip)
-{
-    /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const ella_real R_xx = base->R[0] * link->R_rel[0] + base->R[1] * link->R_rel[1];
-    const ella_real R_xy = base->R[1] * link->R_rel[0] - base->R[0] * link->R_rel[1];
-    const ella_real R_yx = base->R[3] * link->R_rel[0] + base->R[4] * link->R_rel[1];
-    const ella_real R_yy = base->R[4] * link->R_rel[0] - base->R[3] * link->R_rel[1];
-    const ella_real R_zx = base->R[6] * link->R_rel[0] + base->R[7] * link->R_rel[1];
-    const ella_real R_zy = base->R[7] * link->R_rel[0] - base->R[6] * link->R_rel[1];
-
-    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
-    const ella_real R_tip_xx = R_xx * link->R_T[0] + R_xy * link->R_T[1] - base->R[2] * link->R_T[2];
-    tip->R[0] = R_tip_xx;
-    const ella_real R_tip_xy = R_xy * link->R_T[3] - R_xx * link->R_T[1] + base->R[2] * link->R_T[4];
-    tip->R[1] = R_tip_xy;
-    const ella_real R_tip_xz = R_xx * link->R_T[2] + R_xy * link->R_T[4] + base->R[2] * link->R_T[5];
-    tip->R[2] = R_tip_xz;
-    const ella_real R_tip_yx = R_yx * link->R_T[0] + R_yy * link->R_T[1] - base->R[5] * link->R_T[2];
-    tip->R[3] = R_tip_yx;
-    const ella_real R_tip_yy = R_yy * link->R_T[3] - R_yx * link->R_T[1] + base->R[5] * link->R_T[4];
-    tip->R[4] = R_tip_yy;
-    const ella_real R_tip_yz = R_yx * link->R_T[2] + R_yy * link->R_T[4] + base->R[5] * link->R_T[5];
-    tip->R[5] = R_tip_yz;
-    const ella_real R_tip_zx = R_zx * link->R_T[0] + R_zy * link->R_T[1] - base->R[8] * link->R_T[2];
-    tip->R[6] = R_tip_zx;
-    const ella_real R_tip_zy = R_zy * link->R_T[3] - R_zx * link->R_T[1] + base->R[8] * link->R_T[4];
-    tip->R[7] = R_tip_zy;
-    const ella_real R_tip_zz = R_zx * link->R_T[2] + R_zy * link->R_T[4] + base->R[8] * link->R_T[5];
-    tip->R[8] = R_tip_zz;
-    const ella_real r_tip_x = base->r[0]
-        + (R_xx * link->r_T[0] + R_xy * link->r_T[1] + base->R[2] * link->r_T[2]);
-    tip->r[0] = r_tip_x;
-    const ella_real r_tip_y = base->r[1]
-        + (R_yx * link->r_T[0] + R_yy * link->r_T[1] + base->R[5] * link->r_T[2]);
-    tip->r[1] = r_tip_y;
-    const ella_real r_tip_z = base->r[2]
-        + (R_zx * link->r_T[0] + R_zy * link->r_T[1] + base->R[8] * link->r_T[2]);
-    tip->r[2] = r_tip_z;
-    return ELLA_OK;
-}
-
-/* dae kinematics, links like upper_arm: 161 operations */
-static ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 2], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 2])
-{
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz, R_rel_zz;
-    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
-    link->A[0] = R_rel_yx;
-    link->A[1] = R_rel_yy;
-    const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
-    const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
-    const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
-    const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
-
-    const ella_real t1 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
-    if (!(t1 - ELLA_REAL_EPSILON * 64 > 0)) { return ELLA_SINGULAR; }
-    const ella_real t2 = 1 / t1;
-    const ella_real qdot_1 = R_rel_yx * t2 * twist[0] + R_rel_yy * t2 * twist[1];
-    qdot[0] = qdot_1;
-
-    /* omega_J: angular velocity of the link relative to its parent's tip */
-    const ella_real omega_J_x = R_rel_yx * qdot_1;
-    link->omega[0] = omega_J_x;
-    const ella_real omega_J_y = R_rel_yy * qdot_1;
-    link->omega[1] = omega_J_y;
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const ella_real t3 = qdot_1 * twist[2];
-    const ella_real beta_omega_x = t3 * R_rel_yy;
-    link->alpha_0[0] = beta_omega_x;
-    const ella_real minus_beta_omega_y = t3 * R_rel_yx;
-    link->alpha_0[1] = -minus_beta_omega_y;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
-        - minus_R_rel_zx * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_rel_yy * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3]
-        + R_rel_zy * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
-
-    /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real t4 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t4;
-    const ella_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const ella_real t5 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t5;
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
-    link->J_l[2] = J_l_xz;
-    const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
-    const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    link->R_T[0] = R_T_xx;
-    tip->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    tip->R_T[1] = -minus_R_T_xy;
-    tip->R_T[3] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
-    link->R_T[2] = R_T_xz;
-    tip->R_T[2] = R_T_xz;
-    tip->R_T[6] = -R_T_xz;
-    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    tip->R_T[4] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
-    tip->R_T[5] = R_T_yz;
-    tip->R_T[7] = R_T_yz;
-    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
-    tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t6 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t6;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t6;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t6;
-
-    /* xdot: rate of the squared angle */
-    const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t5 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t4 * REAL(1.5) - t5 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t6;
-    const ella_real alpha_s_y = c3 * thetadot_z * t6 + c3dot * theta_z * t6;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t6 + c3dot * theta_y * t6;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real omega_T_1 = omega_J_x + omega_s_x;
-    tip->omega[0] = omega_T_1;
-    const ella_real omega_T_2 = omega_J_y + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const ella_real omega_T_3 = twist[2] + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - twist[2] * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (twist[2] * omega_s_x - omega_J_x * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
-    tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t7 = omega_J_y * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t8 = twist[2] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t9 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t9 - twist[2] * t8);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t7 - omega_J_x * t9);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t8 - omega_J_y * t7);
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    qdot[1] = twist[2];
-    link->omega[2] = twist[2];
-    return ELLA_OK;
-}
-
-/* dae kinematics, links like forearm: 143 operations */
-static ella_status dae_kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 1], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 1])
-{
-    /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
-
-    /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
-    link->R_P[0] = R_P_11;
-    const ella_real R_P_12 = base->R_T[1] * R_rel_xx - base->R_T[0] * minus_R_rel_xy;
-    link->R_P[1] = R_P_12;
-    const ella_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * minus_R_rel_xy;
-    link->R_P[3] = R_P_21;
-    const ella_real R_P_22 = base->R_T[4] * R_rel_xx - base->R_T[3] * minus_R_rel_xy;
-    link->R_P[4] = R_P_22;
-    const ella_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * minus_R_rel_xy;
-    link->R_P[6] = R_P_31;
-    const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
-    link->R_P[7] = R_P_32;
-    const ella_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
-    link->omega[0] = omega_R_1;
-    const ella_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    link->omega[1] = omega_R_2;
-    const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
-        + base->R_T[8] * base->omega[2];
-
-    const ella_real qdot_1 = twist[2] - omega_R_3;
-    qdot[0] = qdot_1;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
-        + base->R_T[8] * base->alpha_0[2];
-    link->alpha_0[2] = alpha_0_3;
-    const ella_real alpha_0_1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2]
-        + omega_R_2 * qdot_1;
-    link->alpha_0[0] = alpha_0_1;
-    const ella_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2]
-        - omega_R_1 * qdot_1;
-    link->alpha_0[1] = alpha_0_2;
-    const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
-        + base->R_T[8] * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
-
-    /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
-
-    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
-
-    /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
-    const ella_real c1 = 1 - x * c3;
-
-    /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
-
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real theta_hat2_23 = theta_y * theta_z;
-
-    /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
-    link->J_l[2] = J_l_xz;
-    const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
-    const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    link->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
-    link->R_T[2] = R_T_xz;
-    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
-    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t1 = omega_R_2 * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t2 = twist[2] * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
-    const ella_real t3 = omega_R_1 * r_T_y - omega_R_2 * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t3 - twist[2] * t2);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * r_T_x - alpha_0_1 * r_T_z)
-        + (twist[2] * t1 - omega_R_1 * t3);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * r_T_x)
-        + (omega_R_1 * t2 - omega_R_2 * t1);
-    tip->alpha_0[5] = alpha_0_T_6;
-
-    /* outputs */
-    link->R_P[2] = base->R_T[2];
-    link->R_P[5] = base->R_T[5];
-    link->R_P[8] = base->R_T[8];
-    link->omega[2] = twist[2];
-    return ELLA_OK;
-}
-
 /* accelerate, links like upper_arm: 62 operations */
-static ella_status accelerate_upper_arm_2(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
+ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
     ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
     ella_real etaddot[restrict 3])
 {
@@ -1594,7 +1105,7 @@ static ella_status accelerate_upper_arm_2(const ella_link_constants *restrict c,
 }
 
 /* accelerate, links like forearm: 109 operations */
-static ella_status accelerate_forearm_2(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
+ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
     ella_real wrench[restrict 6], ella_real alpha[restrict 6], ella_real etaddot[restrict 3])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
@@ -1668,7 +1179,7 @@ static ella_status accelerate_forearm_2(const ella_link_store *restrict link, co
 }
 
 /* twist rates, links like upper_arm: 67 operations */
-static ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 4], const ella_real gravity[restrict 3],
+ELLA_PART ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 4], const ella_real gravity[restrict 3],
     const ella_real alpha[restrict 6], const ella_real twist[restrict 6], ella_real Vdot[restrict 6])
 {
     const ella_real t1 = quaternion[1] * quaternion[1];
@@ -1703,7 +1214,7 @@ static ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 4],
 }
 
 /* project, links like upper_arm: 342 operations */
-static ella_status project_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real twist[6],
+ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real twist[6],
     const ella_real eta[3], const ella_real etadot[3], const ella_real quaternion[4], ella_real new_q[2],
     ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
@@ -1932,7 +1443,7 @@ static ella_status project_upper_arm(const ella_link_constants *c, ella_node *ti
 }
 
 /* project, links like forearm: 103 operations */
-static ella_status project_forearm(const ella_node *base, const ella_real q[1], const ella_real twist[6], const ella_real quaternion[4],
+ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1], const ella_real twist[6], const ella_real quaternion[4],
     ella_real new_q[1], ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
     const ella_real t1 = quaternion[1] * quaternion[1];
@@ -2012,7 +1523,7 @@ static ella_status project_forearm(const ella_node *base, const ella_real q[1], 
 }
 
 /* forward kinematics, links like upper_arm: 193 operations */
-static ella_status forward_kinematics_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
+ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
     const ella_real eta[3], const ella_real etadot[3], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
@@ -2166,7 +1677,7 @@ static ella_status forward_kinematics_upper_arm(const ella_link_constants *c, el
 }
 
 /* forward kinematics, links like forearm: 138 operations */
-static ella_status forward_kinematics_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
+ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
     const ella_real qdot[1], const ella_real eta[3], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
@@ -2274,7 +1785,7 @@ static ella_status forward_kinematics_forearm(const ella_link_constants *c, cons
 }
 
 /* kinematics, links like upper_arm: 150 operations */
-static ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
+ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
     const ella_real q[2], const ella_real qdot[2], const ella_real eta[3], const ella_real etadot[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -2433,7 +1944,7 @@ static ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_lin
 }
 
 /* kinematics, links like forearm: 143 operations */
-static ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
+ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
     const ella_real q[1], const ella_real qdot[1], const ella_real eta[3], const ella_real etadot[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -2555,7 +2066,7 @@ static ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_
 }
 
 /* inverse outward, links like upper_arm: 31 operations */
-static ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
+ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
     const ella_real etaddot[3])
 {
     const ella_real delta_1 = link->A[0] * qddot[0];
@@ -2584,7 +2095,7 @@ static ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_
 }
 
 /* inverse outward, links like forearm: 49 operations */
-static ella_status inverse_outward_forearm(ella_link_store *link, const ella_node *base, ella_node *tip, const ella_real qddot[1],
+ELLA_PART ella_status inverse_outward_forearm(ella_link_store *link, const ella_node *base, ella_node *tip, const ella_real qddot[1],
     const ella_real etaddot[3])
 {
     const ella_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -2618,7 +2129,7 @@ static ella_status inverse_outward_forearm(ella_link_store *link, const ella_nod
 }
 
 /* inverse inward, links like upper_arm: 364 operations */
-static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
+ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
     const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
     ella_real force[2], ella_real wrench[6])
@@ -2806,7 +2317,7 @@ static ella_status inverse_inward_upper_arm(const ella_link_constants *c, const 
 }
 
 /* inverse inward, links like forearm: 411 operations */
-static ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
+ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
     const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
     ella_real force[1], ella_real wrench[6])
@@ -3004,7 +2515,7 @@ static ella_status inverse_inward_forearm(const ella_link_constants *c, const el
 }
 
 /* kinematics, links like upper_arm: 38 operations */
-static ella_status kinematics_upper_arm_3(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
+ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
     const ella_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -3076,7 +2587,7 @@ static ella_status kinematics_upper_arm_3(const ella_link_constants *c, ella_lin
 }
 
 /* kinematics, links like forearm: 24 operations */
-static ella_status kinematics_forearm_3(const ella_link_constants *c, ella_link_store *link, const ella_node *base, const ella_real q[1],
+ELLA_PART ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, const ella_real q[1],
     const ella_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -3113,7 +2624,7 @@ static ella_status kinematics_forearm_3(const ella_link_constants *c, ella_link_
 }
 
 /* inverse inward, links like upper_arm: 111 operations */
-static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
+ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
     ella_real force[2])
 {
@@ -3170,7 +2681,7 @@ static ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, cons
 }
 
 /* inverse inward, links like forearm: 164 operations */
-static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
+ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
     const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
     ella_real force[1])
 {
@@ -3252,7 +2763,7 @@ static ella_status inverse_inward_forearm_2(const ella_link_constants *c, const 
 }
 
 /* joint rows, links like upper_arm: 508 operations */
-static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real twist[6],
+ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real twist[6],
     const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
     const ella_real eta[3], const ella_real etadot[3], const ella_real tau[2], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
@@ -3617,7 +3128,7 @@ static ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_
 }
 
 /* joint rows, links like forearm: 469 operations */
-static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base, const ella_real twist[6],
+ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base, const ella_real twist[6],
     const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
     const ella_real eta[3], const ella_real etadot[3], const ella_real tau[1], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
@@ -3951,7 +3462,7 @@ static ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_st
 }
 
 /* link rows, links like upper_arm: 665 operations */
-static ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
+ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
     const ella_real m_eta[3], const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3],
     ella_real eta_W[3], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
@@ -4395,7 +3906,7 @@ static ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_
 }
 
 /* link rows, links like forearm: 476 operations */
-static ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link, const ella_real m_eta[3],
+ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link, const ella_real m_eta[3],
     const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3], ella_real eta_W[3],
     const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
@@ -4674,59 +4185,7 @@ static ella_status link_rows_forearm(const ella_link_constants *c, const ella_li
     return ELLA_OK;
 }
 
-static ella_status joint_dynamics_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    default:
-        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
-    }
-}
-
-static ella_status joint_dynamics_eliminate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
-    default:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
-    }
-}
-
-static ella_status joint_dynamics_accelerate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    default:
-        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->etaddot + e);
-    }
-}
-
-static ella_status joint_dynamics_poses(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return poses_upper_arm(&chain->links[i], &chain->nodes[i + 1]);
-    default:
-        return poses_forearm(&chain->links[i], &chain->nodes[i], &chain->nodes[i + 1]);
-    }
-}
-
-static ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4739,7 +4198,7 @@ static ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const el
     }
 }
 
-static ella_status dae_dynamics_eliminate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_eliminate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4752,27 +4211,27 @@ static ella_status dae_dynamics_eliminate(const ella_constants *c, const ella_ca
     }
 }
 
-static ella_status dae_dynamics_accelerate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_accelerate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     default:
-        return accelerate_forearm_2(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     }
 }
 
-static ella_status dae_dynamics_twist_rates(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_twist_rates(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
 }
 
-static ella_status projection_project(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status projection_project(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4785,7 +4244,7 @@ static ella_status projection_project(const ella_constants *c, const ella_call *
     }
 }
 
-static ella_status placement_forward_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status placement_forward_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4798,20 +4257,20 @@ static ella_status placement_forward_kinematics(const ella_constants *c, const e
     }
 }
 
-static ella_status inverse_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     default:
-        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
     }
 }
 
-static ella_status inverse_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4824,7 +4283,7 @@ static ella_status inverse_inverse_outward(const ella_constants *c, const ella_c
     }
 }
 
-static ella_status inverse_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4837,20 +4296,20 @@ static ella_status inverse_inverse_inward(const ella_constants *c, const ella_ca
     }
 }
 
-static ella_status inertia_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inertia_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_upper_arm_3(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+        return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     default:
-        return kinematics_forearm_3(&c->links[i], &chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
+        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
     }
 }
 
-static ella_status inertia_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inertia_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4863,7 +4322,7 @@ static ella_status inertia_inverse_outward(const ella_constants *c, const ella_c
     }
 }
 
-static ella_status inertia_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inertia_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4876,7 +4335,7 @@ static ella_status inertia_inverse_inward(const ella_constants *c, const ella_ca
     }
 }
 
-static ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4889,7 +4348,7 @@ static ella_status assembly_joint_rows(const ella_constants *c, const ella_call 
     }
 }
 
-static ella_status assembly_link_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status assembly_link_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -4911,46 +4370,7 @@ static void start(const ella_call *call, ella_chain *chain)
     }
 }
 
-ella_status ella_joint_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
-{
-    ella_status status;
-    int i;
-    start(call, chain);
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_kinematics(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = ELLA_NLINKS - 1; i >= 0; --i) {
-        status = joint_dynamics_eliminate(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_accelerate(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    if (!call->tip_pose) {
-        return ELLA_OK;
-    }
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        status = joint_dynamics_poses(c, call, chain, i);
-        if (status != ELLA_OK) {
-            *fault = i;
-            return status;
-        }
-    }
-    return ELLA_OK;
-}
-
-ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -4986,7 +4406,7 @@ ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, el
     return ELLA_OK;
 }
 
-ella_status ella_projection(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_projection(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -5000,7 +4420,7 @@ ella_status ella_projection(const ella_constants *c, const ella_call *call, ella
     return ELLA_OK;
 }
 
-ella_status ella_placement(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_placement(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -5014,7 +4434,7 @@ ella_status ella_placement(const ella_constants *c, const ella_call *call, ella_
     return ELLA_OK;
 }
 
-ella_status ella_inverse(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_inverse(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -5043,7 +4463,7 @@ ella_status ella_inverse(const ella_constants *c, const ella_call *call, ella_ch
     return ELLA_OK;
 }
 
-ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -5057,7 +4477,7 @@ ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call,
     return ELLA_OK;
 }
 
-ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;
@@ -5078,7 +4498,7 @@ ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, 
     return ELLA_OK;
 }
 
-ella_status ella_assembly(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_assembly(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
 {
     ella_status status;
     int i;

@@ -20,9 +20,6 @@ enum { ELLA_WRENCHES = 1, ELLA_TIP_POSE = 2 };
 ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     const ella_real *m_eta, ella_work *work, int wanted, ella_output *output);
 
-/* Joint form: accelerations, wrenches and poses by block elimination. */
-ella_status ella_joint_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
-
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
 ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 

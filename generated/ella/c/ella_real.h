@@ -53,6 +53,19 @@
 #define ELLA_LIBM
 #endif
 
+/* With GCC and glibc on x86-64 an optimised function so marked is compiled twice, the second time for processors with AVX,
+ * whose instructions have three operands and need fewer copies. Which one runs is decided when the program is loaded; the
+ * results are the same to the bit. -DELLA_ONE_TARGET leaves it out.
+ */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) \
+    && !defined(__AVX__) && !defined(__SANITIZE_THREAD__) && !defined(ELLA_ONE_TARGET)
+#define ELLA_TARGETS __attribute__((target_clones("avx", "default")))
+#define ELLA_PART static inline __attribute__((always_inline)) /* of a function compiled twice */
+#else
+#define ELLA_TARGETS
+#define ELLA_PART static
+#endif
+
 /* Sine and cosine of an angle; one of the two. */
 void ella_sine_cosine(ella_real x, ella_real *sine, ella_real *cosine);
 

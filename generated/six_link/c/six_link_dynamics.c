@@ -4,7 +4,7 @@
 #include "six_link_links.h"
 
 /* The whole chain in one piece: outward to the tip, inward with the eliminations, outward with the results. */
-six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *output)
 {
     unsigned long bad = 0; /* bit i: the joint or a mode of link i cannot be solved for */

@@ -41,7 +41,7 @@ static const int M_PLACE[SIX_LINK_NNZ] = {
 static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 257, 386, 435, 486 };
 
 /* dae kinematics, links like shoulder: 11 operations */
-static six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
@@ -70,7 +70,7 @@ static six_link_status dae_kinematics_shoulder(const six_link_link_constants *re
 }
 
 /* dae kinematics, links like upper_arm: 216 operations */
-static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], const six_link_real eta[restrict 3],
     const six_link_real etadot[restrict 3], six_link_real qdot[restrict 1])
@@ -268,7 +268,7 @@ static six_link_status dae_kinematics_upper_arm(const six_link_link_constants *r
 }
 
 /* dae kinematics, links like forearm: 287 operations */
-static six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], const six_link_real eta[restrict 2],
     const six_link_real etadot[restrict 2], six_link_real qdot[restrict 1])
@@ -462,7 +462,7 @@ static six_link_status dae_kinematics_forearm(const six_link_link_constants *res
 }
 
 /* dae kinematics, links like wrist_roll: 84 operations */
-static six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
@@ -538,7 +538,7 @@ static six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *
 }
 
 /* dae kinematics, links like wrist_pitch: 40 operations */
-static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
@@ -595,7 +595,7 @@ static six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants 
 }
 
 /* dae kinematics, links like flange: 40 operations */
-static six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
@@ -652,7 +652,7 @@ static six_link_status dae_kinematics_flange(const six_link_link_constants *rest
 }
 
 /* eliminate, links like shoulder: 113 operations */
-static six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
     const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
 {
@@ -730,7 +730,7 @@ static six_link_status eliminate_shoulder(const six_link_link_constants *restric
 }
 
 /* eliminate, links like upper_arm: 1223 operations */
-static six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 3],
     const six_link_real etadot[restrict 3], const six_link_real w_ext[restrict 6],
     const six_link_real m_eta[restrict 3], const six_link_real f_eta[restrict 3],
@@ -1254,7 +1254,7 @@ static six_link_status eliminate_upper_arm(const six_link_link_constants *restri
 }
 
 /* eliminate, links like forearm: 1028 operations */
-static six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 2],
     const six_link_real etadot[restrict 2], const six_link_real w_ext[restrict 6],
     const six_link_real m_eta[restrict 2], const six_link_real f_eta[restrict 2],
@@ -1725,7 +1725,7 @@ static six_link_status eliminate_forearm(const six_link_link_constants *restrict
 }
 
 /* eliminate, links like wrist_roll: 398 operations */
-static six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
     const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
 {
@@ -1950,7 +1950,7 @@ static six_link_status eliminate_wrist_roll(const six_link_link_constants *restr
 }
 
 /* eliminate, links like wrist_pitch: 240 operations */
-static six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
     const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
 {
@@ -2138,7 +2138,7 @@ static six_link_status eliminate_wrist_pitch(const six_link_link_constants *rest
 }
 
 /* eliminate, links like flange: 298 operations */
-static six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
     const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
 {
@@ -2323,7 +2323,7 @@ static six_link_status eliminate_flange(const six_link_link_constants *restrict 
 }
 
 /* accelerate, links like shoulder: 1 operations */
-static six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6],
     six_link_real alpha[restrict 6])
 {
@@ -2352,7 +2352,7 @@ static six_link_status accelerate_shoulder(const six_link_link_constants *restri
 }
 
 /* accelerate, links like upper_arm: 165 operations */
-static six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 3])
 {
@@ -2453,7 +2453,7 @@ static six_link_status accelerate_upper_arm(const six_link_link_constants *restr
 }
 
 /* accelerate, links like forearm: 191 operations */
-static six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 2])
 {
@@ -2556,7 +2556,7 @@ static six_link_status accelerate_forearm(const six_link_link_constants *restric
 }
 
 /* accelerate, links like wrist_roll: 125 operations */
-static six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
@@ -2641,7 +2641,7 @@ static six_link_status accelerate_wrist_roll(const six_link_link_constants *rest
 }
 
 /* accelerate, links like wrist_pitch: 107 operations */
-static six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
+SIX_LINK_PART six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
     six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
@@ -2724,7 +2724,7 @@ static six_link_status accelerate_wrist_pitch(const six_link_link_constants *res
 }
 
 /* accelerate, links like flange: 89 operations */
-static six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
+SIX_LINK_PART six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
     six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
@@ -2790,7 +2790,7 @@ static six_link_status accelerate_flange(const six_link_link_store *restrict lin
 }
 
 /* twist rates, links like shoulder: 67 operations */
-static six_link_status twist_rates_shoulder(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
+SIX_LINK_PART six_link_status twist_rates_shoulder(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
     const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
     six_link_real Vdot[restrict 6])
 {
@@ -2826,7 +2826,7 @@ static six_link_status twist_rates_shoulder(const six_link_real quaternion[restr
 }
 
 /* twist rates, links like upper_arm: 67 operations */
-static six_link_status twist_rates_upper_arm(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
+SIX_LINK_PART six_link_status twist_rates_upper_arm(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
     const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
     six_link_real Vdot[restrict 6])
 {
@@ -2862,7 +2862,7 @@ static six_link_status twist_rates_upper_arm(const six_link_real quaternion[rest
 }
 
 /* project, links like shoulder: 68 operations */
-static six_link_status project_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
+SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
     const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -2952,7 +2952,7 @@ static six_link_status project_shoulder(const six_link_link_constants *c, six_li
 }
 
 /* project, links like upper_arm: 397 operations */
-static six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[3],
     const six_link_real etadot[3], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
@@ -3209,7 +3209,7 @@ static six_link_status project_upper_arm(const six_link_link_constants *c, const
 }
 
 /* project, links like forearm: 554 operations */
-static six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[2],
     const six_link_real etadot[2], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
@@ -3491,7 +3491,7 @@ static six_link_status project_forearm(const six_link_link_constants *c, const s
 }
 
 /* project, links like wrist_roll: 129 operations */
-static six_link_status project_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
@@ -3617,7 +3617,7 @@ static six_link_status project_wrist_roll(const six_link_link_constants *c, cons
 }
 
 /* project, links like wrist_pitch: 129 operations */
-static six_link_status project_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
     six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
@@ -3736,7 +3736,7 @@ static six_link_status project_wrist_pitch(const six_link_link_constants *c, con
 }
 
 /* project, links like flange: 103 operations */
-static six_link_status project_flange(const six_link_node *base, const six_link_real q[1], const six_link_real twist[6],
+SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const six_link_real q[1], const six_link_real twist[6],
     const six_link_real quaternion[4], six_link_real new_q[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -3817,7 +3817,7 @@ static six_link_status project_flange(const six_link_node *base, const six_link_
 }
 
 /* forward kinematics, links like shoulder: 11 operations */
-static six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
+SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
     const six_link_real qdot[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
@@ -3865,7 +3865,7 @@ static six_link_status forward_kinematics_shoulder(const six_link_link_constants
 }
 
 /* forward kinematics, links like upper_arm: 254 operations */
-static six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
     const six_link_real etadot[3], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
@@ -4050,7 +4050,7 @@ static six_link_status forward_kinematics_upper_arm(const six_link_link_constant
 }
 
 /* forward kinematics, links like forearm: 377 operations */
-static six_link_status forward_kinematics_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
     const six_link_real etadot[2], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
@@ -4255,7 +4255,7 @@ static six_link_status forward_kinematics_forearm(const six_link_link_constants 
 }
 
 /* forward kinematics, links like wrist_roll: 58 operations */
-static six_link_status forward_kinematics_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -4336,7 +4336,7 @@ static six_link_status forward_kinematics_wrist_roll(const six_link_link_constan
 }
 
 /* forward kinematics, links like wrist_pitch: 58 operations */
-static six_link_status forward_kinematics_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -4417,7 +4417,7 @@ static six_link_status forward_kinematics_wrist_pitch(const six_link_link_consta
 }
 
 /* forward kinematics, links like flange: 54 operations */
-static six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
     const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -4483,7 +4483,7 @@ static six_link_status forward_kinematics_flange(const six_link_link_constants *
 }
 
 /* kinematics, links like shoulder: 11 operations */
-static six_link_status kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4510,7 +4510,7 @@ static six_link_status kinematics_shoulder(const six_link_link_constants *c, six
 }
 
 /* kinematics, links like upper_arm: 216 operations */
-static six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
     const six_link_real etadot[3])
 {
@@ -4709,7 +4709,7 @@ static six_link_status kinematics_upper_arm(const six_link_link_constants *c, si
 }
 
 /* kinematics, links like forearm: 287 operations */
-static six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
     const six_link_real etadot[2])
 {
@@ -4901,7 +4901,7 @@ static six_link_status kinematics_forearm(const six_link_link_constants *c, six_
 }
 
 /* kinematics, links like wrist_roll: 84 operations */
-static six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4974,7 +4974,7 @@ static six_link_status kinematics_wrist_roll(const six_link_link_constants *c, s
 }
 
 /* kinematics, links like wrist_pitch: 40 operations */
-static six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -5029,7 +5029,7 @@ static six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, 
 }
 
 /* kinematics, links like flange: 40 operations */
-static six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -5084,7 +5084,7 @@ static six_link_status kinematics_flange(const six_link_link_constants *c, six_l
 }
 
 /* inverse outward, links like shoulder: 1 operations */
-static six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+SIX_LINK_PART six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
     const six_link_real qddot[1])
 {
     const six_link_real delta_5 = qddot[0] * c->length;
@@ -5097,7 +5097,7 @@ static six_link_status inverse_outward_shoulder(const six_link_link_constants *c
 }
 
 /* inverse outward, links like upper_arm: 46 operations */
-static six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3])
 {
     const six_link_real delta_1 = link->R_P[6] * base->delta[2];
@@ -5133,7 +5133,7 @@ static six_link_status inverse_outward_upper_arm(const six_link_link_constants *
 }
 
 /* inverse outward, links like forearm: 73 operations */
-static six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2])
 {
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -5177,7 +5177,7 @@ static six_link_status inverse_outward_forearm(const six_link_link_constants *c,
 }
 
 /* inverse outward, links like wrist_roll: 35 operations */
-static six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
@@ -5212,7 +5212,7 @@ static six_link_status inverse_outward_wrist_roll(const six_link_link_constants 
 }
 
 /* inverse outward, links like wrist_pitch: 17 operations */
-static six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
@@ -5240,7 +5240,7 @@ static six_link_status inverse_outward_wrist_pitch(const six_link_link_constants
 }
 
 /* inverse outward, links like flange: 17 operations */
-static six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
@@ -5268,7 +5268,7 @@ static six_link_status inverse_outward_flange(const six_link_link_constants *c, 
 }
 
 /* inverse inward, links like shoulder: 72 operations */
-static six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real qdot[1],
     six_link_real force[1], six_link_real wrench[6])
 {
@@ -5322,7 +5322,7 @@ static six_link_status inverse_inward_shoulder(const six_link_link_constants *c,
 }
 
 /* inverse inward, links like upper_arm: 547 operations */
-static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
     const six_link_real eta[3], const six_link_real etadot[3], const six_link_real w_ext[6],
     const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real qdot[1],
@@ -5549,7 +5549,7 @@ static six_link_status inverse_inward_upper_arm(const six_link_link_constants *c
 }
 
 /* inverse inward, links like forearm: 361 operations */
-static six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
     const six_link_real eta[2], const six_link_real etadot[2], const six_link_real w_ext[6],
     const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real qdot[1],
@@ -5728,7 +5728,7 @@ static six_link_status inverse_inward_forearm(const six_link_link_constants *c, 
 }
 
 /* inverse inward, links like wrist_roll: 98 operations */
-static six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
@@ -5786,7 +5786,7 @@ static six_link_status inverse_inward_wrist_roll(const six_link_link_constants *
 }
 
 /* inverse inward, links like wrist_pitch: 80 operations */
-static six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
@@ -5842,7 +5842,7 @@ static six_link_status inverse_inward_wrist_pitch(const six_link_link_constants 
 }
 
 /* inverse inward, links like flange: 176 operations */
-static six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
     const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
 {
@@ -5922,13 +5922,13 @@ static six_link_status inverse_inward_flange(const six_link_link_constants *c, c
 }
 
 /* kinematics, links like shoulder: 0 operations */
-static six_link_status kinematics_shoulder_2(void)
+SIX_LINK_PART six_link_status kinematics_shoulder_2(void)
 {
     return SIX_LINK_OK;
 }
 
 /* kinematics, links like upper_arm: 68 operations */
-static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
     const six_link_real q[1], const six_link_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -6042,7 +6042,7 @@ static six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, 
 }
 
 /* kinematics, links like forearm: 114 operations */
-static six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
+SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real eta[2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -6145,7 +6145,7 @@ static six_link_status kinematics_forearm_2(const six_link_link_constants *c, si
 }
 
 /* kinematics, links like wrist_roll: 20 operations */
-static six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
+SIX_LINK_PART six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     six_link_real minus_R_rel_yz, R_rel_yy;
@@ -6173,7 +6173,7 @@ static six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const 
 }
 
 /* kinematics, links like wrist_pitch: 3 operations */
-static six_link_status kinematics_wrist_pitch_2(six_link_link_store *link, const six_link_real q[1])
+SIX_LINK_PART six_link_status kinematics_wrist_pitch_2(six_link_link_store *link, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     six_link_real R_rel_xz, R_rel_xx;
@@ -6191,7 +6191,7 @@ static six_link_status kinematics_wrist_pitch_2(six_link_link_store *link, const
 }
 
 /* kinematics, links like flange: 3 operations */
-static six_link_status kinematics_flange_2(six_link_link_store *link, const six_link_real q[1])
+SIX_LINK_PART six_link_status kinematics_flange_2(six_link_link_store *link, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     six_link_real minus_R_rel_yz, R_rel_yy;
@@ -6209,7 +6209,7 @@ static six_link_status kinematics_flange_2(six_link_link_store *link, const six_
 }
 
 /* inverse inward, links like shoulder: 14 operations */
-static six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real qddot[1], six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_x * tip->delta[4] + c->I_T_zz * tip->delta[2] + tip->p[2]
@@ -6223,7 +6223,7 @@ static six_link_status inverse_inward_shoulder_2(const six_link_link_constants *
 }
 
 /* inverse inward, links like upper_arm: 280 operations */
-static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
     const six_link_real eta[3], const six_link_real m_eta[3], six_link_real force_eta[3],
     six_link_real force[1])
@@ -6322,7 +6322,7 @@ static six_link_status inverse_inward_upper_arm_2(const six_link_link_constants 
 }
 
 /* inverse inward, links like forearm: 168 operations */
-static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
     const six_link_real eta[2], const six_link_real m_eta[2], six_link_real force_eta[2],
     six_link_real force[1])
@@ -6402,7 +6402,7 @@ static six_link_status inverse_inward_forearm_2(const six_link_link_constants *c
 }
 
 /* inverse inward, links like wrist_roll: 56 operations */
-static six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
@@ -6433,7 +6433,7 @@ static six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants
 }
 
 /* inverse inward, links like wrist_pitch: 38 operations */
-static six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
@@ -6462,7 +6462,7 @@ static six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constant
 }
 
 /* inverse inward, links like flange: 80 operations */
-static six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_y * tip->delta[5] - c->S_T_z * tip->delta[4]
@@ -6500,7 +6500,7 @@ static six_link_status inverse_inward_flange_2(const six_link_link_constants *c,
 }
 
 /* joint rows, links like shoulder: 165 operations */
-static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
+SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
     const six_link_real twist[6], const six_link_real quaternion[4], const six_link_real gravity[3],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
@@ -6614,7 +6614,7 @@ static six_link_status joint_rows_shoulder(const six_link_link_constants *c, six
 }
 
 /* joint rows, links like upper_arm: 590 operations */
-static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[3], const six_link_real etadot[3],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
@@ -7052,7 +7052,7 @@ static six_link_status joint_rows_upper_arm(const six_link_link_constants *c, si
 }
 
 /* joint rows, links like forearm: 542 operations */
-static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real eta[2], const six_link_real etadot[2],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
@@ -7460,7 +7460,7 @@ static six_link_status joint_rows_forearm(const six_link_link_constants *c, six_
 }
 
 /* joint rows, links like wrist_roll: 135 operations */
-static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -7589,7 +7589,7 @@ static six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, s
 }
 
 /* joint rows, links like wrist_pitch: 118 operations */
-static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
+SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -7714,7 +7714,7 @@ static six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, 
 }
 
 /* joint rows, links like flange: 187 operations */
-static six_link_status joint_rows_flange(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
+SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
     const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -7863,7 +7863,7 @@ static six_link_status joint_rows_flange(const six_link_link_constants *c, six_l
 }
 
 /* link rows, links like shoulder: 60 operations */
-static six_link_status link_rows_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status link_rows_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
@@ -8005,7 +8005,7 @@ static six_link_status link_rows_shoulder(const six_link_link_constants *c, cons
 }
 
 /* link rows, links like upper_arm: 1590 operations */
-static six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real w_ext[6],
     six_link_real eta_H[3], six_link_real eta_W[3], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -8738,7 +8738,7 @@ static six_link_status link_rows_upper_arm(const six_link_link_constants *c, con
 }
 
 /* link rows, links like forearm: 338 operations */
-static six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real w_ext[6],
     six_link_real eta_H[2], six_link_real eta_W[2], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
@@ -9049,7 +9049,7 @@ static six_link_status link_rows_forearm(const six_link_link_constants *c, const
 }
 
 /* link rows, links like wrist_roll: 21 operations */
-static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status link_rows_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
@@ -9138,7 +9138,7 @@ static six_link_status link_rows_wrist_roll(const six_link_link_constants *c, co
 }
 
 /* link rows, links like wrist_pitch: 26 operations */
-static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
+SIX_LINK_PART six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
     const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
@@ -9234,7 +9234,7 @@ static six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, c
 }
 
 /* link rows, links like flange: 35 operations */
-static six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
+SIX_LINK_PART six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
     const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
     const six_link_real t1 = -c->S_T_z;
@@ -9313,7 +9313,7 @@ static six_link_status link_rows_flange(const six_link_link_constants *c, const 
     return SIX_LINK_OK;
 }
 
-static six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9334,7 +9334,7 @@ static six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, 
     }
 }
 
-static six_link_status dae_dynamics_eliminate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_eliminate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9355,7 +9355,7 @@ static six_link_status dae_dynamics_eliminate(const six_link_constants *c, const
     }
 }
 
-static six_link_status dae_dynamics_accelerate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_accelerate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9376,7 +9376,7 @@ static six_link_status dae_dynamics_accelerate(const six_link_constants *c, cons
     }
 }
 
-static six_link_status dae_dynamics_twist_rates(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_twist_rates(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 1, 1, 1, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9389,7 +9389,7 @@ static six_link_status dae_dynamics_twist_rates(const six_link_constants *c, con
     }
 }
 
-static six_link_status projection_project(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status projection_project(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9410,7 +9410,7 @@ static six_link_status projection_project(const six_link_constants *c, const six
     }
 }
 
-static six_link_status placement_forward_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status placement_forward_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9431,7 +9431,7 @@ static six_link_status placement_forward_kinematics(const six_link_constants *c,
     }
 }
 
-static six_link_status inverse_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9452,7 +9452,7 @@ static six_link_status inverse_kinematics(const six_link_constants *c, const six
     }
 }
 
-static six_link_status inverse_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9473,7 +9473,7 @@ static six_link_status inverse_inverse_outward(const six_link_constants *c, cons
     }
 }
 
-static six_link_status inverse_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9494,7 +9494,7 @@ static six_link_status inverse_inverse_inward(const six_link_constants *c, const
     }
 }
 
-static six_link_status inertia_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9515,7 +9515,7 @@ static six_link_status inertia_kinematics(const six_link_constants *c, const six
     }
 }
 
-static six_link_status inertia_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9536,7 +9536,7 @@ static six_link_status inertia_inverse_outward(const six_link_constants *c, cons
     }
 }
 
-static six_link_status inertia_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9557,7 +9557,7 @@ static six_link_status inertia_inverse_inward(const six_link_constants *c, const
     }
 }
 
-static six_link_status assembly_joint_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status assembly_joint_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9578,7 +9578,7 @@ static six_link_status assembly_joint_rows(const six_link_constants *c, const si
     }
 }
 
-static six_link_status assembly_link_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status assembly_link_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -9608,7 +9608,7 @@ static void start(const six_link_call *call, six_link_chain *chain)
     }
 }
 
-six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9644,7 +9644,7 @@ six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_lin
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9658,7 +9658,7 @@ six_link_status six_link_projection(const six_link_constants *c, const six_link_
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9672,7 +9672,7 @@ six_link_status six_link_placement(const six_link_constants *c, const six_link_c
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9701,7 +9701,7 @@ six_link_status six_link_inverse(const six_link_constants *c, const six_link_cal
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9715,7 +9715,7 @@ six_link_status six_link_inertia_posture(const six_link_constants *c, const six_
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9736,7 +9736,7 @@ six_link_status six_link_inertia_column(const six_link_constants *c, const six_l
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;

@@ -1,0 +1,64 @@
+"""Functions compiled for several processors: the loader's choice changes the time, never the bits."""
+
+import subprocess
+
+import numpy as np
+import pytest
+from helpers import drawn, example
+
+from screwgen.emit.c import CProject
+from screwgen.library import compiler_command
+
+MARKED = "target_clones"
+
+
+def preprocessed(folder, *flags: str) -> str:
+    """``ella_dynamics.c`` without comments and includes, as the compiler sees it."""
+    command = [*compiler_command(), "-std=c99", *flags, "-E", "-P", "ella_dynamics.c"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    path = tmp_path_factory.mktemp("processors")
+    for name, text in CProject(example("ella").chain, "x", "runtime", "fused").files().items():
+        (path / name).write_text(text)
+    return path
+
+
+def test_only_optimised_code_of_one_target_is_compiled_twice(folder):
+    """GCC on x86-64 Linux has it; a debugger, a processor named by a flag and a user who declines have not."""
+    defined = subprocess.run(
+        [*compiler_command(), "-dM", "-E", "-xc", "/dev/null"], capture_output=True, text=True
+    ).stdout
+    able = all(f"#define {name} " in defined for name in ("__x86_64__", "__linux__", "__GNUC__"))
+    able &= "__clang__" not in defined
+    assert (MARKED in preprocessed(folder, "-O2")) == able
+    for flags in (("-O0",), ("-O2", "-DELLA_ONE_TARGET"), *([("-O2", "-mavx2"), ("-O2", "-fsanitize=thread")] * able)):
+        assert MARKED not in preprocessed(folder, *flags)
+
+
+@pytest.mark.parametrize("layout", ["fused", "modular"])
+def test_both_compute_the_same_bits(layout):
+    model = drawn(7, 2, max_modes=2).model
+    one = model.compile(layout, flags=("-O1", f"-D{model.robot.name.upper()}_ONE_TARGET"))
+    chosen = model.compile(layout, flags=("-O1",))
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        q, v = 0.3 * rng.normal(size=(2, model.nq))
+        given = q, v, rng.normal(size=model.n_joints), rng.normal(size=(model.n_links, 6))
+        for function in ("forward_dynamics", "complete_dynamics"):
+            pairs = zip(getattr(one, function)(*given), getattr(chosen, function)(*given), strict=True)
+            assert all(np.array_equal(a, b) for a, b in pairs)
+
+
+def test_objects_hold_both(folder):
+    """What the marks ask for is there: in a file compiled on its own, as anybody's Makefile does."""
+    if MARKED not in preprocessed(folder, "-O2"):
+        pytest.skip("this compiler makes one target")
+    for source in ("ella_dynamics", "ella_links"):
+        subprocess.run([*compiler_command(), "-std=c99", "-O1", "-c", f"{source}.c"], cwd=folder, check=True)
+    symbols = subprocess.run(
+        ["nm", "ella_dynamics.o", "ella_links.o"], cwd=folder, capture_output=True, text=True
+    ).stdout
+    assert "ella_dynamics.avx" in symbols and "ella_dae_dynamics.avx" in symbols

@@ -260,7 +260,7 @@ def _with_avx(model, program, name: str, against: str, more="") -> list[Contende
     """CasADi's C for processors with AVX; nothing where the machine is none."""
     if not has_avx():
         return []
-    return [_same(model, program, name, AVX + more, against, over(1.0), extra="-DEXTRA=data_c", flags=("-mavx",))]
+    return [_same(model, program, name, AVX + more, against, over(None), extra="-DEXTRA=data_c", flags=("-mavx",))]
 
 
 def _same(model, program, name, title, against, target, cse=False, real="double", extra="", flags=()) -> Contender:

@@ -62,10 +62,9 @@ SCALAR = """
 int main(void)
 {
     double number;
-    ella_real s, c;
     while (scanf("%la", &number) == 1) {
-        ella_sine_cosine((ella_real)number, &s, &c);
-        printf("%a %a\\n", (double)s, (double)c);
+        const ella_sincos y = ella_sine_cosine((ella_real)number);
+        printf("%a %a\\n", (double)y.sine, (double)y.cosine);
     }
     return 0;
 }

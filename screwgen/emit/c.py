@@ -33,8 +33,8 @@ from .templates import render
 
 METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
 FUSED_BEST = 2600
-"""Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a first-level
-cache of 32 KiB."""
+"""Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
+first-level cache of 32 KiB."""
 SHARED = 0.75
 """Beyond, it writes functions where those that links share hold less than this part of what is run."""
 FUSED_MOST = 14_000

@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import count
 from typing import ClassVar
 
 from ..lower.program import Node, Program, live
@@ -57,6 +58,7 @@ class Writer:
         """The body of a function: sections of assignments, then the outputs."""
         self._count_uses()
         self._names: dict[int, str] = {}
+        self._numbers = count(1)
         self._pending: dict[int, tuple[str, int]] = {}
         self._written: set[tuple[str, int]] = set()
         self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
@@ -130,10 +132,11 @@ class Writer:
 
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""
-        names = self._name(sine), self._name(cosine)
-        angle, real = self._operand(sine.args[0], 0), f"{self.prefix}_real"
-        call = f"{self.prefix}_sine_cosine({angle}, &{names[0]}, &{names[1]});"
-        lines = [f"{real} {', '.join(names)};", *wrap(call)]
+        names, both = (self._name(sine), self._name(cosine)), self._free("turn")
+        lines = wrap(
+            f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({self._operand(sine.args[0], 0)});"
+        )
+        lines.append(f"const {self.prefix}_real {names[0]} = {both}.sine, {names[1]} = {both}.cosine;")
         return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
 
     def _guard(self, node: Node, text: str) -> str:
@@ -168,20 +171,21 @@ class Writer:
         return user is not None and user.section == node.section
 
     def _name(self, node: Node) -> str:
-        stem = node.label or "t"
-        name = stem if node.label and stem not in KEYWORDS else f"{stem}1"
-        number = 1
+        if node.label:
+            name = self._free(node.label)
+        else:
+            name = next(name for k in self._numbers if (name := f"t{k}") not in self.taken)
+            self.taken.add(name)
+        self._names[node.id] = name
+        return name
+
+    def _free(self, stem: str) -> str:
+        """A name that is not taken yet, and now is."""
+        name, number = stem if stem not in KEYWORDS else f"{stem}1", 1
         while name in self.taken:
             number += 1
-            name = f"{stem}{'_' if node.label else ''}{number}"
-        if not node.label:
-            self._temporaries = getattr(self, "_temporaries", 0) + 1
-            name = f"t{self._temporaries}"
-            while name in self.taken:
-                self._temporaries += 1
-                name = f"t{self._temporaries}"
+            name = f"{stem}_{number}"
         self.taken.add(name)
-        self._names[node.id] = name
         return name
 
     def _text(self, node: Node) -> tuple[str, int]:

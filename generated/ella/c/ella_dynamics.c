@@ -11,10 +11,10 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     int link;
 
     /* upper_arm, R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_upper_arm_xz, R_rel_upper_arm_zz;
-    ella_sine_cosine(state->q[0], &R_rel_upper_arm_xz, &R_rel_upper_arm_zz);
-    ella_real R_rel_upper_arm_yx, R_rel_upper_arm_yy;
-    ella_sine_cosine(state->q[1], &R_rel_upper_arm_yx, &R_rel_upper_arm_yy);
+    const ella_sincos turn = ella_sine_cosine(state->q[0]);
+    const ella_real R_rel_upper_arm_xz = turn.sine, R_rel_upper_arm_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(state->q[1]);
+    const ella_real R_rel_upper_arm_yx = turn_2.sine, R_rel_upper_arm_yy = turn_2.cosine;
     const ella_real R_rel_upper_arm_xx = R_rel_upper_arm_zz * R_rel_upper_arm_yy;
     const ella_real minus_R_rel_upper_arm_xy = R_rel_upper_arm_yx * R_rel_upper_arm_zz;
     const ella_real minus_R_rel_upper_arm_zx = R_rel_upper_arm_xz * R_rel_upper_arm_yy;
@@ -129,8 +129,8 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real alpha_0_T_upper_arm_6 = t5 + (omega_J_upper_arm_x * t7 - omega_J_upper_arm_y * t6);
 
     /* forearm, R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_forearm_xy, R_rel_forearm_xx;
-    ella_sine_cosine(state->q[2], &minus_R_rel_forearm_xy, &R_rel_forearm_xx);
+    const ella_sincos turn_3 = ella_sine_cosine(state->q[2]);
+    const ella_real minus_R_rel_forearm_xy = turn_3.sine, R_rel_forearm_xx = turn_3.cosine;
 
     /* forearm, R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real t9 = minus_R_T_upper_arm_xy * minus_R_rel_forearm_xy;

@@ -33,10 +33,10 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz, R_rel_zz;
-    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
     link->A[0] = R_rel_yx;
     link->A[1] = R_rel_yy;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
@@ -197,8 +197,8 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -1240,10 +1240,10 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t20 = 1 + t4 * (t3 - t5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz, R_rel_zz;
-    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
@@ -1263,10 +1263,10 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t28 = q[1] + t24 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz_2, R_rel_zz_2;
-    ella_sine_cosine(t27, &R_rel_xz_2, &R_rel_zz_2);
-    ella_real R_rel_yx_2, R_rel_yy_2;
-    ella_sine_cosine(t28, &R_rel_yx_2, &R_rel_yy_2);
+    const ella_sincos turn_3 = ella_sine_cosine(t27);
+    const ella_real R_rel_xz_2 = turn_3.sine, R_rel_zz_2 = turn_3.cosine;
+    const ella_sincos turn_4 = ella_sine_cosine(t28);
+    const ella_real R_rel_yx_2 = turn_4.sine, R_rel_yy_2 = turn_4.cosine;
     const ella_real R_rel_xx_2 = R_rel_zz_2 * R_rel_yy_2;
     const ella_real minus_R_rel_xy_2 = R_rel_yx_2 * R_rel_zz_2;
     const ella_real minus_R_rel_zx_2 = R_rel_xz_2 * R_rel_yy_2;
@@ -1285,10 +1285,10 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real new_q_2 = t28 + t33 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz_3, R_rel_zz_3;
-    ella_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_zz_3);
-    ella_real R_rel_yx_3, R_rel_yy_3;
-    ella_sine_cosine(new_q_2, &R_rel_yx_3, &R_rel_yy_3);
+    const ella_sincos turn_5 = ella_sine_cosine(new_q_1);
+    const ella_real R_rel_xz_3 = turn_5.sine, R_rel_zz_3 = turn_5.cosine;
+    const ella_sincos turn_6 = ella_sine_cosine(new_q_2);
+    const ella_real R_rel_yx_3 = turn_6.sine, R_rel_yy_3 = turn_6.cosine;
     const ella_real R_rel_xx_3 = R_rel_zz_3 * R_rel_yy_3;
     const ella_real minus_R_rel_xy_3 = R_rel_yx_3 * R_rel_zz_3;
     const ella_real minus_R_rel_zx_3 = R_rel_xz_3 * R_rel_yy_3;
@@ -1355,11 +1355,11 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real omega_J_y = R_rel_yy_3 * t36;
 
     const ella_real t42 = new_q_1 * REAL(0.5);
-    ella_real t43, t44;
-    ella_sine_cosine(t42, &t43, &t44);
+    const ella_sincos turn_7 = ella_sine_cosine(t42);
+    const ella_real t43 = turn_7.sine, t44 = turn_7.cosine;
     const ella_real t45 = new_q_2 * REAL(0.5);
-    ella_real t46, t47;
-    ella_sine_cosine(t45, &t46, &t47);
+    const ella_sincos turn_8 = ella_sine_cosine(t45);
+    const ella_real t46 = turn_8.sine, t47 = turn_8.cosine;
     const ella_real new_quaternion_1 = t44 * t47;
     const ella_real new_quaternion_4 = t44 * t46;
     const ella_real new_quaternion_3 = t47 * t43;
@@ -1465,23 +1465,23 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     const ella_real t17 = base->R_m[1] * t8 + base->R_m[4] * t13 + base->R_m[7] * t11;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     const ella_real t18 = q[0]
         + (R_rel_xx * t16 - minus_R_rel_xy * t14 - (R_rel_xx * t15 + minus_R_rel_xy * t17)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy_2, R_rel_xx_2;
-    ella_sine_cosine(t18, &minus_R_rel_xy_2, &R_rel_xx_2);
+    const ella_sincos turn_2 = ella_sine_cosine(t18);
+    const ella_real minus_R_rel_xy_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
     const ella_real t19 = (R_rel_xx_2 * t16 - minus_R_rel_xy_2 * t14
         - (R_rel_xx_2 * t15 + minus_R_rel_xy_2 * t17)) * REAL(0.5);
     const ella_real new_q_1 = t18 + t19;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy_3, R_rel_xx_3;
-    ella_sine_cosine(new_q_1, &minus_R_rel_xy_3, &R_rel_xx_3);
+    const ella_sincos turn_3 = ella_sine_cosine(new_q_1);
+    const ella_real minus_R_rel_xy_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
     const ella_real t20 = twist[2] - base->omega_m[2];
 
@@ -1497,8 +1497,8 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     const ella_real v_R_y = R_rel_xx_3 * base->v[1] - minus_R_rel_xy_3 * base->v[0];
 
     const ella_real t21 = new_q_1 * REAL(0.5);
-    ella_real t22, t23;
-    ella_sine_cosine(t21, &t22, &t23);
+    const ella_sincos turn_4 = ella_sine_cosine(t21);
+    const ella_real t22 = turn_4.sine, t23 = turn_4.cosine;
     const ella_real new_quaternion_1 = base->Q[0] * t23 - base->Q[3] * t22;
     const ella_real new_quaternion_4 = base->Q[0] * t22 + t23 * base->Q[3];
     const ella_real new_quaternion_2 = t23 * base->Q[1] + base->Q[2] * t22;
@@ -1528,10 +1528,10 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz, R_rel_zz;
-    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
@@ -1542,11 +1542,11 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real omega_J_y = R_rel_yy * qdot[0];
 
     const ella_real t1 = q[0] * REAL(0.5);
-    ella_real t2, t3;
-    ella_sine_cosine(t1, &t2, &t3);
+    const ella_sincos turn_3 = ella_sine_cosine(t1);
+    const ella_real t2 = turn_3.sine, t3 = turn_3.cosine;
     const ella_real t4 = q[1] * REAL(0.5);
-    ella_real t5, t6;
-    ella_sine_cosine(t4, &t5, &t6);
+    const ella_sincos turn_4 = ella_sine_cosine(t4);
+    const ella_real t5 = turn_4.sine, t6 = turn_4.cosine;
     const ella_real new_quaternion_1 = t3 * t6;
     const ella_real new_quaternion_4 = t3 * t5;
     const ella_real new_quaternion_3 = t6 * t2;
@@ -1682,8 +1682,8 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
     const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
@@ -1703,8 +1703,8 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real t5 = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
     const ella_real t6 = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
     const ella_real t7 = q[0] * REAL(0.5);
-    ella_real t8, t9;
-    ella_sine_cosine(t7, &t8, &t9);
+    const ella_sincos turn_2 = ella_sine_cosine(t7);
+    const ella_real t8 = turn_2.sine, t9 = turn_2.cosine;
     const ella_real new_quaternion_1 = base->Q[0] * t9 - base->Q[3] * t8;
     const ella_real new_quaternion_4 = base->Q[0] * t8 + t9 * base->Q[3];
     const ella_real new_quaternion_2 = t9 * base->Q[1] + base->Q[2] * t8;
@@ -1789,10 +1789,10 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real q[2], const ella_real qdot[2], const ella_real eta[3], const ella_real etadot[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_xz, R_rel_zz;
-    ella_sine_cosine(q[0], &R_rel_xz, &R_rel_zz);
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
@@ -1948,8 +1948,8 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real q[1], const ella_real qdot[1], const ella_real eta[3], const ella_real etadot[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -2519,8 +2519,8 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn.sine, R_rel_yy = turn.cosine;
 
     /* r_T: tip point (11) */
     const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
@@ -2591,8 +2591,8 @@ ELLA_PART ella_status kinematics_forearm_2(const ella_link_constants *c, ella_li
     const ella_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
@@ -2769,8 +2769,8 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     ella_real *M, ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real R_rel_yx, R_rel_yy;
-    ella_sine_cosine(q[1], &R_rel_yx, &R_rel_yy);
+    const ella_sincos turn = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn.sine, R_rel_yy = turn.cosine;
 
     const ella_real t1 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
     if (!(t1 - ELLA_REAL_EPSILON * 64 > 0)) { return ELLA_SINGULAR; }
@@ -3134,8 +3134,8 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     ella_real *M, ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    ella_real minus_R_rel_xy, R_rel_xx;
-    ella_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
     const ella_real t1 = -minus_R_rel_xy;
 
     const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];

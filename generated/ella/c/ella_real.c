@@ -6,30 +6,44 @@
  */
 #include "ella_real.h"
 
-void ella_sine_cosine(ella_real x, ella_real *sine, ella_real *cosine)
+ELLA_TARGETS ella_sincos ella_sine_cosine(ella_real x)
 {
+    ella_sincos y;
 #ifndef ELLA_LIBM
     static const ella_real TURN[5] = { 0, 1, 0, -1, 0 }; /* sine of whole quarter turns; their cosine is one further */
-    const ella_real shifted = x * REAL(0.63661977236758134308) + ELLA_ROUND;
-    const ella_real k = shifted - ELLA_ROUND; /* quarter turns */
-    const ella_real a = x - k * ELLA_QUARTER_1, b = k * ELLA_QUARTER_2, ab = a - b;
-    const ella_real d = k * ELLA_QUARTER_3, r = ab - d; /* what is left is r + rest */
-    const ella_real rest = (((a - ab) - b) + ((ab - r) - d)) - k * ELLA_QUARTER_4;
-    const ella_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
-    const ella_real s = r - ((z * (rest * REAL(0.5) - cube * ELLA_SINE(z, w)) - rest) + cube * ELLA_SIXTH);
-    const ella_real c = nearly + (((1 - nearly) - half) + (z * (z * ELLA_COSINE(z, w)) - r * rest));
     if (x >= -ELLA_FAR && x <= ELLA_FAR) {
-        const unsigned turn = (unsigned)(int)k & 3u;
-        *sine = s * TURN[turn + 1] + c * TURN[turn];
-        *cosine = c * TURN[turn + 1] - s * TURN[turn];
-        return;
+        const int whole = x < -REAL(0.785) || x > REAL(0.785);
+        unsigned turn = 0;
+        ella_real r = x, rest = 0;
+        if (whole != 0) {
+            const ella_real shifted = x * REAL(0.63661977236758134308) + ELLA_ROUND;
+            const ella_real k = shifted - ELLA_ROUND;
+            const ella_real a = x - k * ELLA_QUARTER_1, b = k * ELLA_QUARTER_2, ab = a - b;
+            const ella_real d = k * ELLA_QUARTER_3, left = ab - d;
+            turn = (unsigned)(int)k & 3u;
+            r = left;
+            rest = (((a - ab) - b) + ((ab - left) - d)) - k * ELLA_QUARTER_4;
+        }
+        {
+            const ella_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
+            const ella_real s = r - ((z * (rest * REAL(0.5) - cube * ELLA_SINE(z, w)) - rest) + cube * ELLA_SIXTH);
+            const ella_real c = nearly + (((1 - nearly) - half) + (z * (z * ELLA_COSINE(z, w)) - r * rest));
+            y.sine = s;
+            y.cosine = c;
+            if (whole != 0) {
+                y.sine = s * TURN[turn + 1] + c * TURN[turn];
+                y.cosine = c * TURN[turn + 1] - s * TURN[turn];
+            }
+        }
+        return y;
     }
 #endif
-    *sine = ella_libm_sin(x);
-    *cosine = ella_libm_cos(x);
+    y.sine = ella_libm_sin(x);
+    y.cosine = ella_libm_cos(x);
+    return y;
 }
 
-ella_real ella_c4(ella_real x)
+ELLA_TARGETS ella_real ella_c4(ella_real x)
 {
     const ella_real square = x * x;
     ella_real tail = REAL(4.779477332387385e-14);
@@ -51,7 +65,7 @@ ella_real ella_c4(ella_real x)
         + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07)) + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
 }
 
-ella_real ella_c5(ella_real x)
+ELLA_TARGETS ella_real ella_c5(ella_real x)
 {
     const ella_real square = x * x;
     ella_real tail = REAL(2.8114572543455206e-15);

@@ -67,20 +67,20 @@
 #endif
 
 /* Sine and cosine of an angle; one of the two. */
-void ella_sine_cosine(ella_real x, ella_real *sine, ella_real *cosine);
+typedef struct {
+    ella_real sine, cosine;
+} ella_sincos;
+
+ella_sincos ella_sine_cosine(ella_real x);
 
 static inline ella_real ella_sin(ella_real x)
 {
-    ella_real sine, cosine;
-    ella_sine_cosine(x, &sine, &cosine);
-    return sine;
+    return ella_sine_cosine(x).sine;
 }
 
 static inline ella_real ella_cos(ella_real x)
 {
-    ella_real sine, cosine;
-    ella_sine_cosine(x, &sine, &cosine);
-    return cosine;
+    return ella_sine_cosine(x).cosine;
 }
 
 /* Stumpff functions c_k(x) = sum_j (-x)^j / (k + 2 j)!, k = 4 and 5, of a squared angle x. */

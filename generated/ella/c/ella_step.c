@@ -29,16 +29,20 @@ static int sound(const ella_state *s, const ella_input *u, const ella_real *m_et
         && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(m_eta, ELLA_NMODES);
 }
 
-/* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
-static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_state *from,
-    const ella_input *u, ella_real dt, ella_work *work, int wanted, ella_output *y)
+/* vdot at s with the modal terms m_eta and work->f_eta, and what is wanted; numbers that are not finite may be left. */
+static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_input *u,
+    const ella_real *m_eta, ella_work *work, int wanted, ella_output *y)
 {
-    const ella_real *const m_eta = modal_terms(c, from, dt, work);
     const ella_status status = ella_dynamics(c, s, u, m_eta, work, wanted, y);
-    if (status != ELLA_OK) {
-        return sound(s, u, m_eta) ? status : ELLA_NONFINITE;
-    }
-    return ella_finite(y->vdot, ELLA_NV) ? ELLA_OK : ELLA_NONFINITE;
+    return status == ELLA_OK || sound(s, u, m_eta) ? status : ELLA_NONFINITE;
+}
+
+/* vdot at a state, finite, and what is wanted. */
+static ella_status evaluate(const ella_constants *c, const ella_state *s, const ella_input *u, ella_work *work,
+    int wanted, ella_output *y)
+{
+    const ella_status status = accelerate(c, s, u, modal_terms(c, s, 0, work), work, wanted, y);
+    return status != ELLA_OK || ella_finite(y->vdot, ELLA_NV) ? status : ELLA_NONFINITE;
 }
 
 /* A force that no acceleration feels would show in the joint wrenches alone. */
@@ -54,7 +58,7 @@ ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *sta
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, ELLA_WRENCHES | ELLA_TIP_POSE, output);
+    status = evaluate(c, state, input, work, ELLA_WRENCHES | ELLA_TIP_POSE, output);
     if (status == ELLA_OK && (wild(input) || !ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
         || !ella_finite(&output->tip_rotation[0][0], 9) || !ella_finite(output->tip_position, 3))) {
         return ELLA_NONFINITE;
@@ -68,7 +72,7 @@ ella_status ella_accelerations(const ella_constants *c, const ella_state *state,
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    return wild(input) ? ELLA_NONFINITE : accelerate(c, state, state, input, 0, work, 0, output);
+    return wild(input) ? ELLA_NONFINITE : evaluate(c, state, input, work, 0, output);
 }
 
 static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt, const ella_work *work)
@@ -82,6 +86,16 @@ static void advance(const ella_state *x, ella_real dt, const ella_real *qdot, co
     int k;
     for (k = 0; k < ELLA_NV; ++k) {
         y->q[k] = x->q[k] + dt * qdot[k];
+        y->v[k] = x->v[k] + dt * vdot[k];
+    }
+}
+
+/* y from x over dt: coordinates by the rates after `kick`, rates over all of dt. */
+static void leap(const ella_state *x, ella_real dt, ella_real kick, const ella_real *vdot, ella_state *y)
+{
+    int k;
+    for (k = 0; k < ELLA_NV; ++k) {
+        y->q[k] = x->q[k] + dt * (x->v[k] + kick * vdot[k]);
         y->v[k] = x->v[k] + dt * vdot[k];
     }
 }
@@ -103,7 +117,7 @@ ella_status ella_step_euler(const ella_constants *c, ella_state *state, const el
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -119,12 +133,11 @@ static ella_status symplectic(const ella_constants *c, ella_state *state, const 
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, modal_dt, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, modal_dt, work), work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
-    advance(state, dt, state->v, work->output.vdot, &work->next);
-    advance(state, dt, work->next.v, work->output.vdot, &work->next);
+    leap(state, dt, dt, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }
 
@@ -140,26 +153,26 @@ ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state,
     return symplectic(c, state, input, dt, dt, work);
 }
 
+/* The modes implicit over half a step, twice from the same state: their terms serve both. */
 ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
     ella_real dt, ella_work *work)
 {
+    const ella_real half = dt / 2, *m_eta;
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, dt / 2, work, 0, &work->output);
+    m_eta = modal_terms(c, state, half, work);
+    status = accelerate(c, state, input, m_eta, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
-    advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
-    advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, state, input, dt / 2, work, 0, &work->output);
+    leap(state, half, half, work->output.vdot, &work->stage);
+    status = accelerate(c, &work->stage, input, m_eta, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
-    advance(state, dt / 2, state->v, work->output.vdot, &work->next);
-    advance(state, dt, state->v, work->output.vdot, &work->stage);
-    advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
+    leap(state, dt, half, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }
 
@@ -176,7 +189,7 @@ ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella
     work->stage = *state;
     work->next = *state;
     for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, &work->stage, input, 0, work, 0, &work->output);
+        status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
         if (status != ELLA_OK) {
             return status;
         }

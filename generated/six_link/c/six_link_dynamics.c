@@ -11,8 +11,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     int link;
 
     /* shoulder, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_shoulder_xy, R_rel_shoulder_xx;
-    six_link_sine_cosine(state->q[0], &minus_R_rel_shoulder_xy, &R_rel_shoulder_xx);
+    const six_link_sincos turn = six_link_sine_cosine(state->q[0]);
+    const six_link_real minus_R_rel_shoulder_xy = turn.sine, R_rel_shoulder_xx = turn.cosine;
 
     /* shoulder, alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const six_link_real minus_alpha_0_shoulder_4 = R_rel_shoulder_xx * c->gravity[0]
@@ -25,8 +25,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + state->v[0] * (state->v[0] * c->links[0].length);
 
     /* upper_arm, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_upper_arm_xz, R_rel_upper_arm_xx;
-    six_link_sine_cosine(state->q[1], &R_rel_upper_arm_xz, &R_rel_upper_arm_xx);
+    const six_link_sincos turn_2 = six_link_sine_cosine(state->q[1]);
+    const six_link_real R_rel_upper_arm_xz = turn_2.sine, R_rel_upper_arm_xx = turn_2.cosine;
 
     /* upper_arm, R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real lever_upper_arm_1 = R_rel_upper_arm_xx * c->links[1].mount_xyz_x
@@ -175,8 +175,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + minus_alpha_0_upper_arm_1 * r_T_upper_arm_y + (minus_omega_R_upper_arm_1 * t29 + state->v[1] * t28);
 
     /* forearm, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t31, t32;
-    six_link_sine_cosine(state->q[2], &t31, &t32);
+    const six_link_sincos turn_3 = six_link_sine_cosine(state->q[2]);
+    const six_link_real t31 = turn_3.sine, t32 = turn_3.cosine;
     const six_link_real R_rel_forearm_xx = c->links[2].R_m_xx * t32 - c->links[2].R_m_xz * t31;
     const six_link_real R_rel_forearm_xz = c->links[2].R_m_xx * t31 + c->links[2].R_m_xz * t32;
     const six_link_real R_rel_forearm_yx = c->links[2].R_m_yx * t32 - c->links[2].R_m_yz * t31;
@@ -338,8 +338,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (omega_R_forearm_1 * t48 - omega_forearm_y * t47);
 
     /* wrist_roll, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_wrist_roll_yz, R_rel_wrist_roll_yy;
-    six_link_sine_cosine(state->q[3], &minus_R_rel_wrist_roll_yz, &R_rel_wrist_roll_yy);
+    const six_link_sincos turn_4 = six_link_sine_cosine(state->q[3]);
+    const six_link_real minus_R_rel_wrist_roll_yz = turn_4.sine, R_rel_wrist_roll_yy = turn_4.cosine;
 
     /* wrist_roll, R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_wrist_roll_12 = R_T_forearm_xz * minus_R_rel_wrist_roll_yz
@@ -387,8 +387,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + omega_wrist_roll_x * t54;
 
     /* wrist_pitch, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_wrist_pitch_xz, R_rel_wrist_pitch_xx;
-    six_link_sine_cosine(state->q[4], &R_rel_wrist_pitch_xz, &R_rel_wrist_pitch_xx);
+    const six_link_sincos turn_5 = six_link_sine_cosine(state->q[4]);
+    const six_link_real R_rel_wrist_pitch_xz = turn_5.sine, R_rel_wrist_pitch_xx = turn_5.cosine;
 
     /* wrist_pitch, R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real omega_R_wrist_pitch_1 = R_rel_wrist_pitch_xx * omega_wrist_roll_x
@@ -418,8 +418,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - alpha_0_wrist_roll_2 * c->links[4].length + omega_R_wrist_pitch_1 * t56;
 
     /* flange, R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_flange_yz, R_rel_flange_yy;
-    six_link_sine_cosine(state->q[5], &minus_R_rel_flange_yz, &R_rel_flange_yy);
+    const six_link_sincos turn_6 = six_link_sine_cosine(state->q[5]);
+    const six_link_real minus_R_rel_flange_yz = turn_6.sine, R_rel_flange_yy = turn_6.cosine;
 
     /* flange, R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real omega_R_flange_2 = R_rel_flange_yy * omega_wrist_pitch_y

@@ -46,8 +46,8 @@ SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_consta
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy, R_rel_xx;
-    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
@@ -76,8 +76,8 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     const six_link_real etadot[restrict 3], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     link->R_P[2] = R_rel_xz;
     link->R_P[6] = -R_rel_xz;
     link->R_P[0] = R_rel_xx;
@@ -274,8 +274,8 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     const six_link_real etadot[restrict 2], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t1, t2;
-    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
     const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
     const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
@@ -467,8 +467,8 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -543,8 +543,8 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_con
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     link->R_P[2] = R_rel_xz;
     link->R_P[6] = -R_rel_xz;
     link->R_P[0] = R_rel_xx;
@@ -600,8 +600,8 @@ SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constant
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
     link->R_P[5] = -minus_R_rel_yz;
     link->R_P[7] = minus_R_rel_yz;
     link->R_P[4] = R_rel_yy;
@@ -2885,29 +2885,29 @@ SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c,
     const six_link_real R_m_33 = 1 + t4 * (t3 - t5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy, R_rel_xx;
-    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     const six_link_real t10 = (R_rel_xx * R_m_21 - minus_R_rel_xy * R_m_11
         - (R_rel_xx * R_m_12 + minus_R_rel_xy * R_m_22)) * REAL(0.5);
     const six_link_real t11 = q[0] + t10;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy_2, R_rel_xx_2;
-    six_link_sine_cosine(t11, &minus_R_rel_xy_2, &R_rel_xx_2);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t11);
+    const six_link_real minus_R_rel_xy_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
     const six_link_real t12 = R_rel_xx_2 * R_m_21 - minus_R_rel_xy_2 * R_m_11
         - (R_rel_xx_2 * R_m_12 + minus_R_rel_xy_2 * R_m_22);
     const six_link_real new_q_1 = t11 + t12 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy_3, R_rel_xx_3;
-    six_link_sine_cosine(new_q_1, &minus_R_rel_xy_3, &R_rel_xx_3);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real minus_R_rel_xy_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
     const six_link_real t13 = -minus_R_rel_xy_3;
     const six_link_real t14 = new_q_1 * REAL(0.5);
-    six_link_real new_quaternion_4, new_quaternion_1;
-    six_link_sine_cosine(t14, &new_quaternion_4, &new_quaternion_1);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t14);
+    const six_link_real new_quaternion_4 = turn_4.sine, new_quaternion_1 = turn_4.cosine;
 
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = c->length * twist[2];
@@ -2983,22 +2983,22 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real t24 = base->R_m[2] * t13 + base->R_m[5] * t15 + base->R_m[8] * t20;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     const six_link_real t25 = q[0]
         + (R_rel_xx * t22 - R_rel_xz * t24 - (R_rel_xz * t21 + R_rel_xx * t23)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz_2, R_rel_xx_2;
-    six_link_sine_cosine(t25, &R_rel_xz_2, &R_rel_xx_2);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t25);
+    const six_link_real R_rel_xz_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
     const six_link_real new_q_1 = t25
         + (R_rel_xx_2 * t22 - R_rel_xz_2 * t24 - (R_rel_xz_2 * t21 + R_rel_xx_2 * t23)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz_3, R_rel_xx_3;
-    six_link_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_xx_3);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real R_rel_xz_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
     const six_link_real omega_y = twist[1] - base->omega_m[1];
 
@@ -3097,8 +3097,8 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
     const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
     const six_link_real t49 = new_q_1 * REAL(0.5);
-    six_link_real t50, t51;
-    six_link_sine_cosine(t49, &t50, &t51);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t49);
+    const six_link_real t50 = turn_4.sine, t51 = turn_4.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t51;
     const six_link_real new_quaternion_3 = base->Q[0] * t50;
     const six_link_real new_quaternion_4 = t51 * base->Q[3];
@@ -3242,8 +3242,8 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real t26 = base->R_m[2] * t13 + base->R_m[5] * t15 + base->R_m[8] * t20;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t27, t28;
-    six_link_sine_cosine(q[0], &t27, &t28);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t27 = turn.sine, t28 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t28 - c->R_m_xz * t27;
     const six_link_real R_rel_xz = c->R_m_xx * t27 + c->R_m_xz * t28;
     const six_link_real R_rel_yx = c->R_m_yx * t28 - c->R_m_yz * t27;
@@ -3256,8 +3256,8 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real t30 = q[0] + t29 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t31, t32;
-    six_link_sine_cosine(t30, &t31, &t32);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t30);
+    const six_link_real t31 = turn_2.sine, t32 = turn_2.cosine;
     const six_link_real R_rel_xx_2 = c->R_m_xx * t32 - c->R_m_xz * t31;
     const six_link_real R_rel_xz_2 = c->R_m_xx * t31 + c->R_m_xz * t32;
     const six_link_real R_rel_yx_2 = c->R_m_yx * t32 - c->R_m_yz * t31;
@@ -3270,8 +3270,8 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real new_q_1 = t30 + t33 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t34, t35;
-    six_link_sine_cosine(new_q_1, &t34, &t35);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real t34 = turn_3.sine, t35 = turn_3.cosine;
     const six_link_real R_rel_xx_3 = c->R_m_xx * t35 - c->R_m_xz * t34;
     const six_link_real R_rel_xz_3 = c->R_m_xx * t34 + c->R_m_xz * t35;
     const six_link_real R_rel_yx_3 = c->R_m_yx * t35 - c->R_m_yz * t34;
@@ -3365,17 +3365,17 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real new_position_3 = base->r[2]
         + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
     const six_link_real t50 = c->mount_rpy_z * REAL(0.5);
-    six_link_real t51, t52;
-    six_link_sine_cosine(t50, &t51, &t52);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t50);
+    const six_link_real t51 = turn_4.sine, t52 = turn_4.cosine;
     const six_link_real t53 = c->mount_rpy_y * REAL(0.5);
-    six_link_real t54, t55;
-    six_link_sine_cosine(t53, &t54, &t55);
+    const six_link_sincos turn_5 = six_link_sine_cosine(t53);
+    const six_link_real t54 = turn_5.sine, t55 = turn_5.cosine;
     const six_link_real t56 = c->mount_rpy_x * REAL(0.5);
-    six_link_real t57, t58;
-    six_link_sine_cosine(t56, &t57, &t58);
+    const six_link_sincos turn_6 = six_link_sine_cosine(t56);
+    const six_link_real t57 = turn_6.sine, t58 = turn_6.cosine;
     const six_link_real t59 = new_q_1 * REAL(0.5);
-    six_link_real t60, t61;
-    six_link_sine_cosine(t59, &t60, &t61);
+    const six_link_sincos turn_7 = six_link_sine_cosine(t59);
+    const six_link_real t60 = turn_7.sine, t61 = turn_7.cosine;
     const six_link_real t62 = t52 * t55;
     const six_link_real t63 = t52 * t54;
     const six_link_real t64 = t55 * t51;
@@ -3522,23 +3522,23 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
     const six_link_real t15 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     const six_link_real t16 = q[0]
         + (R_rel_yy * t14 - minus_R_rel_yz * t12 - (R_rel_yy * t13 + minus_R_rel_yz * t15)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz_2, R_rel_yy_2;
-    six_link_sine_cosine(t16, &minus_R_rel_yz_2, &R_rel_yy_2);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t16);
+    const six_link_real minus_R_rel_yz_2 = turn_2.sine, R_rel_yy_2 = turn_2.cosine;
 
     const six_link_real t17 = (R_rel_yy_2 * t14 - minus_R_rel_yz_2 * t12
         - (R_rel_yy_2 * t13 + minus_R_rel_yz_2 * t15)) * REAL(0.5);
     const six_link_real new_q_1 = t16 + t17;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz_3, R_rel_yy_3;
-    six_link_sine_cosine(new_q_1, &minus_R_rel_yz_3, &R_rel_yy_3);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real minus_R_rel_yz_3 = turn_3.sine, R_rel_yy_3 = turn_3.cosine;
 
     const six_link_real t18 = twist[0] - base->omega_m[0];
 
@@ -3557,8 +3557,8 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
     const six_link_real R_yz = base->R[5] * R_rel_yy_3 - base->R[4] * minus_R_rel_yz_3;
     const six_link_real R_zz = base->R[8] * R_rel_yy_3 - base->R[7] * minus_R_rel_yz_3;
     const six_link_real t19 = new_q_1 * REAL(0.5);
-    six_link_real t20, t21;
-    six_link_sine_cosine(t19, &t20, &t21);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t19);
+    const six_link_real t20 = turn_4.sine, t21 = turn_4.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t21 - base->Q[1] * t20;
     const six_link_real new_quaternion_2 = base->Q[0] * t20 + t21 * base->Q[1];
     const six_link_real new_quaternion_3 = t21 * base->Q[2] + base->Q[3] * t20;
@@ -3648,22 +3648,22 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     const six_link_real t15 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     const six_link_real t16 = q[0]
         + (R_rel_xx * t13 - R_rel_xz * t15 - (R_rel_xz * t12 + R_rel_xx * t14)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz_2, R_rel_xx_2;
-    six_link_sine_cosine(t16, &R_rel_xz_2, &R_rel_xx_2);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t16);
+    const six_link_real R_rel_xz_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
     const six_link_real new_q_1 = t16
         + (R_rel_xx_2 * t13 - R_rel_xz_2 * t15 - (R_rel_xz_2 * t12 + R_rel_xx_2 * t14)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz_3, R_rel_xx_3;
-    six_link_sine_cosine(new_q_1, &R_rel_xz_3, &R_rel_xx_3);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real R_rel_xz_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
     const six_link_real t17 = twist[1] - base->omega_m[1];
 
@@ -3682,8 +3682,8 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     const six_link_real R_yx = base->R[3] * R_rel_xx_3 - base->R[5] * R_rel_xz_3;
     const six_link_real R_zx = base->R[6] * R_rel_xx_3 - base->R[8] * R_rel_xz_3;
     const six_link_real t18 = new_q_1 * REAL(0.5);
-    six_link_real t19, t20;
-    six_link_sine_cosine(t18, &t19, &t20);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t18);
+    const six_link_real t19 = turn_4.sine, t20 = turn_4.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t20 - base->Q[2] * t19;
     const six_link_real new_quaternion_3 = base->Q[0] * t19 + t20 * base->Q[2];
     const six_link_real new_quaternion_2 = t20 * base->Q[1] - base->Q[3] * t19;
@@ -3759,23 +3759,23 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
     const six_link_real t11 = base->R_m[2] * R_m_13 + base->R_m[5] * R_m_23 + base->R_m[8] * R_m_33;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     const six_link_real t12 = q[0]
         + (R_rel_yy * t10 - minus_R_rel_yz * t8 - (R_rel_yy * t9 + minus_R_rel_yz * t11)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz_2, R_rel_yy_2;
-    six_link_sine_cosine(t12, &minus_R_rel_yz_2, &R_rel_yy_2);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t12);
+    const six_link_real minus_R_rel_yz_2 = turn_2.sine, R_rel_yy_2 = turn_2.cosine;
 
     const six_link_real t13 = (R_rel_yy_2 * t10 - minus_R_rel_yz_2 * t8
         - (R_rel_yy_2 * t9 + minus_R_rel_yz_2 * t11)) * REAL(0.5);
     const six_link_real new_q_1 = t12 + t13;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz_3, R_rel_yy_3;
-    six_link_sine_cosine(new_q_1, &minus_R_rel_yz_3, &R_rel_yy_3);
+    const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
+    const six_link_real minus_R_rel_yz_3 = turn_3.sine, R_rel_yy_3 = turn_3.cosine;
 
     const six_link_real t14 = twist[0] - base->omega_m[0];
 
@@ -3791,8 +3791,8 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
     const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
 
     const six_link_real t15 = new_q_1 * REAL(0.5);
-    six_link_real t16, t17;
-    six_link_sine_cosine(t15, &t16, &t17);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t15);
+    const six_link_real t16 = turn_4.sine, t17 = turn_4.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t17 - base->Q[1] * t16;
     const six_link_real new_quaternion_2 = base->Q[0] * t16 + t17 * base->Q[1];
     const six_link_real new_quaternion_3 = t17 * base->Q[2] + base->Q[3] * t16;
@@ -3822,13 +3822,13 @@ SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_co
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy, R_rel_xx;
-    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     const six_link_real t1 = -minus_R_rel_xy;
     const six_link_real t2 = q[0] * REAL(0.5);
-    six_link_real new_quaternion_4, new_quaternion_1;
-    six_link_sine_cosine(t2, &new_quaternion_4, &new_quaternion_1);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t2);
+    const six_link_real new_quaternion_4 = turn_2.sine, new_quaternion_1 = turn_2.cosine;
 
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = c->length * qdot[0];
@@ -3871,8 +3871,8 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
@@ -3895,8 +3895,8 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     const six_link_real new_position_2 = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
     const six_link_real new_position_3 = base->r[2] + c->mount_xyz_z;
     const six_link_real t9 = q[0] * REAL(0.5);
-    six_link_real t10, t11;
-    six_link_sine_cosine(t9, &t10, &t11);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t9);
+    const six_link_real t10 = turn_2.sine, t11 = turn_2.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t11;
     const six_link_real new_quaternion_3 = base->Q[0] * t10;
     const six_link_real new_quaternion_4 = t11 * base->Q[3];
@@ -4056,8 +4056,8 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t1, t2;
-    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
     const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
     const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
@@ -4100,17 +4100,17 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     const six_link_real new_position_3 = base->r[2]
         + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
     const six_link_real t15 = c->mount_rpy_z * REAL(0.5);
-    six_link_real t16, t17;
-    six_link_sine_cosine(t15, &t16, &t17);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t15);
+    const six_link_real t16 = turn_2.sine, t17 = turn_2.cosine;
     const six_link_real t18 = c->mount_rpy_y * REAL(0.5);
-    six_link_real t19, t20;
-    six_link_sine_cosine(t18, &t19, &t20);
+    const six_link_sincos turn_3 = six_link_sine_cosine(t18);
+    const six_link_real t19 = turn_3.sine, t20 = turn_3.cosine;
     const six_link_real t21 = c->mount_rpy_x * REAL(0.5);
-    six_link_real t22, t23;
-    six_link_sine_cosine(t21, &t22, &t23);
+    const six_link_sincos turn_4 = six_link_sine_cosine(t21);
+    const six_link_real t22 = turn_4.sine, t23 = turn_4.cosine;
     const six_link_real t24 = q[0] * REAL(0.5);
-    six_link_real t25, t26;
-    six_link_sine_cosine(t24, &t25, &t26);
+    const six_link_sincos turn_5 = six_link_sine_cosine(t24);
+    const six_link_real t25 = turn_5.sine, t26 = turn_5.cosine;
     const six_link_real t27 = t17 * t20;
     const six_link_real t28 = t17 * t19;
     const six_link_real t29 = t20 * t16;
@@ -4260,8 +4260,8 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -4281,8 +4281,8 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
     const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
     const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
     const six_link_real t1 = q[0] * REAL(0.5);
-    six_link_real t2, t3;
-    six_link_sine_cosine(t1, &t2, &t3);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t1);
+    const six_link_real t2 = turn_2.sine, t3 = turn_2.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
     const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
     const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
@@ -4341,8 +4341,8 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -4362,8 +4362,8 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     const six_link_real R_zx = base->R[6] * R_rel_xx - base->R[8] * R_rel_xz;
     const six_link_real R_zz = base->R[6] * R_rel_xz + base->R[8] * R_rel_xx;
     const six_link_real t1 = q[0] * REAL(0.5);
-    six_link_real t2, t3;
-    six_link_sine_cosine(t1, &t2, &t3);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t1);
+    const six_link_real t2 = turn_2.sine, t3 = turn_2.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[2] * t2;
     const six_link_real new_quaternion_3 = base->Q[0] * t2 + t3 * base->Q[2];
     const six_link_real new_quaternion_2 = t3 * base->Q[1] - base->Q[3] * t2;
@@ -4422,8 +4422,8 @@ SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_cons
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -4443,8 +4443,8 @@ SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_cons
     const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
     const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
     const six_link_real t1 = q[0] * REAL(0.5);
-    six_link_real t2, t3;
-    six_link_sine_cosine(t1, &t2, &t3);
+    const six_link_sincos turn_2 = six_link_sine_cosine(t1);
+    const six_link_real t2 = turn_2.sine, t3 = turn_2.cosine;
     const six_link_real new_quaternion_1 = base->Q[0] * t3 - base->Q[1] * t2;
     const six_link_real new_quaternion_2 = base->Q[0] * t2 + t3 * base->Q[1];
     const six_link_real new_quaternion_3 = t3 * base->Q[2] + base->Q[3] * t2;
@@ -4487,8 +4487,8 @@ SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants 
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_xy, R_rel_xx;
-    six_link_sine_cosine(q[0], &minus_R_rel_xy, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
@@ -4515,8 +4515,8 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real etadot[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -4714,8 +4714,8 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     const six_link_real etadot[2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t1, t2;
-    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
     const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
     const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
@@ -4905,8 +4905,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -4978,8 +4978,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constan
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -5033,8 +5033,8 @@ SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -minus_R_rel_yz;
@@ -5932,8 +5932,8 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
     const six_link_real q[1], const six_link_real eta[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -6046,8 +6046,8 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
     six_link_node *tip, const six_link_real q[1], const six_link_real eta[2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t1, t2;
-    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
     const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
     const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
@@ -6148,8 +6148,8 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
 SIX_LINK_PART six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real R_P_12 = base->R_T[1] * R_rel_yy + base->R_T[2] * minus_R_rel_yz;
@@ -6176,8 +6176,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll_2(six_link_link_store *link,
 SIX_LINK_PART six_link_status kinematics_wrist_pitch_2(six_link_link_store *link, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
@@ -6194,8 +6194,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_pitch_2(six_link_link_store *link
 SIX_LINK_PART six_link_status kinematics_flange_2(six_link_link_store *link, const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -minus_R_rel_yz;
@@ -6621,8 +6621,8 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     const six_link_real t1 = -R_rel_xz;
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -7059,8 +7059,8 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real t1, t2;
-    six_link_sine_cosine(q[0], &t1, &t2);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
     const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
     const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
     const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
@@ -7466,8 +7466,8 @@ SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constant
     six_link_real H[12], six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
     const six_link_real t1 = -minus_R_rel_yz;
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
@@ -7595,8 +7595,8 @@ SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constan
     six_link_real H[12], six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real R_rel_xz, R_rel_xx;
-    six_link_sine_cosine(q[0], &R_rel_xz, &R_rel_xx);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     const six_link_real t1 = -R_rel_xz;
 
     const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
@@ -7720,8 +7720,8 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
     six_link_real H[12], six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
-    six_link_real minus_R_rel_yz, R_rel_yy;
-    six_link_sine_cosine(q[0], &minus_R_rel_yz, &R_rel_yy);
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
     const six_link_real t1 = -minus_R_rel_yz;
 
     const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];

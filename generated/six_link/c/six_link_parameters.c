@@ -309,13 +309,13 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real Psi_c_z1 = REAL(4.47213595499958) / p->length;
 
     /* R_m: rotation of the mount */
-    six_link_real minus_R_m_zx, t6;
-    six_link_sine_cosine(p->joint.mount_rpy[1], &minus_R_m_zx, &t6);
-    six_link_real t7, t8;
-    six_link_sine_cosine(p->joint.mount_rpy[2], &t7, &t8);
+    const six_link_sincos turn = six_link_sine_cosine(p->joint.mount_rpy[1]);
+    const six_link_real minus_R_m_zx = turn.sine, t6 = turn.cosine;
+    const six_link_sincos turn_2 = six_link_sine_cosine(p->joint.mount_rpy[2]);
+    const six_link_real t7 = turn_2.sine, t8 = turn_2.cosine;
     const six_link_real R_m_xx = t6 * t8;
-    six_link_real t9, t10;
-    six_link_sine_cosine(p->joint.mount_rpy[0], &t9, &t10);
+    const six_link_sincos turn_3 = six_link_sine_cosine(p->joint.mount_rpy[0]);
+    const six_link_real t9 = turn_3.sine, t10 = turn_3.cosine;
     const six_link_real t11 = t9 * minus_R_m_zx;
     const six_link_real R_m_xy = t11 * t8 - t7 * t10;
     const six_link_real R_m_xz = t9 * t7 + minus_R_m_zx * t10 * t8;

@@ -6,30 +6,44 @@
  */
 #include "six_link_real.h"
 
-void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *cosine)
+SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
 {
+    six_link_sincos y;
 #ifndef SIX_LINK_LIBM
     static const six_link_real TURN[5] = { 0, 1, 0, -1, 0 }; /* sine of whole quarter turns; their cosine is one further */
-    const six_link_real shifted = x * REAL(0.63661977236758134308) + SIX_LINK_ROUND;
-    const six_link_real k = shifted - SIX_LINK_ROUND; /* quarter turns */
-    const six_link_real a = x - k * SIX_LINK_QUARTER_1, b = k * SIX_LINK_QUARTER_2, ab = a - b;
-    const six_link_real d = k * SIX_LINK_QUARTER_3, r = ab - d; /* what is left is r + rest */
-    const six_link_real rest = (((a - ab) - b) + ((ab - r) - d)) - k * SIX_LINK_QUARTER_4;
-    const six_link_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
-    const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
-    const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z, w)) - r * rest));
     if (x >= -SIX_LINK_FAR && x <= SIX_LINK_FAR) {
-        const unsigned turn = (unsigned)(int)k & 3u;
-        *sine = s * TURN[turn + 1] + c * TURN[turn];
-        *cosine = c * TURN[turn + 1] - s * TURN[turn];
-        return;
+        const int whole = x < -REAL(0.785) || x > REAL(0.785);
+        unsigned turn = 0;
+        six_link_real r = x, rest = 0;
+        if (whole != 0) {
+            const six_link_real shifted = x * REAL(0.63661977236758134308) + SIX_LINK_ROUND;
+            const six_link_real k = shifted - SIX_LINK_ROUND;
+            const six_link_real a = x - k * SIX_LINK_QUARTER_1, b = k * SIX_LINK_QUARTER_2, ab = a - b;
+            const six_link_real d = k * SIX_LINK_QUARTER_3, left = ab - d;
+            turn = (unsigned)(int)k & 3u;
+            r = left;
+            rest = (((a - ab) - b) + ((ab - left) - d)) - k * SIX_LINK_QUARTER_4;
+        }
+        {
+            const six_link_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
+            const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
+            const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z, w)) - r * rest));
+            y.sine = s;
+            y.cosine = c;
+            if (whole != 0) {
+                y.sine = s * TURN[turn + 1] + c * TURN[turn];
+                y.cosine = c * TURN[turn + 1] - s * TURN[turn];
+            }
+        }
+        return y;
     }
 #endif
-    *sine = six_link_libm_sin(x);
-    *cosine = six_link_libm_cos(x);
+    y.sine = six_link_libm_sin(x);
+    y.cosine = six_link_libm_cos(x);
+    return y;
 }
 
-six_link_real six_link_c4(six_link_real x)
+SIX_LINK_TARGETS six_link_real six_link_c4(six_link_real x)
 {
     const six_link_real square = x * x;
     six_link_real tail = REAL(4.779477332387385e-14);
@@ -51,7 +65,7 @@ six_link_real six_link_c4(six_link_real x)
         + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07)) + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
 }
 
-six_link_real six_link_c5(six_link_real x)
+SIX_LINK_TARGETS six_link_real six_link_c5(six_link_real x)
 {
     const six_link_real square = x * x;
     six_link_real tail = REAL(2.8114572543455206e-15);

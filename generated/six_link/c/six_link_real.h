@@ -67,20 +67,20 @@
 #endif
 
 /* Sine and cosine of an angle; one of the two. */
-void six_link_sine_cosine(six_link_real x, six_link_real *sine, six_link_real *cosine);
+typedef struct {
+    six_link_real sine, cosine;
+} six_link_sincos;
+
+six_link_sincos six_link_sine_cosine(six_link_real x);
 
 static inline six_link_real six_link_sin(six_link_real x)
 {
-    six_link_real sine, cosine;
-    six_link_sine_cosine(x, &sine, &cosine);
-    return sine;
+    return six_link_sine_cosine(x).sine;
 }
 
 static inline six_link_real six_link_cos(six_link_real x)
 {
-    six_link_real sine, cosine;
-    six_link_sine_cosine(x, &sine, &cosine);
-    return cosine;
+    return six_link_sine_cosine(x).cosine;
 }
 
 /* Stumpff functions c_k(x) = sum_j (-x)^j / (k + 2 j)!, k = 4 and 5, of a squared angle x. */

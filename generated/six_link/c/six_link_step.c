@@ -29,16 +29,20 @@ static int sound(const six_link_state *s, const six_link_input *u, const six_lin
         && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NMODES);
 }
 
-/* vdot at s with the modal force that it leads to dt after the state from (0: the force there), and what is wanted. */
-static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_state *from,
-    const six_link_input *u, six_link_real dt, six_link_work *work, int wanted, six_link_output *y)
+/* vdot at s with the modal terms m_eta and work->f_eta, and what is wanted; numbers that are not finite may be left. */
+static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_input *u,
+    const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *y)
 {
-    const six_link_real *const m_eta = modal_terms(c, from, dt, work);
     const six_link_status status = six_link_dynamics(c, s, u, m_eta, work, wanted, y);
-    if (status != SIX_LINK_OK) {
-        return sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
-    }
-    return six_link_finite(y->vdot, SIX_LINK_NV) ? SIX_LINK_OK : SIX_LINK_NONFINITE;
+    return status == SIX_LINK_OK || sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
+}
+
+/* vdot at a state, finite, and what is wanted. */
+static six_link_status evaluate(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_work *work,
+    int wanted, six_link_output *y)
+{
+    const six_link_status status = accelerate(c, s, u, modal_terms(c, s, 0, work), work, wanted, y);
+    return status != SIX_LINK_OK || six_link_finite(y->vdot, SIX_LINK_NV) ? status : SIX_LINK_NONFINITE;
 }
 
 /* A force that no acceleration feels would show in the joint wrenches alone. */
@@ -54,7 +58,7 @@ six_link_status six_link_forward_dynamics(const six_link_constants *c, const six
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
+    status = evaluate(c, state, input, work, SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
     if (status == SIX_LINK_OK && (wild(input) || !six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
         || !six_link_finite(&output->tip_rotation[0][0], 9) || !six_link_finite(output->tip_position, 3))) {
         return SIX_LINK_NONFINITE;
@@ -68,7 +72,7 @@ six_link_status six_link_accelerations(const six_link_constants *c, const six_li
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    return wild(input) ? SIX_LINK_NONFINITE : accelerate(c, state, state, input, 0, work, 0, output);
+    return wild(input) ? SIX_LINK_NONFINITE : evaluate(c, state, input, work, 0, output);
 }
 
 static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt, const six_link_work *work)
@@ -82,6 +86,16 @@ static void advance(const six_link_state *x, six_link_real dt, const six_link_re
     int k;
     for (k = 0; k < SIX_LINK_NV; ++k) {
         y->q[k] = x->q[k] + dt * qdot[k];
+        y->v[k] = x->v[k] + dt * vdot[k];
+    }
+}
+
+/* y from x over dt: coordinates by the rates after `kick`, rates over all of dt. */
+static void leap(const six_link_state *x, six_link_real dt, six_link_real kick, const six_link_real *vdot, six_link_state *y)
+{
+    int k;
+    for (k = 0; k < SIX_LINK_NV; ++k) {
+        y->q[k] = x->q[k] + dt * (x->v[k] + kick * vdot[k]);
         y->v[k] = x->v[k] + dt * vdot[k];
     }
 }
@@ -103,7 +117,7 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, 0, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -119,12 +133,11 @@ static six_link_status symplectic(const six_link_constants *c, six_link_state *s
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, modal_dt, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, modal_dt, work), work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
-    advance(state, dt, state->v, work->output.vdot, &work->next);
-    advance(state, dt, work->next.v, work->output.vdot, &work->next);
+    leap(state, dt, dt, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }
 
@@ -140,26 +153,26 @@ six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_li
     return symplectic(c, state, input, dt, dt, work);
 }
 
+/* The modes implicit over half a step, twice from the same state: their terms serve both. */
 six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work)
 {
+    const six_link_real half = dt / 2, *m_eta;
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, dt / 2, work, 0, &work->output);
+    m_eta = modal_terms(c, state, half, work);
+    status = accelerate(c, state, input, m_eta, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
-    advance(state, dt / 2, state->v, work->output.vdot, &work->stage);
-    advance(state, dt / 2, work->stage.v, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, state, input, dt / 2, work, 0, &work->output);
+    leap(state, half, half, work->output.vdot, &work->stage);
+    status = accelerate(c, &work->stage, input, m_eta, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
-    advance(state, dt / 2, state->v, work->output.vdot, &work->next);
-    advance(state, dt, state->v, work->output.vdot, &work->stage);
-    advance(&work->next, dt / 2, work->stage.v, work->output.vdot, &work->next);
+    leap(state, dt, half, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }
 
@@ -176,7 +189,7 @@ six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *s
     work->stage = *state;
     work->next = *state;
     for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, &work->stage, input, 0, work, 0, &work->output);
+        status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
         if (status != SIX_LINK_OK) {
             return status;
         }

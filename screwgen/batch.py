@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import ctypes
-import os
-import tempfile
-from pathlib import Path
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from .build import Model
-from .compiled import STATUS, build_library
+from .compiled import STATUS
 from .emit.c import METHODS, CProject
 from .errors import ScrewgenError, UsageError
+from .library import load
 
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
 """Without contraction a machine with wider registers gives the same numbers."""
@@ -58,8 +56,7 @@ class CompiledBatch:
         name = model.robot.name
         define = [f"-D{name.upper()}_REAL_FLOAT"] if single else []
         options = [*flags, *define, *(["-fopenmp"] if openmp else [])]
-        with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
-            self.library = build_library(Path(place), _files(model), compiler or os.environ.get("CC") or "cc", options)
+        self.library = load(_files(model), options, compiler)
 
     def constants(self, p: np.ndarray) -> np.ndarray:
         """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).

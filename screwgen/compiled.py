@@ -16,9 +16,9 @@ from .chain.dae_functions import state_size, unknown_size
 from .emit.c import METHODS, CProject
 from .emit.c_shim import shims
 from .errors import ScrewgenError, SingularError, UsageError
-from .library import build_library, load
+from .library import load
 
-__all__ = ["STATUS", "Compiled", "CompiledStepper", "build_library"]
+__all__ = ["STATUS", "Compiled", "CompiledStepper"]
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
 SINGULAR = 2

@@ -55,7 +55,7 @@ def load(
         with suppress(OSError):
             return _build_and_keep(folder, key, used, command, flags)
     with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
-        return build_library(Path(place), used, shlex.join(command), flags)
+        return ctypes.CDLL(str(_compiled(Path(place), used, command, flags)))
 
 
 def cache_folder() -> Path | None:
@@ -88,15 +88,8 @@ def has_compiler() -> bool:
         return False
 
 
-def build_library(folder: Path, files: Mapping[str, str], compiler: str, flags: Sequence[str]) -> ctypes.CDLL:
-    """Write the files of a robot's C into a folder, compile them but the programs, and load the library.
-
-    Raises :class:`ScrewgenError` where the compiler is missing or fails.
-    """
-    return ctypes.CDLL(str(_compiled(folder, files, compiler_command(compiler), flags)))
-
-
 def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]) -> Path:
+    """Write the files into a folder and compile them; raises ScrewgenError where the compiler fails."""
     for name, text in files.items():
         (folder / name).write_text(text)
     sources = sorted(name for name in files if name.endswith(".c") and name not in PROGRAMS)

@@ -25,8 +25,26 @@ mpc: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) -q -p no:cacheprovider $(ARGS)
 
+# The guides: runs every block of them, then builds build/docs. What the examples draw takes some minutes, once.
+docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html
+	$(BIN)/python docs/tools/pages.py build/guides
+	$(BIN)/mkdocs build --quiet
+	@echo "build/docs/index.html"
+
+build/bode_ella.png: examples/bode_ella.py | $(READY)
+	$(BIN)/python $<
+
+build/ekf_ella.png: examples/ekf_ella.py | $(READY)
+	$(BIN)/python $<
+
+build/mpc/report.html: examples/mpc_ella.py $(wildcard examples/mpc/*.py) | $(READY)
+	$(BIN)/python $<
+
+build/ella_paper/report.html: examples/ella_paper.py $(wildcard examples/ella/*.py) | $(READY)
+	$(BIN)/python $<
+
 lint: $(READY)
-	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware
+	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
 
 # The generated C against what else computes the same; the other tools live in an environment of their own.
 bench: $(BENCH)/.ready
@@ -69,4 +87,4 @@ $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 clean:
 	rm -rf $(VENV) $(BENCH) build
 
-.PHONY: demo paper mpc test lint bench analyse-c long-run firmware generated clean
+.PHONY: demo paper mpc docs test lint bench analyse-c long-run firmware generated clean

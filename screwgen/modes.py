@@ -9,6 +9,7 @@ import numpy as np
 import scipy.linalg
 
 from .errors import SingularError, UsageError
+from .linear import checked
 
 if TYPE_CHECKING:
     from .build import Model
@@ -19,7 +20,7 @@ JOINTS = ("locked", "free")
 def natural_frequencies(
     model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
 ) -> np.ndarray:
-    """The natural frequencies in Hz, ascending, at rest at `q` (nq,), without gravity or damping.
+    """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
 
     `joints`: "locked" leaves the modes alone to move, (n_modes,); "free" lets the joints turn on their own
     springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter values, the file's by default.
@@ -45,7 +46,9 @@ def mode_shapes(
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     if joints not in JOINTS:
         raise UsageError(f"joints are '{joints}'; they must be {' or '.join(JOINTS)}")
-    q = np.zeros(model.nq) if q is None else np.array(q, float)
+    if q is not None and np.size(q) == model.n_joints != model.nq:
+        q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
+    q = checked(q, "q", model.nq)
     first = model.n_joints if joints == "locked" else 0
     M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
     free, held = np.flatnonzero(k == 0), np.flatnonzero(k)

@@ -105,3 +105,15 @@ def test_a_free_joint_without_inertia_is_named():
 def test_unknown_joints_are_refused():
     with pytest.raises(UsageError, match="locked or free"):
         natural_frequencies(model_of(ella()), joints="welded")
+
+
+def test_joints_alone_leave_the_modes_at_zero():
+    model = model_of(ella())
+    alone, whole = (natural_frequencies(model, q, "free") for q in (SETPOINTS, posture(model)))
+    assert np.array_equal(alone, whole)
+
+
+@pytest.mark.parametrize("q", [[0.1], [0.1, np.nan, 0.0], "abc"])
+def test_a_posture_of_another_length_or_without_numbers_is_refused(q):
+    with pytest.raises(UsageError, match=r"^q: "):
+        natural_frequencies(model_of(ella()), q)

@@ -11,6 +11,8 @@ from .latex_layout import Formula
 
 BOLD = (
     ("0", "9", 0x1D7CE),
+    ("A", "Z", 0x1D400),
+    ("a", "z", 0x1D41A),
     ("\u0391", "\u03a9", 0x1D6A8),  # capital Greek, upright
     ("\u03b1", "\u03c9", 0x1D736),  # small Greek, italic
     ("\U0001d49c", "\U0001d4cf", 0x1D4D0),  # script

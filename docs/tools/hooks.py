@@ -1,0 +1,115 @@
+"""What the site needs beyond Markdown: formulas as MathML, and files of the repository that pages link to.
+
+A link out of docs/ works where the repository is read. In the site it leads to the same file: Markdown becomes a page,
+a picture of build/ is copied, any other text a page with its lines. So nothing is written twice.
+"""
+
+from __future__ import annotations
+
+import html
+import posixpath
+import re
+import sys
+from pathlib import Path
+
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files, InclusionLevel
+from mkdocs.structure.pages import Page
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from screwgen.emit.latex_mathml import inline  # noqa: E402
+
+LINK = re.compile(r"(\]\()([^)\s:#]+)(#[^)\s]*)?(\))")
+FENCED = re.compile(r"(^```.*?^```$)", re.DOTALL | re.MULTILINE)
+MATH = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
+PICTURES = (".png", ".svg")
+LEXERS = {".py": "python", ".c": "c", ".h": "c", ".toml": "toml", ".ld": "text"}
+SITEMAP = "sitemap.xml"
+NAVIGATION = ("NOTATION.md", "DESIGN.md", "firmware/README.md")
+"""Pages of the repository that the navigation names."""
+
+
+def on_config(config: MkDocsConfig) -> MkDocsConfig:
+    """No sitemap: it needs an address, and its archive holds the time."""
+    config.theme.static_templates.discard(SITEMAP)
+    return config
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """Add every file of the repository that a page links to, and those that these link to."""
+    waiting = [f"docs/{f.src_uri}" for f in files.documentation_pages()] + list(NAVIGATION)
+    seen = set(waiting)
+    if sitemap := files.get_file_from_path(SITEMAP):
+        files.remove(sitemap)
+    while waiting:
+        path = waiting.pop()
+        if not path.startswith("docs/"):
+            files.append(brought(path, config))
+        if path.endswith(".md"):
+            found = set(targets((ROOT / path).read_text(encoding="utf-8"), path)) - seen
+            seen |= found
+            waiting += sorted(p for p in found if not p.startswith("docs/"))
+    return files
+
+
+def brought(path: str, config: MkDocsConfig) -> File:
+    """A file of the repository in the site."""
+    source = place(path, config)
+    if not source.is_file():
+        what = "`make docs` draws it" if path.startswith("build/") else "it is no file of the repository"
+        raise SystemExit(f"docs: a page links to {path}: {what}")
+    if path.endswith(PICTURES):
+        return File.generated(config, site_uri(path), content=source.read_bytes())
+    text = source.read_text(encoding="utf-8")
+    if not path.endswith(".md"):
+        text = f"# {posixpath.basename(path)}\n\n```{LEXERS.get(source.suffix, 'text')}\n{text}```\n"
+    level = InclusionLevel.INCLUDED if path in NAVIGATION else InclusionLevel.NOT_IN_NAV
+    return File.generated(config, site_uri(path), content=text, inclusion=level)
+
+
+def place(path: str, config: MkDocsConfig) -> Path:
+    """Where a path of the repository is on disk; what is built may lie elsewhere."""
+    first, _, rest = path.partition("/")
+    return ROOT / config.extra["build"] / rest if first == "build" else ROOT / path
+
+
+def site_uri(path: str) -> str:
+    """Where a path of the repository is in the site."""
+    uri = path.removeprefix("docs/")
+    uri = f"pictures/{uri.removeprefix('build/')}" if uri.startswith("build/") else uri
+    return uri if uri.endswith((".md", *PICTURES)) else f"{uri}.md"
+
+
+def targets(text: str, path: str) -> list[str]:
+    """The files of the repository that a page at `path` links to."""
+    prose = "".join(FENCED.split(text)[::2])
+    return [posixpath.normpath(posixpath.join(posixpath.dirname(path), m[2])) for m in LINK.finditer(prose)]
+
+
+def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
+    """Links as paths of the repository become links of the site."""
+    uri = page.file.src_uri
+    path = uri if page.file.generated_by else f"docs/{uri}"
+    folder = posixpath.dirname(uri)
+
+    def moved(match: re.Match) -> str:
+        target = posixpath.normpath(posixpath.join(posixpath.dirname(path), match[2]))
+        return f"{match[1]}{posixpath.relpath(site_uri(target), folder or '.')}{match[3] or ''}{match[4]}"
+
+    parts = FENCED.split(markdown)
+    return "".join(part if k % 2 else LINK.sub(moved, part) for k, part in enumerate(parts))
+
+
+def on_page_content(content: str, page: Page, config: MkDocsConfig, files: Files) -> str:
+    """Formulas become MathML, which browsers set by themselves."""
+
+    def formula(match: re.Match) -> str:
+        tex = html.unescape(match[3]).strip()
+        if match[2] == "(":
+            return inline(tex)
+        lines = (inline(line).replace("<math>", '<math display="block">', 1) for line in tex.splitlines())
+        return "".join(f'<div class="formula">{line}</div>' for line in lines)
+
+    return MATH.sub(formula, content)

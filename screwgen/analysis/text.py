@@ -33,7 +33,7 @@ def _verdict(a: Findings) -> str:
     bad = [s for s in a.states if not s.well_posed]
     if not bad:
         size, worst = a.structure.size, max(s.system.condition_scaled for s in a.states)
-        rank = f"M_sys has full rank, {size}, in {'the one' if len(a.states) == 1 else 'all'} {states}"
+        rank = f"M_sys has full rank, {size}, in {'the only state' if len(a.states) == 1 else f'all {states}'}"
         text = f"WELL POSED: {rank}; condition {worst:.1e} at worst, equilibrated. {_definiteness(a)}"
         return f"{head}\n\n{_wrapped(text)}"
     lines = [_wrapped(f"- {s.label}: {s.singular}", "  ") for s in bad[:MOST_FAULTS]]

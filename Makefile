@@ -23,7 +23,7 @@ mpc: $(READY)
 	$(BIN)/python examples/mpc_ella.py
 
 test: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) -q -p no:cacheprovider $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider $(ARGS)
 
 # The guides: runs every block of them, then builds build/docs. What the examples draw takes some minutes, once.
 docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html

@@ -1,26 +1,9 @@
-"""Text that the benchmark prints: aligned columns, progress."""
+"""What the benchmark says while it runs."""
 
 from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Sequence
-
-
-def number(value: float | None, digits: int) -> str:
-    """A number with so many decimals; nothing for None."""
-    return "" if value is None else f"{value:.{digits}f}"
-
-
-def aligned(lines: Sequence[Sequence[str]], left: int) -> str:
-    """Columns of equal width, the first ``left`` of them flush left, the others right; the first line is the head."""
-    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
-    out = []
-    for line in lines:
-        cells = zip(line, widths, strict=True)
-        out.append("  ".join(x.ljust(w) if i < left else x.rjust(w) for i, (x, w) in enumerate(cells)).rstrip())
-    out.insert(1, "  ".join("-" * w for w in widths))
-    return "\n".join(out)
 
 
 class Progress:

@@ -15,7 +15,7 @@ import numpy as np
 
 import screwgen
 from screwgen import plot
-from screwgen.compiled import Compiled, CompiledStepper
+from screwgen.compiled import CompiledStepper
 from screwgen.controllers import PD
 from screwgen.simulation import FORMS, simulate
 
@@ -35,7 +35,7 @@ def main() -> None:
     clock = time.perf_counter()
     checks = make(FOLDER / "c")
     print(f"compiled and checked    {time.perf_counter() - clock:6.2f} s  {checks}")
-    compiled = Compiled(model)
+    compiled = model.compile()
     clock = time.perf_counter()
     FORMS["compiled"] = partial(CompiledStepper, compiled)
     run = simulate(model, DURATION, STEP, controller=controller(model), form="compiled", integrator="modal_midpoint")

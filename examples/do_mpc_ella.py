@@ -18,7 +18,6 @@ import casadi as ca
 import numpy as np
 
 import screwgen
-from screwgen.compiled import Compiled
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # do-mpc says which of its optional packages are missing
@@ -112,7 +111,7 @@ def closed_loop(arm: screwgen.Model, goal: np.ndarray, samples: int) -> dict[str
 
 def replayed(arm: screwgen.Model, run: dict[str, np.ndarray]) -> np.ndarray:
     """The states (samples + 1, 2 nq) that the generated C reaches under the run's torques, by steps of 0.1 ms."""
-    compiled, q_v, substeps = Compiled(arm), np.split(run["x"][0], 2), round(SAMPLE / 1e-4)
+    compiled, q_v, substeps = arm.compile(), np.split(run["x"][0], 2), round(SAMPLE / 1e-4)
     states = [np.concatenate(q_v)]
     for tau in run["tau"]:
         q_v = compiled.step(*q_v, tau, np.zeros((2, 6)), SAMPLE / substeps, "modal_midpoint", substeps)

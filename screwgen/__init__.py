@@ -3,6 +3,9 @@
 One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 """
 
+from . import sympy_cache  # noqa: F401
+
+# isort: split
 from .analysis import Analysis, analyse
 from .build import Model
 from .controllers import PD

@@ -75,15 +75,21 @@ class Model:
     def _casadi(self) -> Mapping:
         from .emit import casadi, casadi_z
 
-        functions = casadi.functions(self.chain) | casadi.dae_functions(self.chain)
-        functions |= casadi_z.z_functions(self.chain)
-        return functions | {
-            "ode": casadi.ode(self.chain, functions["forward_dynamics"]),
-            "dae": casadi.dae(self.chain, functions["assemble"]),
-        }
+        makers = casadi.functions(self.chain) | casadi.dae_functions(self.chain) | casadi_z.z_functions(self.chain)
+        found = casadi.Functions(
+            makers
+            | {
+                "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
+                "dae": lambda: casadi.dae(self.chain, found["assemble"]),
+            }
+        )
+        return found
 
     def casadi(self) -> Mapping:
-        """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator."""
+        """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
+
+        Each is made when it is first asked for.
+        """
         return self._casadi
 
     def acados(self, form="joint", parameters="runtime", w_ext=False):

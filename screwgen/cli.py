@@ -35,6 +35,8 @@ StateFile = Annotated[
     str | None,
     typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.", show_default=False),
 ]
+Form = Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")]
+Json = Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")]
 
 
 def _version(asked: bool) -> None:
@@ -123,7 +125,7 @@ def simulate(
             show_default=False,
         ),
     ] = None,
-    form: Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")] = "joint",
+    form: Form = "joint",
     integrator: Annotated[
         str | None,
         typer.Option(
@@ -155,7 +157,7 @@ def evaluate(
     backend: Annotated[
         str, typer.Option(metavar="NAME", help="numpy, casadi or c, which compiles the generated code.")
     ] = "numpy",
-    form: Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")] = "joint",
+    form: Form = "joint",
     formulation: Annotated[
         str, typer.Option(metavar="NAME", help="consistent, or printed: the paper's equations as they stand.")
     ] = "consistent",
@@ -202,7 +204,7 @@ def equilibrium(
     ] = None,
     hold: Annotated[bool, typer.Option("--hold", help="Hold the joints; the torques follow.")] = False,
     state: StateFile = None,
-    json: Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")] = False,
+    json: Json = False,
 ) -> None:
     """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
 
@@ -236,7 +238,7 @@ def analyse(
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the structure of M_sys, as .png.", show_default=False)
     ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")] = False,
+    json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Report whether the equations are well posed: rank and condition of M_sys, definiteness, spectrum, step limits."""

@@ -8,7 +8,6 @@ from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
-import scipy.signal
 
 from .chain.chain import Chain
 from .emit.numeric import Numeric
@@ -69,6 +68,8 @@ class LinearModel:
         if 0 in (*self.B.shape, len(self.C)):
             size = f"{len(self.A)} states, {self.B.shape[1]} inputs and {len(self.C)} outputs"
             raise UsageError(f"the linear model has {size}; SciPy needs at least one of each")
+        import scipy.signal
+
         return scipy.signal.StateSpace(*self)
 
     def labels(self, separator: str = "/") -> dict[str, list[str]]:

@@ -1,5 +1,6 @@
 """What all tests share: outside tools, the summary of what they kept from running, and hypothesis' manners."""
 
+import gc
 import os
 import shutil
 import signal
@@ -21,7 +22,12 @@ os.environ.setdefault("SCREWGEN_CACHE", os.path.join(tempfile.gettempdir(), f"sc
 
 
 def pytest_configure():
-    """A job in the background of a shell ignores Ctrl-C, and so would all that it starts."""
+    """The process of the tests.
+
+    Derived robots are kept for all tests: looking through them for garbage again and again took a quarter of the time.
+    A job in the background of a shell ignores Ctrl-C, and so would all that it starts.
+    """
+    gc.set_threshold(100_000, 50, 50)
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -71,8 +71,8 @@ def case_of(robot: dict, state: dict) -> Case:
 
 
 def quick(model: Model, **options) -> Compiled:
-    """The generated C, compiled without optimisation."""
-    return Compiled(model, flags=QUICK, **options)
+    """The generated C, compiled without optimisation; the same C is compiled once, whichever tests need it."""
+    return Compiled(model, flags=QUICK, cache=True, **options)
 
 
 def casadi_forward(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

@@ -32,23 +32,16 @@ def ella() -> arm.Arm:
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory) -> tuple[Path, Path, str]:
-    """Two short runs, side by side, with different orders of hashing: their folders, and what the first one said."""
+    """Two short runs with different orders of hashing: their folders, and what the first one said."""
     require_tool("cc")
     folders = [tmp_path_factory.mktemp("paper") / "out" for _ in range(2)]
-    runs = [
-        subprocess.Popen(
-            [sys.executable, str(SCRIPT), "--quick", "-o", str(folder)],
-            env=os.environ | {"PYTHONHASHSEED": str(seed)},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        for seed, folder in enumerate(folders)
-    ]
-    said = [run.communicate() for run in runs]
-    for run, (_, errors) in zip(runs, said, strict=True):
-        assert run.returncode == 0, errors
-    return *folders, said[0][0]
+    runs = []
+    for seed, folder in enumerate(folders):
+        command = [sys.executable, str(SCRIPT), "--quick", "-o", str(folder)]
+        environment = os.environ | {"PYTHONHASHSEED": str(seed)}
+        runs.append(subprocess.run(command, env=environment, capture_output=True, text=True))
+        assert runs[-1].returncode == 0, runs[-1].stderr
+    return *folders, runs[0].stdout
 
 
 @pytest.fixture(scope="module")

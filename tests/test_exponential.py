@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from helpers import example, flat, relative
-from oracle import hat
+from oracle_link import hat
 from z_form_cases import series
 
 from screwgen.emit.casadi_z import rotation_vector

@@ -7,7 +7,7 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 LAYERS = [
-    {"errors", "version"},
+    {"errors", "sympy_cache", "version"},
     {"bases", "algebra"},
     {"spec"},
     {"derive"},

@@ -8,6 +8,7 @@ import pytest
 import random_robots as rr
 from helpers import Case, case_of, disagreement, drawn, flat, link, model_of, quick, relative, rotation_of
 from oracle import part_error
+from oracle_robots import pinocchio_model
 
 SEEDS = range(300, 306)
 every_robot = pytest.mark.parametrize("seed", SEEDS)
@@ -202,7 +203,6 @@ def test_forward_and_inverse_dynamics_undo_each_other(seed):
 def test_rigid_chains_equal_pinocchio(n_links):
     """ABA and RNEA of Pinocchio: axes, mounts, bodies, armature, springs, losses, tip wrenches."""
     import pinocchio as pin
-    from test_oracle import pinocchio_model
 
     limit = 1e8 if n_links < 8 else 1e9
     case = drawn(500 + n_links, n_links, rigid=1.0, material=0.0, limit=limit, frame_at=0.3)

@@ -68,7 +68,7 @@ class Library:
 
     def __getitem__(self, name: str) -> Compiled:
         if name not in self._compiled:
-            self._compiled[name] = Compiled(getattr(self.arm, name), flags=self.flags)
+            self._compiled[name] = getattr(self.arm, name).compile(flags=self.flags)
         return self._compiled[name]
 
 

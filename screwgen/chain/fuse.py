@@ -11,7 +11,7 @@ from ..lower.program import Program, Tracer, Value
 from ..lower.replay import inline, run
 from ..spec.parameters import parameters
 from .algorithms import EVERYTHING, Functions
-from .chain import Chain, preparation
+from .chain import Algorithm, Chain, preparation
 from .dae_functions import DaeFunctions, state_size, unknown_size
 
 COLUMNS = ("M_eta", "K", "D")
@@ -35,9 +35,7 @@ def fuse(
     links, gravity = _sources(chain, tracer, constants, read)
     apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i), i)  # noqa: E731
     outputs = body(kind(chain, links, gravity, apply), values)
-    return Program(
-        name, read, {k: list(v) for k, v in outputs.items()}, list(tracer.guards), tracer.sections, list(tracer.origins)
-    )
+    return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
 
 
 def _namer(chain: Chain, i: int) -> Callable[[str], str]:
@@ -70,14 +68,20 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
     return links, tracer.input("gravity", 3)
 
 
-def prepared(chain: Chain, p: Sequence, evaluate: Callable[[int, Program, Mapping], Mapping[str, list]]) -> list[dict]:
+def prepared(
+    chain: Chain,
+    p: Sequence,
+    evaluate: Callable[[int, Program, Mapping], Mapping[str, list]],
+    algorithms: Sequence[Algorithm] = EVERYTHING,
+) -> list[dict]:
     """The constants of every link from the parameter vector ``p``, under the names by which the phases read them.
 
-    ``evaluate(link, program, inputs)`` runs a preparation on values of any algebra.
+    ``evaluate(link, program, inputs)`` runs a preparation on values of any algebra; ``algorithms`` are those that the
+    constants are for.
     """
     out = []
     for i, key in enumerate(chain.keys):
-        program, places = preparation(key, chain.labels(key, EVERYTHING)), chain.parameter_labels[i]
+        program, places = preparation(key, chain.labels(key, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
         out.append({name if name in COLUMNS else f"c.{name}": values for name, values in outputs.items()})
     return out

@@ -187,7 +187,4 @@ class Scope:
 
     def program(self, name: str) -> Program:
         """What was recorded, as a program."""
-        used = {k: len(v) for k, v in self.inputs.items()}
-        return Program(
-            name, used, self.outputs, list(self.tracer.guards), self.tracer.sections, list(self.tracer.origins)
-        )
+        return self.tracer.program(name, {k: len(v) for k, v in self.inputs.items()}, self.outputs)

@@ -142,4 +142,4 @@ def exponential() -> Program:
     tracer = Tracer()
     values = lower(common()["z_form"], {"theta": tracer.input("theta", 3)}, ("R", "J_theta", "J_inverse"), tracer)
     outputs = {name.removesuffix("_theta"): list(matrix.ravel()) for name, matrix in values.items()}
-    return Program("exponential", {"theta": 3}, outputs, [], tracer.sections)
+    return tracer.program("exponential", {"theta": 3}, outputs)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import cached_property
 
 import numpy as np
 import sympy as sp
@@ -69,6 +70,11 @@ class Step:
     expression: Expression
     equation: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+    @cached_property
+    def uses(self) -> dict[str, set[str]]:
+        """The names of the symbols that the step makes, each with the names of those that it is made of."""
+        return {symbol.name: {s.name for s in e.free_symbols} for symbol, e in self.assignments}
 
 
 @dataclass

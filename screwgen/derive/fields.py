@@ -87,14 +87,21 @@ class Fields:
 
     def integrate(self, entry: sp.Expr, weight: str | None) -> sp.Expr:
         """``∫ weight · entry dξ`` over the link; ``weight`` names a line property (None: 1)."""
-        generators = [g for g in self._generators() if entry.has(g)]
+        free = entry.free_symbols
+        generators = {g for g in self._generators() if g in free}
         if not generators:
             return sp.S.Zero if entry == 0 else entry * self._moment(weight, ())
-        terms = []
-        for powers, coefficient in sp.Poly(entry, *generators).terms():
-            monomial = [g for g, n in zip(generators, powers, strict=True) for _ in range(n)]
-            terms.append(coefficient * self._moment(weight, _key(monomial)))
-        return sp.Add(*terms)
+        coefficients: dict[tuple, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(sp.expand(entry)):
+            monomial, rest = [], []
+            for factor in sp.Mul.make_args(term):
+                base, power = factor.as_base_exp()
+                if base in generators:
+                    monomial += [base] * int(power)
+                else:
+                    rest.append(factor)
+            coefficients.setdefault(_key(monomial), []).append(sp.Mul(*rest))
+        return sp.Add(*(sp.Add(*parts) * self._moment(weight, key) for key, parts in coefficients.items()))
 
     def _generators(self):
         return itertools.chain(self.coarse, [XI], self.phi, self.strain_shape)

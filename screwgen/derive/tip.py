@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Expression, Stumpff, Symbol, hat, identity, unit, zeros
+from ..algebra.expression import Expression, Symbol, hat, identity, unit, zeros
 from ..algebra.rate import rate, turned_rate
 from .block import Block
 from .bodies import lumped
 from .fields import Fields
 from .link_class import LinkClass
+from .rotation import angle_steps
 
 LINK = "F_i"
 TIP = "tip frame"
@@ -121,18 +122,7 @@ def _tip_rotation(b: Block, key: LinkClass, fields: Fields, eta: Symbol) -> Expr
         frame=LINK,
         meaning="rotation vector of the tip section, [torsion, -u_z', u_y']",
     )
-    x = b.step("x", theta.T @ theta, "x", unit="rad^2", meaning="squared angle of the tip section")
-    c1, c2, c3 = (
-        b.step(f"c{k}", Stumpff(k, x), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}") for k in (1, 2, 3)
-    )
-    square = b.step(
-        "theta_hat2",
-        hat(theta) @ hat(theta),
-        r"\tilde{\boldsymbol{\theta}}_c^{2}",
-        unit="rad^2",
-        meaning="square of the rotation vector's skew matrix",
-        symmetric=True,
-    )
+    _, c1, c2, c3, square = angle_steps(b, theta, "x", "c", "tip section")
     b.step(
         "J_l",
         identity(3) + c2 @ hat(theta) + c3 @ square,

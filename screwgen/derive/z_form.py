@@ -16,6 +16,7 @@ from ..algebra.expression import block as matrix
 from .block import Block
 from .joint_rows import MIXED
 from .link_class import LinkClass
+from .rotation import angle_steps
 
 LINK = "F_i"
 HALF = sp.Rational(1, 2)
@@ -45,18 +46,7 @@ def _exponential(b: Block, theta: Symbol) -> None:
 
     ``kappa = (c_3/2 - c_4) / c_2``, written in half the angle, where it does not cancel before a full turn.
     """
-    x = b.step("x", theta.T @ theta, "x_i", unit="rad^2", meaning="squared angle of the link")
-    c1, c2, c3 = (
-        b.step(f"c{k}", Stumpff(k, x), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}") for k in (1, 2, 3)
-    )
-    square = b.step(
-        "theta_hat2",
-        hat(theta) @ hat(theta),
-        r"\tilde{\boldsymbol{\theta}}_i^{2}",
-        unit="rad^2",
-        meaning="square of the rotation vector's skew matrix",
-        symmetric=True,
-    )
+    x, c1, c2, c3, square = angle_steps(b, theta, "x_i", "i", "link")
     b.step(
         "R",
         identity(3) + c1 @ hat(theta) + c2 @ square,

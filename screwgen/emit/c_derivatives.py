@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from ..chain.chain import Chain
 from ..chain.fuse import COLUMNS
@@ -38,6 +38,22 @@ class PieceWriter(Writer):
         for name, values in self.program.outputs.items():
             self._written |= {(name, k) for k, v in enumerate(values) if v is None}
         return super()._outputs()
+
+
+def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]], place: Place) -> Place:
+    """Where a piece's signals are: in the array of what earlier pieces have ``kept``, in the modes' columns of the
+    constants, in ``own`` (by name, then by entry), else at ``place``.
+    """
+
+    def placed(signal: str, k: int) -> str:
+        owner, _, what = signal.partition(":")
+        if owner == KEPT:
+            return f"{kept}[{int(what or 0) + k}]"
+        if what in COLUMNS:
+            return f"c->{what}[{chain.eta_offset[int(owner)] + k}]"
+        return own[signal](k) if signal in own else place(signal, k)
+
+    return placed
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict:
@@ -79,16 +95,9 @@ def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
         "f_v": lambda k: f"out->vdot_v[{k // nq}][{k % nq}]",
     }
 
-    def placed(signal: str, k: int) -> str:
-        owner, _, what = signal.partition(":")
-        if owner == KEPT:
-            return f"work->kept[{int(what or 0) + k}]"
-        if what in COLUMNS:
-            return f"c->{what}[{chain.eta_offset[int(owner)] + k}]"
-        return own[signal](k) if signal in own else place(signal, k)
-
     fail = lambda test, link: f"if ({test}) {{ work->fault = {link}; return {name.upper()}_SINGULAR; }}"  # noqa: E731
     pointers = ("c", "state", "input", "work", "out")
+    placed = piece_place(chain, "work->kept", own, place)
     lines = PieceWriter(program, name, placed, fail, {*pointers, KEPT}, apart=True).lines()
     return with_unused(pointers, lines)
 

@@ -9,7 +9,7 @@ from ..lower.program import Program
 from ..lower.split import KEPT, split
 from ..spec.parameters import parameters
 from .c_code import literal, with_unused
-from .c_derivatives import LIMIT, PIECE, PieceWriter, Place, check_size
+from .c_derivatives import LIMIT, PIECE, PieceWriter, Place, check_size, piece_place
 
 FILES = ("estimator.h", "estimator.c")
 """The files that an estimator adds, without the robot's name; their templates have the same names."""
@@ -62,16 +62,10 @@ def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
     """The body of a function that writes the acceleration and its derivatives."""
     name = chain.robot.name
 
-    def placed(signal: str, k: int) -> str:
-        owner, _, what = signal.partition(":")
-        if owner == KEPT:
-            return f"work->kept[{int(what or 0) + k}]"
-        if signal in SLOPES:
-            return f"work->{signal}[{k % 3}][{k // 3}]"
-        own = {"a": f"work->a[{k}]", "vdot": f"work->derivatives.vdot[{k}]"}
-        return own[signal] if signal in own else place(signal, k)
-
+    own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
+    own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
     pointers = ("c", "state", "work")
+    placed = piece_place(chain, "work->kept", own, place)
     lines = PieceWriter(program, name, placed, _no_guard, {*pointers, KEPT}, apart=True).lines()
     return with_unused(pointers, lines)
 

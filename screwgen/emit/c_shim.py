@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from ..chain import fuse
 from ..chain.parameters import label
 from ..lower.program import Program, live
-from ..lower.split import KEPT, split
+from ..lower.split import split
 from ..spec.parameters import parameters
 from .c_code import Writer, trimmed, with_unused
-from .c_derivatives import PIECE, PieceWriter
+from .c_derivatives import PIECE, PieceWriter, piece_place
 from .c_fields import parameter_member
 from .c_links import RUNS
 from .templates import render
@@ -81,7 +81,6 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
 
 
 def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> list[str]:
-    offsets = project.chain.eta_offset
     own = {
         "kinetic": lambda k: "energy[0]",
         "potential": lambda k: "energy[1]",
@@ -91,17 +90,11 @@ def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[
     }
 
     def place(name: str, k: int) -> str:
-        link, _, what = name.partition(":")
-        if link == KEPT:
-            return f"kept[{int(what or 0) + k}]"
-        if what in fuse.COLUMNS:
-            return f"c->{what}[{offsets[int(link)] + k}]"
-        if what.startswith("c."):
-            member = what[2:]
-            kept = member in known[int(link)]
-            return f"c->links[{link}].{member}" if kept else f"extra[{extra.index((int(link), member))}]"
-        return own[name](k)
+        link, member = name.split(":c.")
+        prepared = member in known[int(link)]
+        return f"c->links[{link}].{member}" if prepared else f"extra[{extra.index((int(link), member))}]"
 
     pointers = ("c", "state", "extra", "kept", "energy")
-    lines = PieceWriter(program, project.name, place, lambda _, __: "", set(pointers), apart=True).lines()
+    placed = piece_place(project.chain, "kept", own, place)
+    lines = PieceWriter(program, project.name, placed, lambda _, __: "", set(pointers), apart=True).lines()
     return with_unused(pointers, lines)

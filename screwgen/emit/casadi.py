@@ -7,7 +7,8 @@ the robot file.  The functions take SX and MX, differentiate, serialise and gene
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 import casadi as ca
@@ -25,49 +26,85 @@ LIMIT = 4.0
 TERMS = 14
 
 
-def functions(chain: Chain) -> dict[str, ca.Function]:
-    """All functions of the joint form."""
+class Functions(Mapping):
+    """Values by name, each made when it is first asked for."""
+
+    def __init__(self, makers: Mapping[str, Callable[[], object]]):
+        self._makers, self._made = makers, {}
+
+    def __getitem__(self, name: str):
+        if name not in self._made:
+            self._made[name] = self._makers[name]()
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._makers)
+
+    def __len__(self) -> int:
+        return len(self._makers)
+
+    def __repr__(self) -> str:
+        return f"Functions({', '.join(self)})"
+
+
+def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes the functions of the joint form, by name."""
     n, nq, np_ = chain.n, chain.nq, len(fuse.parameters(chain.robot))
     q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
     tau, w_ext, p = ca.SX.sym("tau", chain.n_joints), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
+    given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
 
+    @cache
     def outputs(maker: Callable[[Chain], Program]) -> dict[str, ca.SX]:
-        given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
         return expressions(maker(chain), given)
 
-    dynamics, inverse, bias = outputs(fuse.forward_dynamics), outputs(fuse.inverse_dynamics), outputs(fuse.bias)
-    inertial, energy, poses = outputs(fuse.inertial_force), outputs(fuse.energy), outputs(fuse.poses)
-    wrench, M = ca.reshape(dynamics["wrench"], 6, n), ca.jacobian(inertial["force"], vdot)
-    link_R, tip_R = _rotations(poses["link_R"], n), _rotations(poses["tip_R"], n)
-    positions = ca.reshape(poses["link_position"], 3, n)
-    return {
-        f.name(): f
-        for f in (
-            function(
-                "forward_dynamics", dict(q=q, v=v, tau=tau, w_ext=w_ext, p=p), vdot=dynamics["vdot"], wrench=wrench
-            ),
-            function("inverse_dynamics", dict(q=q, v=v, vdot=vdot, w_ext=w_ext, p=p), force=inverse["force"]),
-            function("mass_matrix", dict(q=q, p=p), M=M),
-            function("bias", dict(q=q, v=v, w_ext=w_ext, p=p), h=bias["h"]),
-            function("energy", dict(q=q, v=v, p=p), **energy),
-            function("tip_pose", dict(q=q, p=p), R=tip_R[:, -3:], position=poses["tip_position"][-3:]),
-            function("link_pose", dict(q=q, p=p), R=link_R, position=positions),
-        )
-    }
+    def made(name: str, inputs: str, results: Callable[[], Mapping[str, ca.SX]]) -> Callable[[], ca.Function]:
+        return lambda: function(name, {k: given[k] for k in inputs.split()}, **results())
+
+    def dynamics() -> dict[str, ca.SX]:
+        found = outputs(fuse.forward_dynamics)
+        return found | {"wrench": ca.reshape(found["wrench"], 6, n)}
+
+    def tip_pose() -> dict[str, ca.SX]:
+        found = outputs(fuse.poses)
+        return {"R": _rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
+
+    def link_pose() -> dict[str, ca.SX]:
+        found = outputs(fuse.poses)
+        return {"R": _rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
+
+    def mass_matrix() -> dict[str, ca.SX]:
+        return {"M": ca.jacobian(outputs(fuse.inertial_force)["force"], vdot)}
+
+    rows = (
+        ("forward_dynamics", "q v tau w_ext p", dynamics),
+        ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fuse.inverse_dynamics)),
+        ("mass_matrix", "q p", mass_matrix),
+        ("bias", "q v w_ext p", lambda: outputs(fuse.bias)),
+        ("energy", "q v p", lambda: outputs(fuse.energy)),
+        ("tip_pose", "q p", tip_pose),
+        ("link_pose", "q p", link_pose),
+    )
+    return {name: made(name, inputs, results) for name, inputs, results in rows}
 
 
-def dae_functions(chain: Chain) -> dict[str, ca.Function]:
-    """The DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
-    given = _dae_symbols(chain)
-    program, places = fuse.assembly(chain)
-    parts, size = expressions(program, given), unknown_size(chain)
-    rows, columns = [i for i, _ in places], [j for _, j in places]
-    M = ca.SX.triplet(rows, columns, parts["M"], size, size)
-    order = ("x", "tau", "w_ext", "p")
-    assemble = function("assemble", {k: given[k] for k in order}, M_sys=M, H_sys=parts["H"], W_sys=parts["W"])
-    q, v = ca.SX.sym("q", chain.nq), ca.SX.sym("v", chain.nq)
-    x = expressions(fuse.placement(chain), {"q": q, "v": v, "p": given["p"]})["x"]
-    return {"assemble": assemble, "dae_state": function("dae_state", {"q": q, "v": v, "p": given["p"]}, x=x)}
+def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes the DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
+    given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq)}
+
+    def assemble() -> ca.Function:
+        program, places = fuse.assembly(chain)
+        parts, size = expressions(program, given), unknown_size(chain)
+        rows, columns = [i for i, _ in places], [j for _, j in places]
+        M = ca.SX.triplet(rows, columns, parts["M"], size, size)
+        inputs = {k: given[k] for k in ("x", "tau", "w_ext", "p")}
+        return function("assemble", inputs, M_sys=M, H_sys=parts["H"], W_sys=parts["W"])
+
+    def dae_state() -> ca.Function:
+        x = expressions(fuse.placement(chain), given)["x"]
+        return function("dae_state", {k: given[k] for k in ("q", "v", "p")}, x=x)
+
+    return {"assemble": assemble, "dae_state": dae_state}
 
 
 def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:

@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
 import casadi as ca
 
@@ -23,8 +24,8 @@ TERMS = 12
 Parts = dict[str, ca.SX]
 
 
-def z_functions(chain: Chain) -> dict[str, ca.Function]:
-    """All functions of the Z-form, by name.
+def z_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes the functions of the Z-form, by name.
 
     ``exponential (theta) -> (R, J, J_inverse)``: 3, rad -> 3 x 3; ``R`` takes F_i to inertial components,
     ``omega = J thetadot`` in F_i, (jacobian); ``J_inverse`` is infinite from ``|theta| = 2 pi`` on.
@@ -35,7 +36,6 @@ def z_functions(chain: Chain) -> dict[str, ca.Function]:
     ``cauchy (x_c, q, tau, w_ext, p) -> (A_c, g_c, qdot, wrench)``, (110), (111) with E18: ``x_c``'s rate is
     ``A_c x_c + g_c``; ``qdot`` is the rate of the memory ``q``, ``wrench`` 6 x n, N m and N.
     """
-    q_all, v = ca.SX.sym("q", chain.nq), ca.SX.sym("v", chain.nq)
     given = {
         "x_c": ca.SX.sym("x_c", z.cauchy_size(chain)),
         "q": ca.SX.sym("q", chain.n_joints),
@@ -43,17 +43,16 @@ def z_functions(chain: Chain) -> dict[str, ca.Function]:
         "w_ext": ca.SX.sym("w_ext", 6, chain.n),
         "p": ca.SX.sym("p", len(parameters(chain.robot))),
     }
-    placed = {"q": q_all, "v": v, "p": given["p"]}
-    pieces, system = _assembled(chain, given)
+    placed = {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq), "p": given["p"]}
     short = {name: given[name] for name in ("x_c", "q", "p")}
-    made = (
-        _exponential(),
-        function("cauchy_state", placed, x_c=_cauchy_state(chain, placed)),
-        function("z_form", short, **pieces),
-        function("assemble_z", given, **system),
-        function("cauchy", given, **_cauchy(chain, given)),
-    )
-    return {f.name(): f for f in made}
+    assembled = cache(lambda: _assembled(chain, given))
+    return {
+        "exponential": _exponential,
+        "cauchy_state": lambda: function("cauchy_state", placed, x_c=_cauchy_state(chain, placed)),
+        "z_form": lambda: function("z_form", short, **assembled()[0]),
+        "assemble_z": lambda: function("assemble_z", given, **assembled()[1]),
+        "cauchy": lambda: function("cauchy", given, **_cauchy(chain, given)),
+    }
 
 
 def _exponential() -> ca.Function:

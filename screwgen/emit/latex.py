@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -104,12 +105,13 @@ def content(robot: Robot) -> Document:
     return Document(robot.name, __version__, tuple(sections))
 
 
-def class_views(key: LinkClass) -> list[BlockView]:
+@cache
+def class_views(key: LinkClass) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
     blocks = derived(key)
     known = structure(key, blocks)
-    return [block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks)]
+    return tuple(block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks))
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:

@@ -8,8 +8,20 @@ from functools import cached_property
 import numpy as np
 
 from ..chain import fuse
-from ..chain.algorithms import Functions
-from ..chain.chain import Chain
+from ..chain.algorithms import (
+    ASSEMBLY,
+    DAE_FORWARD,
+    DAE_RATES,
+    ENERGY,
+    FORWARD,
+    INVERSE,
+    PLACEMENT,
+    PLACES,
+    PROJECTION,
+    SENSITIVITY,
+    Functions,
+)
+from ..chain.chain import Algorithm, Chain
 from ..chain.dae_functions import DaeFunctions, unknown_size
 from ..chain.linearise import slopes
 from ..errors import SingularError
@@ -34,12 +46,22 @@ class Numeric:
     def __init__(self, chain: Chain, p: Sequence[float] | None = None):
         self.chain = chain
         self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
+        self._made: dict[tuple[Algorithm, ...], DaeFunctions] = {}
 
     @cached_property
     def constants(self) -> list[dict[str, list[float]]]:
-        """The prepared constants of every link."""
+        """``M_eta``, ``K`` and ``D`` of every link: inertia, stiffness and damping of its modes."""
+        return self._prepared(())
+
+    def _prepared(self, algorithms: Sequence[Algorithm]) -> list[dict[str, list[float]]]:
         evaluate = lambda _, program, given: function_of(program)(given, EPSILON)[0]  # noqa: E731
-        return fuse.prepared(self.chain, self.p, evaluate)
+        return fuse.prepared(self.chain, self.p, evaluate, algorithms)
+
+    def _functions(self, *algorithms: Algorithm) -> DaeFunctions:
+        """The functions that run these algorithms alone: others need not be traced for their constants."""
+        if algorithms not in self._made:
+            self._made[algorithms] = DaeFunctions(self.chain, self._prepared(algorithms), self.p[:3], self._apply)
+        return self._made[algorithms]
 
     def _apply(self, link: int, _: int, program: Program, inputs) -> dict[str, list[float]]:
         try:
@@ -50,18 +72,14 @@ class Numeric:
             raise SingularError(f"the joint of link '{self.chain.robot.links[link].name}' is singular in this posture")
         return outputs
 
-    @cached_property
-    def functions(self) -> Functions:
-        return Functions(self.chain, self.constants, self.p[:3], self._apply)
-
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        vdot, wrench = self.functions.forward_dynamics(_flat(q), _flat(v), _flat(tau), _flat(w_ext))
+        vdot, wrench = self._functions(FORWARD).forward_dynamics(_flat(q), _flat(v), _flat(tau), _flat(w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
         """All nq generalised forces."""
-        return np.array(self.functions.inverse_dynamics(_flat(q), _flat(v), _flat(vdot), _flat(w_ext)))
+        return _inverse(self._functions(INVERSE), q, v, vdot, w_ext)
 
     def bias(self, q, v, w_ext) -> np.ndarray:
         """``h`` of ``M vdot + h = [tau; 0]``."""
@@ -70,17 +88,17 @@ class Numeric:
     def mass_matrix(self, q) -> np.ndarray:
         """``M`` (nq, nq), column by column from the inverse dynamics."""
         nq, rest = self.chain.nq, (np.zeros(self.chain.nq), np.zeros((self.chain.n, 6)))
-        still = Numeric(self.chain, self.p)
-        still.constants = [c | {"K": [0.0] * k.modes} for c, k in zip(self.constants, self.chain.keys, strict=True)]
-        still.p = [0.0, 0.0, 0.0, *self.p[3:]]
-        offset = still.bias(q, *rest)
-        columns = [still.inverse_dynamics(q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]
+        stiff = self._functions(INVERSE).constants
+        soft = [c | {"K": [0.0] * k.modes} for c, k in zip(stiff, self.chain.keys, strict=True)]
+        still = Functions(self.chain, soft, [0.0] * 3, self._apply)
+        offset = _inverse(still, q, rest[0], rest[0], rest[1])
+        columns = [_inverse(still, q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]
         return np.array(columns).reshape(nq, nq).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m); see :mod:`screwgen.chain.linearise`."""
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        found = slopes(self.functions, _flat(q), _flat(v), list(vdot), _flat(w_ext))
+        found = slopes(self._functions(INVERSE, SENSITIVITY), _flat(q), _flat(v), list(vdot), _flat(w_ext))
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         M = np.tril(M) + np.tril(M, -1).T
         given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
@@ -88,15 +106,15 @@ class Numeric:
 
     def energy(self, q, v) -> tuple[float, float]:
         """Kinetic and potential energy, J."""
-        return self.functions.energy(_flat(q), _flat(v))
+        return self._functions(ENERGY).energy(_flat(q), _flat(v))
 
     def link_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the link frames in the inertial frame."""
-        return self._stacked(self.functions.poses(_flat(q))[0])
+        return self._stacked(self._functions(PLACES).poses(_flat(q))[0])
 
     def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
-        return self._stacked(self.functions.poses(_flat(q))[1])
+        return self._stacked(self._functions(PLACES).poses(_flat(q))[1])
 
     def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotation (3, 3) and position (3,) of the last link's tip frame."""
@@ -105,13 +123,14 @@ class Numeric:
 
     # DAE form ---------------------------------------------------------------------------------
 
-    @cached_property
+    @property
     def dae_functions(self) -> DaeFunctions:
-        return DaeFunctions(self.chain, self.constants, self.p[:3], self._apply)
+        """The functions of the DAE form's rates."""
+        return self._functions(DAE_FORWARD, DAE_RATES)
 
     def dae_state(self, q, v) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
-        return np.array(self.dae_functions.place(_flat(q), _flat(v)))
+        return np.array(self._functions(PLACEMENT).place(_flat(q), _flat(v)))
 
     def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``xdot`` and the joint wrenches (n, 6), by block elimination."""
@@ -120,11 +139,11 @@ class Numeric:
 
     def project(self, x) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        return np.array(self.dae_functions.project(_flat(x)))
+        return np.array(self._functions(PROJECTION).project(_flat(x)))
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        entries, H, W = self.dae_functions.assemble(_flat(x), _flat(tau), _flat(w_ext))
+        entries, H, W = self._functions(ASSEMBLY).assemble(_flat(x), _flat(tau), _flat(w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         for place, value in entries.items():
             M[place] = value
@@ -132,12 +151,16 @@ class Numeric:
 
     def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
-        x = self.dae_functions.place(_flat(q), _flat(v))
+        x = self._functions(PLACEMENT).place(_flat(q), _flat(v))
         _, vdot, wrench = self.dae_functions.rates(x, _flat(tau), _flat(w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
         return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])
+
+
+def _inverse(functions: Functions, q, v, vdot, w_ext) -> np.ndarray:
+    return np.array(functions.inverse_dynamics(_flat(q), _flat(v), _flat(vdot), _flat(w_ext)))
 
 
 def _flat(values) -> list[float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
 import numpy as np
 import sympy as sp
@@ -25,19 +26,18 @@ def lower(
     ``constant``, whatever follows from the parameters alone is not recorded but asked for by its label:
     that slice of the block is the ``prepare`` program.
     """
-    values: dict[sp.Symbol, Value] = {}
+    known = _Known(block, constant)
     for name, array in inputs.items():
         if name not in block.inputs:
             continue
         for symbol, value in zip(block.values[name].flat, np.asarray(array, dtype=object).flat, strict=True):
-            values[symbol] = value
-    known = _Environment(block, values, constant)
-    for step in needed(block, outputs, values, constant is not None):
+            known[symbol.name] = value
+    for step in needed(block, outputs, known, constant is not None):
         with tracer.section(title(step)):
             for symbol, expression in step.assignments:
-                value = translate(expression, known, tracer)
+                value = recipe(expression)(known, tracer)
                 give_label(value, symbol.name)
-                values[symbol] = value
+                known[symbol.name] = value
     return {name: _array(block.values[name], known, tracer) for name in outputs}
 
 
@@ -48,91 +48,119 @@ def title(step: Step) -> str:
 
 
 def needed(block: Block, outputs: Sequence[str], given: Mapping, sliced: bool) -> list[Step]:
-    """The steps that ``outputs`` depend on, in their order; with ``sliced`` only those of the state."""
-    wanted = {s for name in outputs for entry in block.values[name].flat for s in entry.free_symbols}
+    """The steps that ``outputs`` depend on, in their order; with ``sliced`` only those of the state.
+
+    ``given`` holds the names of the symbols that need no step.
+    """
+    wanted = {s.name for name in outputs for entry in block.values[name].flat for s in entry.free_symbols}
     kept = []
     for step in reversed(block.steps.values()):
         if sliced and step.signal.binding <= Binding.PARAMETER:
             continue
-        made = {symbol for symbol, _ in step.assignments} - given.keys()
-        if made & wanted:
+        if any(name in wanted and name not in given for name in step.uses):
             kept.append(step)
-            wanted |= {s for symbol, e in step.assignments if symbol in wanted for s in e.free_symbols}
+            wanted.update(*(read for name, read in step.uses.items() if name in wanted))
     return kept[::-1]
 
 
-class _Environment(dict):
-    """Values of symbols; parameter-level ones are fetched on demand as named constants."""
+class _Known(dict):
+    """Values by the names of symbols; parameter-level ones are fetched on demand as named constants."""
 
-    def __init__(self, block: Block, values: dict, constant: Callable[[str], Value] | None):
+    def __init__(self, block: Block, constant: Callable[[str], Value] | None):
         super().__init__()
-        self.block, self.values_, self.constant = block, values, constant
+        self.block, self.constant = block, constant
 
-    def __missing__(self, symbol: sp.Symbol) -> Value:
-        if symbol in self.values_:
-            return self.values_[symbol]
-        if self.constant is not None and self.block.bindings[symbol] <= Binding.PARAMETER:
-            return self.constant(symbol.name)
-        raise KeyError(f"block {self.block.name}: no value for {symbol}")
+    def __missing__(self, name: str) -> Value:
+        if self.constant is not None and self.block.bindings[sp.Symbol(name, real=True)] <= Binding.PARAMETER:
+            return self.constant(name)
+        raise KeyError(f"block {self.block.name}: no value for {name}")
 
 
 def _array(entries: Array, known: Mapping, tracer: Tracer) -> Array:
     out = np.empty(entries.shape, dtype=object)
     for index, entry in np.ndenumerate(entries):
-        out[index] = translate(entry, known, tracer)
+        out[index] = recipe(entry)(known, tracer)
     return out
 
 
-def translate(e: sp.Expr, known: Mapping, tracer: Tracer) -> Value:
-    """One sympy expression as nodes, grouped as it is written."""
-    inner = lambda x: translate(x, known, tracer)  # noqa: E731
+# ------------------------------------------------------------------------------ one expression
+
+Recipe = Callable[[Mapping[str, Value], Tracer], Value]
+"""Records an expression: takes the values of its symbols by name, and the tracer."""
+
+
+@cache
+def recipe(e: sp.Expr) -> Recipe:
+    """How a sympy expression becomes nodes, grouped as it is written; read once, however often it is recorded."""
     if e.is_Symbol:
-        return known[e]
+        name = e.name
+        return lambda known, _: known[name]
     if e.is_Number or e.is_NumberSymbol:
-        return float(e)
+        number = float(e)
+        return lambda *_: number
     if e.is_Add:
-        return _sum(e, inner)
+        return _sum(e)
     if e.is_Mul:
-        return _product(e, inner)
+        return _product(e)
     if e.is_Pow:
-        return _power(inner(e.base), e.exp, tracer)
+        return _power(recipe(e.base), e.exp)
     if isinstance(e, stumpff):
-        return _stumpff(int(e.args[0]), inner(e.args[1]), tracer)
+        order, argument = int(e.args[0]), recipe(e.args[1])
+        return lambda known, tracer: _stumpff(order, argument(known, tracer), tracer)
     if isinstance(e, sp.sin | sp.cos):
-        return tracer.call(type(e).__name__, inner(e.args[0]))
+        function, angle = type(e).__name__, recipe(e.args[0])
+        return lambda known, tracer: tracer.call(function, angle(known, tracer))
     raise TypeError(f"cannot lower {e}")
 
 
-def _sum(e: sp.Add, inner: Callable) -> Value:
+def _sum(e: sp.Add) -> Recipe:
     """Positive terms first, so that a sum need not begin with a sign."""
-    terms = sorted(e.args, key=lambda t: t.could_extract_minus_sign())
-    total = inner(terms[0])
-    for term in terms[1:]:
-        total = total - inner(-term) if term.could_extract_minus_sign() else total + inner(term)
-    return total
+    signed = [(t.could_extract_minus_sign(), t) for t in e.args]
+    (_, leading), *others = sorted(signed, key=lambda pair: pair[0])
+    first, rest = recipe(leading), [(minus, recipe(-t if minus else t)) for minus, t in others]
+
+    def record(known, tracer):
+        total = first(known, tracer)
+        for minus, term in rest:
+            value = term(known, tracer)
+            total = total - value if minus else total + value
+        return total
+
+    return record
 
 
-def _product(e: sp.Mul, inner: Callable) -> Value:
+def _product(e: sp.Mul) -> Recipe:
     coefficient, rest = e.as_coeff_Mul()
-    below = [f for f in rest.as_ordered_factors() if f.is_Pow and f.exp.is_number and f.exp.is_negative]
-    above = [f for f in rest.as_ordered_factors() if f not in below]
-    total: Value = float(coefficient)
-    for factor in above:
-        total = total * inner(factor)
-    for factor in below:
-        total = total / inner(1 / factor)
-    return total
+    ordered = rest.as_ordered_factors()
+    below = [f for f in ordered if f.is_Pow and f.exp.is_number and f.exp.is_negative]
+    number = float(coefficient)
+    factors, divisors = [recipe(f) for f in ordered if f not in below], [recipe(1 / f) for f in below]
+
+    def record(known, tracer):
+        total: Value = number
+        for factor in factors:
+            total = total * factor(known, tracer)
+        for divisor in divisors:
+            total = total / divisor(known, tracer)
+        return total
+
+    return record
 
 
-def _power(base: Value, exponent: sp.Expr, tracer: Tracer) -> Value:
+def _power(base: Recipe, exponent: sp.Expr) -> Recipe:
     if exponent == sp.Rational(1, 2):
-        return tracer.call("sqrt", base)
+        return lambda known, tracer: tracer.call("sqrt", base(known, tracer))
     if not exponent.is_Integer:
         raise TypeError(f"cannot lower the power {exponent}")
-    power = base
-    for _ in range(abs(int(exponent)) - 1):
-        power = power * base
-    return 1.0 / power if exponent < 0 else power
+    count, inverted = abs(int(exponent)), exponent < 0
+
+    def record(known, tracer):
+        power = value = base(known, tracer)
+        for _ in range(count - 1):
+            power = power * value
+        return 1.0 / power if inverted else power
+
+    return record
 
 
 def _stumpff(order: int, x: Value, tracer: Tracer) -> Value:

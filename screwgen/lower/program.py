@@ -75,7 +75,7 @@ class Tracer:
         self._section = 0
         self.guards: list[Node] = []
         self.origins: list[int] = []
-        self.nodes: list[Node] = []
+        self._count = 0
 
     @contextmanager
     def section(self, title: str):
@@ -89,21 +89,21 @@ class Tracer:
             self._section = before
 
     def _node(self, op: str, *args) -> Node:
-        ids = (
-            tuple(a.id if isinstance(a, Node) else ("number", float(a).hex()) for a in args) if op != "input" else args
-        )
-        if op in COMMUTATIVE:
-            ids = tuple(sorted(ids, key=str))
-        node = self._table.get((op, *ids))
+        key = (op, *args) if op == "input" else _key(op, args)
+        node = self._table.get(key)
         if node is None:
-            node = Node(self, op, args, len(self.nodes), self._section)
-            self._table[op, *ids] = node
-            self.nodes.append(node)
+            node = self._table[key] = Node(self, op, args, self._count, self._section)
+            self._count += 1
         return node
 
     def input(self, name: str, size: int) -> list[Node]:
         """The entries of an input."""
         return [self._node("input", name, i) for i in range(size)]
+
+    def program(self, name: str, inputs: dict[str, int], outputs: dict[str, list[Value]]) -> Program:
+        """What was recorded.  What no output needs is forgotten: programs are kept for long."""
+        self._table = {}
+        return Program(name, inputs, outputs, list(self.guards), self.sections, list(self.origins))
 
     def epsilon(self) -> Node:
         """The spacing of the floating-point numbers of the target."""
@@ -116,10 +116,11 @@ class Tracer:
             self.origins.append(origin)
 
     def add(self, a: Value, b: Value) -> Value:
-        if _both_numbers(a, b):
-            return a + b
-        if _is(a, 0.0) or _is(b, 0.0):
-            return b if _is(a, 0.0) else a
+        if not (isinstance(a, Node) and isinstance(b, Node)):
+            if _both_numbers(a, b):
+                return a + b
+            if _is(a, 0.0) or _is(b, 0.0):
+                return b if _is(a, 0.0) else a
         if _negated(b):
             return self.sub(a, b.args[0])
         if _negated(a):
@@ -130,12 +131,13 @@ class Tracer:
         return self._node("add", a, b)
 
     def sub(self, a: Value, b: Value) -> Value:
-        if _both_numbers(a, b):
-            return a - b
-        if _is(b, 0.0):
-            return a
-        if _is(a, 0.0):
-            return self.neg(b)
+        if not (isinstance(a, Node) and isinstance(b, Node)):
+            if _both_numbers(a, b):
+                return a - b
+            if _is(b, 0.0):
+                return a
+            if _is(a, 0.0):
+                return self.neg(b)
         if a is b:
             return 0.0
         if _negated(b):
@@ -149,16 +151,15 @@ class Tracer:
         return self._node("sub", a, b)
 
     def mul(self, a: Value, b: Value) -> Value:
-        if _both_numbers(a, b):
-            return a * b
-        if not isinstance(a, Node):
-            a, b = b, a
-        if _is(b, 0.0):
-            return 0.0
-        if _is(b, 1.0):
-            return a
-        if _is(b, -1.0):
-            return self.neg(a)
+        if not (isinstance(a, Node) and isinstance(b, Node)):
+            if _both_numbers(a, b):
+                return a * b
+            if not isinstance(a, Node):
+                a, b = b, a
+            if b == 0.0:
+                return 0.0
+            if abs(b) == 1.0:
+                return a if b > 0 else self.neg(a)
         if _negated(a) or _negated(b):
             return (
                 self.neg(self.mul(_positive(a), _positive(b)))
@@ -206,6 +207,14 @@ class Tracer:
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)
         return self._node(function, a)
+
+
+def _key(op: str, args: tuple) -> tuple:
+    """What equal operations on equal values have in common: numbers of nodes, and the bits of floats."""
+    ids = [a.id if isinstance(a, Node) else float(a).hex() for a in args]
+    if op in COMMUTATIVE and (isinstance(ids[0], str) or (isinstance(ids[1], int) and ids[1] < ids[0])):
+        ids.reverse()
+    return op, *ids
 
 
 def _op(a, op: str) -> bool:

@@ -82,4 +82,4 @@ def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Progr
         given[name] = [x if v is None else v for x, v in zip(free, known.get(name, [None] * size), strict=True)]
     outputs = inline(program, given, tracer, lambda text: text)
     left = {n: size for n, size in program.inputs.items() if n not in known or None in known[n]}
-    return Program(program.name, left, outputs, list(tracer.guards), tracer.sections, list(tracer.origins))
+    return tracer.program(program.name, left, outputs)

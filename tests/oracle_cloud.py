@@ -1,0 +1,197 @@
+"""A link as a cloud of elements and bodies in CasADi SX: the kinematic field of the oracle; no package code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import casadi as ca
+import numpy as np
+from oracle_link import Link, hat
+from oracle_shapes import DIRECTIONS
+
+
+def turn(axis: np.ndarray, angle: ca.SX) -> ca.SX:
+    """Rotation about a unit axis (Rodrigues)."""
+    K = hat(axis)
+    return ca.SX(np.eye(3)) + ca.sin(angle) * ca.SX(K) + (1 - ca.cos(angle)) * ca.SX(K @ K)
+
+
+def rotation_vector_matrix(theta: ca.SX, terms: int = 18) -> ca.SX:
+    """exp(hat(θ)) by its power series in θ·θ: smooth at 0 under AD; exact to rounding for |θ| < 4."""
+    x = ca.dot(theta, theta)
+    sine, cosine = ca.SX(1), ca.SX(1)  # sin|θ|/|θ| and 2(1 - cos|θ|)/|θ|², by Horner
+    for j in reversed(range(terms)):
+        sine = 1 - x * sine / ((2 * j + 2) * (2 * j + 3))
+        cosine = 1 - x * cosine / ((2 * j + 3) * (2 * j + 4))
+    K = ca.skew(theta)
+    return ca.SX(np.eye(3)) + sine * K + cosine / 2 * (K @ K)
+
+
+def rates(expressions: list[ca.SX], variables: ca.SX, direction: ca.SX) -> list[ca.SX]:
+    """Directional derivatives of several matrices in one forward sweep."""
+    flat = ca.vertcat(*[ca.vec(ca.densify(e)) for e in expressions])
+    moves = variables.numel() > 0
+    flat = ca.densify(ca.jtimes(flat, variables, direction)) if moves else ca.SX.zeros(flat.numel())
+    parts = slices([e.numel() for e in expressions])
+    return [ca.reshape(flat[part], *e.shape) for part, e in zip(parts, expressions, strict=True)]
+
+
+def slices(sizes: list[int], first: int = 0) -> list[slice]:
+    """Consecutive slices of the given sizes, the first one starting at `first`."""
+    ends = np.cumsum([first, *sizes])
+    return [slice(int(begin), int(end)) for begin, end in pairwise(ends)]
+
+
+def gradient(scalar: ca.SX, variables: ca.SX) -> ca.SX:
+    """∂scalar/∂variables as a column, also where there are no variables."""
+    return ca.gradient(scalar, variables) if variables.numel() else ca.SX.zeros(0, 1)
+
+
+def vee(R: ca.SX, R_rate: ca.SX) -> ca.SX:
+    """Angular velocity in body components from a rotation matrix and its rate."""
+    S = R.T @ R_rate
+    return ca.vertcat(S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]) / 2
+
+
+def cross_sum(points: ca.SX, vectors: ca.SX) -> ca.SX:
+    """Σ_j points_j × vectors_j of two 3×N matrices."""
+    (x, y, z), (u, v, w) = ca.vertsplit(points), ca.vertsplit(vectors)
+    return ca.vertcat(ca.dot(y, w) - ca.dot(z, v), ca.dot(z, u) - ca.dot(x, w), ca.dot(x, v) - ca.dot(y, u))
+
+
+def per_column(matrix: ca.SX, numbers: np.ndarray) -> ca.SX:
+    """Scale column j of a 3×N matrix by numbers[j]."""
+    return matrix * ca.repmat(ca.DM(numbers).T, matrix.shape[0], 1)
+
+
+@dataclass
+class Cloud:
+    """One link as point masses, turning bodies and spinning sections.
+
+    points, origin, joint_point, tip_point: 3×N or 3×1, inertial axes, m; R, tip_R: body to inertial axes;
+    twist: angle of each section about the centreline, 1×N; rate: d/dt of the `MOVING` ones along a velocity.
+    """
+
+    masses: np.ndarray
+    points: ca.SX
+    R: ca.SX
+    origin: ca.SX
+    joint_point: ca.SX
+    tip_R: ca.SX
+    tip_point: ca.SX
+    twist: ca.SX
+    spin_inertia: np.ndarray  # (N,): rhoIp l weights, kg·m²
+    base_inertia: np.ndarray  # (3, 3), in F_i axes
+    tip_inertia: np.ndarray  # (3, 3), in tip-frame axes
+    rate: dict[str, ca.SX] = field(default_factory=dict)
+
+    MOVING = ("points", "R", "origin", "tip_R", "tip_point", "twist")
+
+    @property
+    def omega(self) -> ca.SX:
+        """Angular velocity of F_i, in F_i."""
+        return vee(self.R, self.rate["R"])
+
+    @property
+    def tip_omega(self) -> ca.SX:
+        """Angular velocity of the tip frame, in the tip frame."""
+        return vee(self.tip_R, self.rate["tip_R"])
+
+    @property
+    def spin_rate(self) -> ca.SX:
+        """ω_x + dθ_x/dt of every section, 1×N."""
+        return self.omega[0] + self.rate["twist"]
+
+    def kinetic(self) -> ca.SX:
+        velocity, spin = self.rate["points"], self.spin_rate
+        points = ca.dot(per_column(velocity, self.masses), velocity)
+        spins = ca.dot(per_column(spin, self.spin_inertia), spin)
+        base = ca.dot(self.omega, ca.DM(self.base_inertia) @ self.omega)
+        tip = ca.dot(self.tip_omega, ca.DM(self.tip_inertia) @ self.tip_omega)
+        return (points + spins + base + tip) / 2
+
+    def first_moment(self) -> ca.SX:
+        """Σ m r (3)."""
+        return self.points @ ca.DM(self.masses)
+
+    def linear_momentum(self) -> ca.SX:
+        return self.rate["points"] @ ca.DM(self.masses)
+
+    def angular_momentum(self) -> ca.SX:
+        """About the inertial origin, inertial components."""
+        orbital = cross_sum(self.points, per_column(self.rate["points"], self.masses))
+        return orbital + self.intrinsic_momentum() + self.tip_momentum()
+
+    def intrinsic_momentum(self) -> ca.SX:
+        """Of base bodies about their centre of mass and of the sections' spin; inertial components."""
+        spin = ca.vertcat(ca.dot(ca.DM(self.spin_inertia).T, self.spin_rate), 0, 0)
+        return self.R @ (ca.DM(self.base_inertia) @ self.omega + spin)
+
+    def tip_momentum(self) -> ca.SX:
+        return self.tip_R @ (ca.DM(self.tip_inertia) @ self.tip_omega)
+
+    def twist_vector(self) -> ca.SX:
+        """[ω; v] of F_i, in F_i components (6)."""
+        return ca.vertcat(self.omega, self.R.T @ self.rate["origin"])
+
+    def tip_twist(self) -> ca.SX:
+        """[ω; v] of the tip frame, in tip-frame components (6)."""
+        return ca.vertcat(self.tip_omega, self.tip_R.T @ self.rate["tip_point"])
+
+
+def modal_slices(link: Link, first: int) -> dict[str, slice]:
+    """Where each direction's modal coordinates sit in q, the link's first one being q[first]."""
+    return dict(zip(DIRECTIONS, slices([link.counts[d] for d in DIRECTIONS], first), strict=True))
+
+
+def combine(q: ca.SX, part: slice, coefficients: np.ndarray) -> ca.SX:
+    """Σ_k coefficients[k, :] q[part][k] as a row; zeros where there are no modes."""
+    coefficients = np.atleast_2d(coefficients)
+    if part.stop == part.start:
+        return ca.SX.zeros(1, coefficients.shape[-1])
+    return q[part].T @ ca.DM(coefficients)
+
+
+def deformed(link: Link, q: ca.SX, where: dict, values: dict) -> ca.SX:
+    """3×N displacements [axial; y; z] in F_i, from shape values (r, N) of each direction."""
+    return ca.vertcat(*[combine(q, where[d], values[d]) for d in DIRECTIONS[:3]])
+
+
+def tip_rotation(link: Link, q: ca.SX, where: dict) -> ca.SX:
+    """Rotation of the tip section against F_i: θ = [torsion, -u_z', u_y'] at the tip."""
+    column = lambda d, values: combine(q, where[d], values[:, None])  # noqa: E731
+    slope_y = column("bending_y", link.shapes["bending_y"].tip_slope) / link.length
+    slope_z = column("bending_z", link.shapes["bending_z"].tip_slope) / link.length
+    twist = column("torsion", link.shapes["torsion"].tip)
+    return rotation_vector_matrix(ca.vertcat(twist, -slope_z, slope_y))
+
+
+def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_rotation) -> Cloud:
+    """Place one link's elements and bodies in the inertial frame, outboard of a tip frame."""
+    R = parent_R @ ca.DM(link.mount_R)
+    for axis, angle in zip(link.axes, angles, strict=True):
+        R = R @ turn(axis, angle)
+    joint_point = parent_point + parent_R @ ca.DM(link.mount_xyz)
+    origin = joint_point - R @ ca.DM([link.a, 0, 0])
+    shift = deformed(link, q, where, {d: link.shapes[d].nodes for d in DIRECTIONS})
+    shift[0, :] += ca.DM(link.a + link.length * link.nodes).T
+    tip_shift = deformed(link, q, where, {d: link.shapes[d].tip[:, None] for d in DIRECTIONS})
+    tip_point = origin + R @ (tip_shift + ca.DM([link.a + link.length, 0, 0]))
+    tip_R = R @ tip_rotation(link, q, where) if section_rotation else R
+    placed = [ca.repmat(origin, 1, len(link.nodes)) + R @ shift]
+    placed += [joint_point + R @ ca.DM(body.com) for body in link.base]
+    placed += [tip_point + tip_R @ ca.DM(body.com) for body in link.tip]
+    return Cloud(
+        masses=np.array([*(link.rhoA * link.length * link.weights), *(b.mass for b in link.base + link.tip)]),
+        points=ca.horzcat(*placed),
+        R=R,
+        origin=origin,
+        joint_point=joint_point,
+        tip_R=tip_R,
+        tip_point=tip_point,
+        twist=combine(q, where["torsion"], link.shapes["torsion"].nodes),
+        spin_inertia=link.rhoIp * link.length * link.weights,
+        base_inertia=sum((b.inertia for b in link.base), np.zeros((3, 3))),
+        tip_inertia=sum((b.inertia for b in link.tip), np.zeros((3, 3))),
+    )

@@ -1,0 +1,116 @@
+"""The oracle's shape functions, by textbook formulas with many digits; no package code."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import NamedTuple
+
+import mpmath as mp
+import numpy as np
+
+DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+
+
+class Shapes(NamedTuple):
+    """r shape functions ψ of one direction on s in [0, 1], with N quadrature nodes."""
+
+    nodes: np.ndarray  # (r, N): ψ_k(s_j)
+    tip: np.ndarray  # (r,): ψ_k(1)
+    tip_slope: np.ndarray  # (r,): ψ_k'(1)
+    stiffness: np.ndarray  # (r, r): ∫ψ''ψ'' ds in bending, ∫ψ'ψ' ds for axial and torsion
+
+
+@cache
+def quadrature(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Gauss-Legendre nodes and weights on [0, 1]."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return (nodes + 1.0) / 2.0, weights / 2.0
+
+
+@cache
+def bending_shapes(basis: str, modes: int, count: int) -> Shapes:
+    """Shapes of the named bending basis on `count` quadrature nodes."""
+    functions = {"clamped_free": clamped_free, "polynomial": polynomial}[basis](modes)
+    nodes, weights = quadrature(count)
+    value, _, curvature = _tabulate(functions, nodes)
+    tip, slope, _ = _tabulate(functions, [1.0])
+    return Shapes(value, tip[:, 0], slope[:, 0], (curvature * weights) @ curvature.T)
+
+
+@cache
+def sine_shapes(modes: int, count: int) -> Shapes:
+    """√2 sin((2k-1)πs/2): axial and torsion shapes of a fixed-free rod."""
+    nodes, weights = quadrature(count)
+    wave = (2 * np.arange(1, modes + 1)[:, None] - 1) * np.pi / 2
+    derivative = np.sqrt(2) * wave * np.cos(wave * nodes)
+    value, tip = np.sqrt(2) * np.sin(wave * nodes), np.sqrt(2) * np.sin(wave[:, 0])
+    return Shapes(value, tip, np.zeros(modes), (derivative * weights) @ derivative.T)
+
+
+def shapes_of(direction: str, basis: str, modes: int, count: int) -> Shapes:
+    """Shapes of one direction; `basis` names the bending shapes only."""
+    if modes == 0:
+        return Shapes(np.zeros((0, count)), np.zeros(0), np.zeros(0), np.zeros((0, 0)))
+    if direction in ("axial", "torsion"):
+        return sine_shapes(modes, count)
+    return bending_shapes(basis, modes, count)
+
+
+def _tabulate(functions, points) -> np.ndarray:
+    """(3, r, N): value, first and second derivative of each function; a function maps s to these three."""
+    with mp.workdps(120):
+        table = [[[float(d) for d in f(mp.mpf(float(s)))] for s in points] for f in functions]
+    return np.array(table).reshape(len(functions), len(points), 3).transpose(2, 0, 1)
+
+
+def clamped_free(modes: int) -> list:
+    """Clamped-free beam modes by the textbook formula, at 120 digits: s -> (ψ, ψ', ψ'')."""
+    return [_clamped_free_mode(clamped_free_root(k)) for k in range(1, modes + 1)]
+
+
+@cache
+def clamped_free_root(k: int):
+    """k-th positive root of cos λ cosh λ = -1 (cos λ + 1/cosh λ = 0 is better scaled)."""
+    with mp.workdps(120):
+        guess = 1.8751 if k == 1 else (k - mp.mpf(1) / 2) * mp.pi
+        return mp.findroot(lambda x: mp.cos(x) + mp.sech(x), guess)
+
+
+def _clamped_free_mode(root):
+    with mp.workdps(120):
+        sigma = (mp.sinh(root) - mp.sin(root)) / (mp.cosh(root) + mp.cos(root))
+
+    def mode(s):
+        x = root * s
+        ch, c, sh, sn = mp.cosh(x), mp.cos(x), mp.sinh(x), mp.sin(x)
+        value = ch - c - sigma * (sh - sn)
+        slope = root * (sh + sn - sigma * (ch - c))
+        return value, slope, root**2 * (ch + c - sigma * (sh + sn))
+
+    return mode
+
+
+@cache
+def polynomial(modes: int) -> list:
+    """Ritz modes of the clamped beam in span{s², …, s^(r+1)}, in exact monomials at high precision."""
+    with mp.workdps(60 + 6 * modes):
+        powers = range(2, modes + 2)
+        mass = mp.matrix([[mp.mpf(1) / (i + j + 1) for j in powers] for i in powers])
+        bend = mp.matrix([[mp.mpf(i * (i - 1) * j * (j - 1)) / (i + j - 3) for j in powers] for i in powers])
+        inverse = mp.inverse(mp.cholesky(mass))
+        _, vectors = mp.eigsy(inverse * bend * inverse.T)
+        coefficients = inverse.T * vectors
+        return [_polynomial_mode([coefficients[i, k] for i in range(modes)]) for k in range(modes)]
+
+
+def _polynomial_mode(coefficients):
+    """s -> (ψ, ψ', ψ'') of ±Σ c_i s^(i+2), the sign such that ψ(1) > 0."""
+    sign = 1 if mp.fsum(coefficients) > 0 else -1
+    terms = [(sign * c, i + 2) for i, c in enumerate(coefficients)]
+
+    def mode(s):
+        value = mp.fsum(c * s**p for c, p in terms)
+        slope = mp.fsum(c * p * s ** (p - 1) for c, p in terms)
+        return value, slope, mp.fsum(c * p * (p - 1) * s ** (p - 2) for c, p in terms)
+
+    return mode

@@ -5,18 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
 from screwgen import PD
+from screwgen.compiled import Compiled
+from screwgen.motion import tip_position
 
-from .arms import GOAL, LIMIT, RATE_GAIN, STEP, Arms, at_rest
-from .ocp import ND, SCALE, Dynamics, Form, Problem, Solution
+from .arms import LIMIT, STEP, Arms, at_rest, at_rest_there
+from .ocp import Dynamics, Form, Problem, Solution
+from .plan import SHARE, SMOOTH, Plan, fastest
 
 FREE = np.zeros((2, 6))
 METHOD = "modal_midpoint"
-DRIFT, DOUBT = 0.1, 0.1
-"""Of the estimator: how far d wanders in an interval (N·m, N), and what a measurement may be off, over `SCALE`."""
+RATE_GAIN = np.array([50.0, 50.0, 20.0])
+"""N·m·s/rad: of the drives' rate loop under the MPC, 1 kHz, about the joint rates that the last solve predicts."""
+
+
+OBSERVER_GAIN = 0.1
+"""Of the MPC's observer: share of the difference from the measured state that is taken over every `STEP`.
+
+It keeps the plant's fast modes, which nothing damps, from being seen as slow motions by solves that are seldom.
+"""
 
 
 @dataclass(frozen=True)
@@ -31,69 +40,73 @@ class Motion:
     """(N, 3) m."""
 
 
-def run(arms: Arms, torque: Callable, duration: float) -> Motion:
+def run(arms: Arms, torque: Callable, duration: float, compiled: Compiled | None = None, p=None) -> Motion:
     """The plant from its rest at q = 0; `torque(k, q, v)` (3,) is limited and held over a step."""
-    q, v, rows = arms.rest(np.zeros(3))[0], np.zeros(arms.plant.nq), []
+    compiled, p = compiled or arms.compiled, arms.p if p is None else p
+    q, v, rows = at_rest(arms.plant, np.zeros(3), p)[0], np.zeros(arms.plant.nq), []
     for k in range(round(duration / STEP)):
         tau = np.clip(torque(k, q, v), -LIMIT, LIMIT)
         rows.append((q, v, tau))
-        q, v = arms.compiled.step(q, v, tau, FREE, STEP, METHOD)
+        q, v = compiled.step(q, v, tau, FREE, STEP, METHOD)
     q, v, tau = map(np.array, zip(*rows, strict=True))
-    return Motion(q, v, tau, arms.tip(q))
+    return Motion(q, v, tau, tip_position(arms.plant, q, p))
 
 
-class Estimator:
-    """d from how the measured state differs from the predicted one, a Kalman filter; its payload from the rest."""
-
-    def __init__(self, arms: Arms, dynamics: Dynamics, h: float):
-        self.dynamics, self.step = dynamics, dynamics.step(h)
-        given = dynamics.symbols(ca.MX)
-        self.gain = ca.Function("gain", given, [ca.jacobian(self.step(*given), given[2])])
-        self.covariance = np.diag(np.r_[np.full(7, 0.3**2), 0.0])
-        self.d = self.from_rest(arms)
-
-    def from_rest(self, arms: Arms) -> np.ndarray:
-        """Payload from the holding torques before the motion, by least squares; then the rest of d to balance."""
-        q, hold = arms.rest(np.zeros(3))
-        x = np.append(arms.projection @ q, np.zeros(7))
-        d, f = np.zeros(ND), lambda d: np.array(self.dynamics.rate(x, hold, d, self.dynamics.p)).ravel()[7:]
-        bias, p = self.dynamics.model.casadi()["bias"], self.dynamics.p
-        at = self.dynamics.model.parameter_names.index("forearm.bodies[0].mass")
-        need = lambda m: np.array(bias(x[:7], x[7:], FREE.T, p + m * np.eye(len(p))[at])).ravel()[:3]  # noqa: E731
-        slope = need(1.0) - need(0.0)
-        d[7] = slope @ (hold - need(0.0)) / (slope @ slope)
-        d[:7] = np.linalg.solve(np.array([f(d + e) - f(d) for e in np.eye(ND)[:7]]).T, -f(d))
-        return d
-
-    def update(self, before, u, x) -> None:
-        given, P = (before, u, self.d, self.dynamics.p), self.covariance
-        surprise, G = x - np.array(self.step(*given)).ravel(), np.array(self.gain(*given))
-        K = np.linalg.solve(G @ P @ G.T + np.diag((DOUBT * SCALE) ** 2), G @ P).T
-        self.d = self.d + K @ surprise
-        self.covariance = P - K @ G @ P + np.diag(np.r_[np.full(7, DRIFT**2), 0.0])
+def found_payload(arms: Arms, dynamics: Dynamics) -> float:
+    """Payload beyond the file's, kg: that which explains best the torques that hold the plant before it moves."""
+    q, hold = arms.rest(np.zeros(3))
+    bias, x = dynamics.model.casadi()["bias"], arms.projection @ q
+    need = lambda extra: np.array(bias(x, 0 * x, FREE.T, dynamics.parameters(extra))).ravel()[:3]  # noqa: E731
+    slope = need(1.0) - need(0.0)
+    return float(slope @ (hold - need(0.0)) / (slope @ slope))
 
 
-def receding_horizon(arms: Arms, form: Form, duration: float, tick) -> tuple[Motion, list[Solution], np.ndarray]:
-    """The closed loop under MPC, its solutions, and d (8,) as found at rest."""
-    dynamics = Dynamics(arms.model)
-    estimator = Estimator(arms, dynamics, form.h)
-    at_first = estimator.d
-    goal, hold = dynamics.target(GOAL, at_first)
-    problem = Problem(dynamics, form, dynamics.cost_to_go(form.h, goal, hold, at_first))
-    every, solutions, before = round(form.h / STEP), [], []
+class Controller:
+    """The MPC: finds the payload, plans the fastest motion, and follows it by a receding horizon.
 
-    def torque(k: int, q, v) -> np.ndarray:
-        if k % every == 0:
-            x = np.concatenate([arms.projection @ q, arms.projection @ v])
-            if before:
-                estimator.update(before.pop(), solutions[-1].u[0], x)
-            before.append(x)
-            target = dynamics.target(GOAL, estimator.d)
-            solutions.append(problem.solve(x, estimator.d, *target))
-            tick(k * STEP)
-        return solutions[-1].u[0] - RATE_GAIN * v[:3]
+    A solve takes an interval: it starts from where the model will be at its end, and acts from then on.
+    """
 
-    return run(arms, torque, duration), solutions, at_first
+    def __init__(self, arms: Arms, form: Form, intervals: int):
+        self.arms, self.form, self.dynamics = arms, form, Dynamics(arms.model)
+        self.extra = found_payload(arms, self.dynamics)
+        start = at_rest(arms.model, np.zeros(3), self.dynamics.parameters(self.extra))
+        start = np.append(start[0], np.zeros(arms.model.nq)), start[1]
+        self.ends = [start, self.dynamics.rest_there(arms.goal, self.extra)]
+        self.plan = fastest(self.dynamics, self.ends, self.extra, intervals, SHARE, SMOOTH)
+        self.problem = self.stated(form)
+        self.ahead, self.soon = self.dynamics.step(form.h), self.dynamics.step(STEP)
+
+    def stated(self, form: Form) -> Problem:
+        return Problem(self.dynamics, form, *self.dynamics.weights(self.arms.goal, self.extra))
+
+    def solve(self, problem: Problem, x, t: float) -> Solution:
+        h, N = problem.form.h, problem.form.N
+        t = t + h * np.arange(N + 1)
+        return problem.solve(x, self.extra, self.plan.states(t), self.plan.torques(t[:-1], h))
+
+    def run(self, duration: float, tick: Callable[[float], None]) -> tuple[Motion, list[Solution]]:
+        n, h, every, T = self.arms.model.nq, self.form.h, round(self.form.h / STEP), self.arms.projection
+        x, tau = self.ends[0]
+        solutions = [self.solve(self.problem, x, 0.0)]
+        acting = solutions[0]
+        after = lambda step, x, u: np.array(step(x, u, self.extra)).ravel()  # noqa: E731
+
+        def torque(k: int, q, v) -> np.ndarray:
+            nonlocal acting, x, tau
+            x = after(self.soon, x, tau) if k else x
+            x = x + OBSERVER_GAIN * (np.append(T @ q, T @ v) - x)
+            if k % 200 == 0:
+                tick(k * STEP)
+            if k % every == 0:
+                acting = solutions[-1]
+                solutions.append(self.solve(self.problem, after(self.ahead, x, acting.u[0]), k * STEP + h))
+            share = k % every / every
+            rates = (1 - share) * acting.x[0, n : n + 3] + share * acting.x[1, n : n + 3]
+            tau = np.clip(acting.u[0] - RATE_GAIN * (v[:3] - rates), -LIMIT, LIMIT)
+            return tau
+
+        return run(self.arms, torque, duration), solutions
 
 
 @dataclass(frozen=True)
@@ -107,22 +120,46 @@ class Gains:
     """s: of the minimum-jerk reference; None: the set point from the start."""
 
 
-GRID = [Gains(f, z, T) for f in (1.25, 1.5, 2.0, 3.0) for z in (0.7, 1.0, 1.4) for T in (None, 0.6, 0.9)]
+GRID = [
+    Gains(f, z, T)
+    for f in (1.25, 1.5, 2.0, 2.5, 3.0, 4.0)
+    for z in (0.7, 1.0, 1.4)
+    for T in (None, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+]
+SOFT = [Gains(f, z, None) for f in (0.5, 0.8, 1.25, 2.0, 3.0) for z in (0.7, 1.0, 1.4)]
+"""For PD along the MPC's plan, whose torques do most of the work."""
 FEW = [Gains(1.5, 1.0, None), Gains(3.0, 1.4, 0.9)]
 
 
-def pd(arms: Arms, gains: Gains, payload: float, duration: float) -> Motion:
-    """The closed loop under PD and gravity compensation; `payload` kg: what the MPC's estimator found, added."""
-    p = np.array(arms.model.parameter_values)
-    p[arms.model.parameter_names.index("forearm.bodies[0].mass")] += payload
-    start, end = (at_rest(arms.model, joints, p)[1] for joints in (np.zeros(3), GOAL))
-    M = np.array(arms.plant.casadi()["mass_matrix"](arms.rest(GOAL)[0], arms.p))
-    omega, J = 2 * np.pi * gains.frequency, np.diag(M)[:3]
-    kp, kd = (tuple(map(float, g)) for g in (J * omega**2, 2 * gains.damping * omega * J))
-    law = PD(kp, kd, tuple(map(float, GOAL)), duration=gains.move, q_start=(0.0,) * 3)
+class Baseline:
+    """PD with gravity compensation, designed for an arm with `extra` kg of payload beyond the file's."""
 
-    def torque(k: int, q, v) -> np.ndarray:
-        share = law.reference(k * STEP)[0][0] / GOAL[0]
-        return law(k * STEP, q, v) + start + share * (end - start)
+    def __init__(self, arms: Arms, extra: float):
+        self.arms, p = arms, arms.parameters(extra)
+        q, self.hold = at_rest_there(arms.plant, arms.goal, p)
+        self.start, self.joints = at_rest(arms.plant, np.zeros(3), p)[1], q[:3]
+        self.inertia = np.diag(np.array(arms.plant.casadi()["mass_matrix"](q, p)))[:3]
 
-    return run(arms, torque, duration)
+    def gains(self, gains: Gains) -> tuple[np.ndarray, np.ndarray]:
+        omega = 2 * np.pi * gains.frequency
+        return self.inertia * omega**2, 2 * gains.damping * omega * self.inertia
+
+    def run(self, gains: Gains, duration: float, rehearse: bool = False) -> Motion:
+        """On the plant, or where `rehearse`, on the arm of the file."""
+        kp, kd = (tuple(map(float, g)) for g in self.gains(gains))
+        law = PD(kp, kd, tuple(map(float, self.joints)), duration=gains.move, q_start=(0.0,) * 3)
+
+        def torque(k: int, q, v) -> np.ndarray:
+            share = law.reference(k * STEP)[0][0] / self.joints[0]
+            return law(k * STEP, q, v) + self.start + share * (self.hold - self.start)
+
+        arms = self.arms
+        return run(arms, torque, duration, *((arms.rehearsal, arms.nominal) if rehearse else ()))
+
+    def follow(self, gains: Gains, plan: Plan, duration: float) -> Motion:
+        """The MPC's plan, its torques fed forward, and PD about its joint coordinates."""
+        (kp, kd), n = self.gains(gains), self.arms.model.nq
+        t = STEP * np.arange(round(duration / STEP))
+        x, u = plan.states(t), plan.torques(t, STEP)
+        law = lambda k, q, v: u[k] + kp * (x[k, :3] - q[:3]) + kd * (x[k, n : n + 3] - v[:3])  # noqa: E731
+        return run(self.arms, law, duration)

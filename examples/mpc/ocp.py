@@ -1,9 +1,10 @@
-"""The optimal control problem: Opti, direct collocation or multiple shooting, IPOPT or fatrop."""
+"""The problem of every solve: to follow the plan; Opti, direct collocation or multiple shooting, IPOPT or fatrop."""
 
 from __future__ import annotations
 
 import time
 from dataclasses import dataclass
+from itertools import pairwise
 
 import casadi as ca
 import numpy as np
@@ -11,42 +12,59 @@ import scipy.linalg
 
 from screwgen import Model
 
-from .arms import LIMIT, PAYLOAD, RATE_GAIN
+from .arms import LIMIT, PAYLOAD, at_rest_there
 
-SCALE = np.r_[np.ones(3), np.full(4, 0.02), np.full(3, 3.0), np.full(4, 0.3)]
-"""Sizes of the state [q; v]: rad, m, rad/s, m/s. The unknowns of the problem are the state over these."""
-NX, ND = 14, 8
 DEGREE = 2
 """Radau points in an interval: third order, and what is too fast for the interval is damped."""
-SUBSTEP = 3e-3
-"""s: of Runge–Kutta 4 in shooting intervals and in the estimator, at most."""
-WEIGHTS = np.r_[100.0, 100.0, 40.0, np.full(4, 100.0), np.full(3, 0.5), np.full(4, 2.0)]
-"""Per second: of the squared state about the target."""
-TORQUE_WEIGHT = 3.0
-"""Per second: of the squared torque about the target's, over the limit."""
+SUBSTEP = 1e-3
+"""s: of Runge–Kutta 4 in shooting intervals and in the prediction over the delay, at most."""
+TIP_WEIGHT = 300.0
+"""Per second and m²: of the tip's distance from the plan's, linearised at the goal."""
+JOINTS, MODES, JOINT_RATES, MODE_RATES = 1.0, 1.0, 0.02, 0.2
+"""Per second: weights of the squared coordinates and rates about the plan's."""
+TORQUE_WEIGHT = 0.03
+"""Per second: of the squared torque about the plan's, over the limit."""
 TOLERANCE = 1e-6
 
 
 class Dynamics:
-    """`forward_dynamics` of the model as functions of x = [q; v], u, d and p.
+    """`forward_dynamics` of the model as functions of x = [q; v], the motors' torques u (3,) and `extra`.
 
-    u (3,) N·m: torque before the rate loop, the motor's is u − RATE_GAIN qdot. d (8,): what is wrong with the model,
-    joint torques (3, N·m), forces on the tips along y and z (2 × 2, N) and payload (kg, added to that in p).
+    `extra` (kg) is the payload beyond the file's: what the controller finds out.
     """
 
     def __init__(self, model: Model):
-        self.model, self.p = model, np.array(model.parameter_values)
-        n = model.nq
-        given = x, u, d, p = self.symbols(ca.SX)
-        load = ca.SX.zeros(6, 2)
-        load[4:6, 0], load[4:6, 1] = d[3:5], d[5:7]
-        heavier, payload = ca.SX(p), model.parameter_names.index(PAYLOAD)
-        heavier[payload] = p[payload] + d[7]
-        vdot, _ = model.casadi()["forward_dynamics"](x[:n], x[n:], u + d[:3], load, heavier)
+        self.model, self.p, self.nx = model, np.array(model.parameter_values), 2 * model.nq
+        self.at, n, modes = model.parameter_names.index(PAYLOAD), model.nq, model.nq - 3
+        self.size = np.r_[np.ones(3), np.full(modes, 0.02), np.full(3, 3.0), np.full(modes, 0.3)]
+        given = x, u, extra = self.symbols(ca.SX)
+        p = ca.SX(self.p)
+        p[self.at] += extra
+        functions = model.casadi()
+        vdot, _ = functions["forward_dynamics"](x[:n], x[n:], u, np.zeros((6, 2)), p)
         self.rate = ca.Function("rate", given, [ca.vertcat(x[n:], vdot)])
+        self.tip = ca.Function("tip", [x, extra], [functions["tip_pose"](x[:n], p)[1]])
 
     def symbols(self, kind) -> list:
-        return [kind.sym(*named) for named in (("x", NX), ("u", 3), ("d", ND), ("p", len(self.p)))]
+        return [kind.sym(*named) for named in (("x", self.nx), ("u", 3), ("extra", 1))]
+
+    def parameters(self, extra: float) -> np.ndarray:
+        p = self.p.copy()
+        p[self.at] += extra
+        return p
+
+    def defects(self) -> ca.Function:
+        """What must vanish in an interval of h seconds: (nx · DEGREE,) from x, inner states, u over `LIMIT`, extra, h.
+
+        States are over `size`.
+        """
+        x, u, extra = self.symbols(ca.SX)
+        inner, h = ca.SX.sym("inner", self.nx, DEGREE), ca.SX.sym("h")
+        C, _, _ = ca.collocation_coeff(ca.collocation_points(DEGREE, "radau"))
+        slopes = ca.horzcat(x, inner) @ C
+        rate = lambda j: self.rate(inner[:, j] * self.size, u * LIMIT, extra) / self.size  # noqa: E731
+        rows = [slopes[:, j] - h * rate(j) for j in range(DEGREE)]
+        return ca.Function("defects", [x, inner, u, extra, h], [ca.vertcat(*rows)])
 
     def step(self, h: float) -> ca.Function:
         """x after h by Runge–Kutta 4."""
@@ -62,45 +80,39 @@ class Dynamics:
             x = one(x, *rest)
         return ca.Function("step", given, [x])
 
-    def target(self, joints, d) -> tuple[np.ndarray, np.ndarray]:
-        """State (14,) and u (3,) of the model at rest with these joint angles under d: linear in u, Newton in eta."""
-        y, size = ca.SX.sym("y", 7), np.r_[np.full(4, 0.02), np.full(3, 100.0)]
-        state = lambda y: ca.vertcat(ca.DM(joints), y[:4] * size[:4], ca.DM.zeros(7))  # noqa: E731
-        fault = self.rate(state(y), y[4:] * size[4:], d, self.p)[7:] / 100
-        found = ca.rootfinder("target", "newton", {"x": y, "g": fault}, {"max_iter": 30})(x0=np.zeros(7))["x"]
-        return np.array(state(found)).ravel(), np.array(found).ravel()[4:] * 100.0
+    def rest_there(self, place, extra: float) -> tuple[np.ndarray, np.ndarray]:
+        """State (nx,) and torques (3,) of the model at rest with its tip at `place` (3,)."""
+        q, hold = at_rest_there(self.model, place, self.parameters(extra))
+        return np.append(q, np.zeros(self.model.nq)), hold
 
-    def cost_to_go(self, h: float, x, u, d) -> np.ndarray:
-        """(14, 14): the linear quadratic regulator's about the target, which ends the horizon."""
-        X, U = ca.MX.sym("x", NX), ca.MX.sym("u", 3)
-        end = self.step(h)(X, U, d, self.p)
-        A, B = map(np.array, ca.Function("AB", [X, U], [ca.jacobian(end, X), ca.jacobian(end, U)])(x, u))
-        return scipy.linalg.solve_discrete_are(A, B, *weights(h))
-
-
-def weights(h: float) -> tuple[np.ndarray, np.ndarray]:
-    return np.diag(WEIGHTS) * h, np.diag(TORQUE_WEIGHT / LIMIT**2) * h
+    def weights(self, place, extra: float) -> tuple[np.ndarray, np.ndarray]:
+        """Q (nx, nx), per second, and the linear quadratic regulator's cost-to-go P (nx, nx) at rest at `place`."""
+        n, (x, hold) = self.model.nq, self.rest_there(place, extra)
+        linear = self.model.linearise(x[:n], x[n:], hold, parameters=self.parameters(extra), outputs=("tip_position",))
+        own = [np.full(3, JOINTS), np.full(n - 3, MODES), np.full(3, JOINT_RATES), np.full(n - 3, MODE_RATES)]
+        Q = TIP_WEIGHT * linear.C.T @ linear.C + np.diag(np.concatenate(own))
+        return Q, scipy.linalg.solve_continuous_are(linear.A, linear.B, Q, np.diag(TORQUE_WEIGHT / LIMIT**2))
 
 
 @dataclass(frozen=True)
 class Form:
     """How the problem is put and solved."""
 
-    transcription: str
+    transcription: str = "collocation"
     """"collocation" or "shooting"."""
-    solver: str
+    solver: str = "ipopt"
     """"ipopt" or "fatrop"."""
-    h: float = 0.03
+    h: float = 0.02
     """s: interval, over which u is held, and time between two solves."""
-    N: int = 16
+    N: int = 6
 
 
 @dataclass(frozen=True)
 class Solution:
     u: np.ndarray
-    """(N, 3)"""
+    """(N, 3) N·m"""
     x: np.ndarray
-    """(N + 1, 14)"""
+    """(N + 1, nx)"""
     converged: bool
     iterations: int
     seconds: float
@@ -111,55 +123,45 @@ class Solution:
 class Problem:
     """The problem in stages (x_k, u_k, collocation states), as fatrop wants them; warm starts by shifting."""
 
-    def __init__(self, dynamics: Dynamics, form: Form, P: np.ndarray):
+    def __init__(self, dynamics: Dynamics, form: Form, Q: np.ndarray, P: np.ndarray):
         self.dynamics, self.form, self.opti = dynamics, form, ca.Opti()
-        o, N, points = self.opti, form.N, DEGREE if form.transcription == "collocation" else 0
+        o, N, nx = self.opti, form.N, dynamics.nx
+        points = DEGREE if form.transcription == "collocation" else 0
         self.X, self.U, self.C = [], [], []
         for _ in range(N):
-            self.X.append(o.variable(NX))
+            self.X.append(o.variable(nx))
             self.U.append(o.variable(3))
-            self.C += [o.variable(NX, points)] if points else []
-        self.X.append(o.variable(NX))
-        self.given = [o.parameter(size) for size in (NX, ND, NX, 3)]
+            self.C += [o.variable(nx, points)] if points else []
+        self.X.append(o.variable(nx))
+        self.given = [o.parameter(*size) for size in ((nx, 1), (1, 1), (nx, N + 1), (3, N))]
         self._constrain(points)
-        self._minimise(P)
+        self._minimise(Q, P)
         self._solver()
         self.last = None
 
     def _constrain(self, points: int) -> None:
-        o, N, (x0, d, _, _) = self.opti, self.form.N, self.given
-        every = (ca.repmat(d, 1, N), np.tile(self.dynamics.p[:, None], N))
-        X, U = ca.hcat(self.X[:-1]), ca.hcat(self.U)
+        o, N, h, size, (x0, extra, _, _) = self.opti, self.form.N, self.form.h, self.dynamics.size, self.given
+        X, U, extras = ca.hcat(self.X[:-1]), ca.hcat(self.U), ca.repmat(extra, 1, N)
         if points:
-            defects = self._collocation().map(N)(X, ca.hcat(self.C), U, *every)
+            defects = self.dynamics.defects().map(N)(X, ca.hcat(self.C), U, extras, np.full((1, N), h))
             ends = [c[:, -1] for c in self.C]
         else:
-            sizes = [ca.repmat(ca.DM(s), 1, N) for s in (SCALE, LIMIT)]
-            ends = ca.horzsplit(self.dynamics.step(self.form.h).map(N)(X * sizes[0], U * sizes[1], *every) / sizes[0])
+            full, limits = (ca.repmat(ca.DM(s), 1, N) for s in (size, LIMIT))
+            ends = ca.horzsplit(self.dynamics.step(h).map(N)(X * full, U * limits, extras) / full)
         for k in range(N):
             o.subject_to(self.X[k + 1] == ends[k])
             if k == 0:
-                o.subject_to(self.X[0] == x0 / SCALE)
+                o.subject_to(self.X[0] == x0 / size)
             if points:
                 o.subject_to(defects[:, k] == 0)
-            for x in (self.X[k], *(ca.horzsplit(self.C[k]) if points else ())):
-                o.subject_to(o.bounded(-1, self.U[k] - x[7:10] * SCALE[7:10] * RATE_GAIN / LIMIT, 1))
+            o.subject_to(o.bounded(-1, self.U[k], 1))
 
-    def _collocation(self) -> ca.Function:
-        """The defects (14 · DEGREE,) of one interval, in scaled states."""
-        x, u, d, p = self.dynamics.symbols(ca.SX)
-        inner = ca.SX.sym("inner", NX, DEGREE)
-        C, _, _ = ca.collocation_coeff(ca.collocation_points(DEGREE, "radau"))
-        slopes = ca.horzcat(x, inner) @ C
-        rate = lambda j: self.dynamics.rate(inner[:, j] * SCALE, u * LIMIT, d, p) / SCALE  # noqa: E731
-        defects = [slopes[:, j] - self.form.h * rate(j) for j in range(DEGREE)]
-        return ca.Function("defects", [x, inner, u, d, p], [ca.vertcat(*defects)])
-
-    def _minimise(self, P: np.ndarray) -> None:
-        (Q, R), (_, _, goal, hold) = weights(self.form.h), self.given
-        off = [x * SCALE - goal for x in self.X]
-        cost = sum(ca.bilin(Q, e, e) for e in off[:-1]) + ca.bilin(P, off[-1], off[-1])
-        self.opti.minimize(cost + sum(ca.bilin(R, e, e) for e in (u * LIMIT - hold for u in self.U)))
+    def _minimise(self, Q: np.ndarray, P: np.ndarray) -> None:
+        h, (_, _, x, u), size = self.form.h, self.given, self.dynamics.size
+        off = [a * size - x[:, k] for k, a in enumerate(self.X)]
+        cost = sum(ca.bilin(Q * h, e, e) for e in off[:-1]) + ca.bilin(P, off[-1], off[-1])
+        extra = [a - u[:, k] / LIMIT for k, a in enumerate(self.U)]
+        self.opti.minimize(cost + TORQUE_WEIGHT * h * sum(map(ca.sumsqr, extra)))
 
     def _solver(self) -> None:
         """IPOPT with the Hessian of the quadratic cost alone (Gauss–Newton); fatrop with the exact one."""
@@ -171,15 +173,16 @@ class Problem:
         lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", o.ng)
         H = ca.triu(ca.hessian(o.f, o.x)[0])
         gauss = ca.Function("nlp_hess_l", [o.x, o.p, lam_f, lam_g], [lam_f * H], names, ["triu_hess_gamma_x_x"])
-        warm = {f"warm_start_{name}_push": 1e-6 for name in ("bound", "mult_bound")} | {"mu_init": 1e-3}
+        warm = {f"warm_start_{name}_push": 1e-6 for name in ("bound", "mult_bound")} | {"mu_init": 1e-4}
+        warm["mu_strategy"] = "adaptive"
         tuning = {"print_level": 0, "sb": "yes", "tol": TOLERANCE, "max_iter": 100, "warm_start_init_point": "yes"}
         o.solver("ipopt", quiet | {"hess_lag": gauss}, tuning | warm)
 
-    def solve(self, x0, d, goal, hold) -> Solution:
-        """From the state x0 to the target (goal, hold) under d."""
-        for parameter, value in zip(self.given, (x0, d, goal, hold), strict=True):
+    def solve(self, x0, extra: float, x, u) -> Solution:
+        """From the state x0 (nx,) along the states x (N + 1, nx) and torques u (N, 3) of the plan."""
+        for parameter, value in zip(self.given, (x0, extra, x.T, u.T), strict=True):
             self.opti.set_value(parameter, value)
-        self._guess(x0, goal, hold)
+        self._guess(x / self.dynamics.size, u / LIMIT)
         start = time.process_time()
         try:
             value = self.opti.solve().value
@@ -188,17 +191,16 @@ class Problem:
             value, converged = self.opti.debug.value, False
         seconds = time.process_time() - start
         self.last = [[np.array(value(v)) for v in part] for part in (self.X, self.U, self.C)]
-        x, u = np.array(self.last[0]) * SCALE, np.array(self.last[1]) * LIMIT
         count = int(self.opti.debug.stats().get("iter_count", -1))
-        return Solution(u, x, converged, count, seconds, float(value(self.opti.f)))
+        found = np.array(self.last[0]) * self.dynamics.size, np.array(self.last[1]) * LIMIT
+        return Solution(found[1], found[0], converged, count, seconds, float(value(self.opti.f)))
 
-    def _guess(self, x0, goal, hold) -> None:
-        """The last solution, one interval later; at first a straight line."""
-        o, N = self.opti, self.form.N
-        line = [(x0 + (goal - x0) * k / N) / SCALE for k in range(N + 1)]
-        first = [line, [hold / LIMIT] * N, [np.tile(x[:, None], DEGREE) for x in line]]
-        parts = self.last or first
-        for variables, values in zip((self.X, self.U, self.C), parts, strict=True):
-            late = 1 if self.last else 0
-            for k, variable in enumerate(variables):
-                o.set_initial(variable, values[min(k + late, len(variables) - 1)])
+    def _guess(self, x, u) -> None:
+        """The last solution, one interval later; at first, and where it ends, the plan."""
+        points = ca.collocation_points(DEGREE, "radau")
+        inner = [np.array([a + c * (b - a) for c in points]).T for a, b in pairwise(x)]
+        plan = [list(x), list(u), inner]
+        shifted = self.last and [[*old[1:], new[-1]] for old, new in zip(self.last, plan, strict=True) if old]
+        for variables, values in zip((self.X, self.U, self.C), shifted or plan, strict=False):
+            for variable, value in zip(variables, values, strict=bool(variables)):
+                self.opti.set_initial(variable, value)

@@ -8,12 +8,14 @@ takes the least time is measured, from all combinations of its discretisation, i
 from __future__ import annotations
 
 import math
+import os
 import shutil
 import statistics
 import subprocess
 import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
@@ -65,9 +67,10 @@ def rows(folder: Path, compiler: Compiler, progress) -> tuple[list[Row], list[st
     mesh = exudyn_candidate(*MESH)
     progress.stage("pendulum: timing")
     times = {id(c): [] for c in (own, other, mesh)}
-    for _ in range(ROUNDS):
-        for c in (own, other, mesh):
-            times[id(c)].append(c.run()[0])
+    for k in range(ROUNDS):
+        with processor(k):
+            for c in (own, other, mesh):
+                times[id(c)].append(c.run()[0])
     mesh.error = distance(mesh.run()[1], judge)
     for copy in folder.glob("*.run[0-9]*"):
         copy.unlink()
@@ -84,6 +87,20 @@ def rows(folder: Path, compiler: Compiler, progress) -> tuple[list[Row], list[st
             title, target = f"{c.title}, {1e3 / c.steps:g} ms", (bound if c is other else None, None)
             out.append(Row(heading, title, statistics.median(mine), ratio, spread(mine), target))
     return out, []
+
+
+@contextmanager
+def processor(number: int) -> Iterator[None]:
+    """All on one of the machine's processors, which may have neighbours that others have not."""
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    allowed = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {sorted(allowed)[number % len(allowed)]})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, allowed)
 
 
 def cheapest(candidates: list[Candidate], judge: Tip) -> Candidate:

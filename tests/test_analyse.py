@@ -6,14 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import random_robots as rr
-from helpers import arm, equal_links, example, flat, link, model_of, quick
+from helpers import arm, equal_links, example, link, model_of, quick
 
 import screwgen
 from screwgen.analysis import sample_states
-from screwgen.analysis.regularity import regularity, structure
+from screwgen.analysis.regularity import regularity
 from screwgen.analysis.spectrum import Linearised, growth, jacobian, motions, step_map
-from screwgen.analysis.structure_plot import png
-from screwgen.cli import main
 from screwgen.controllers import PD
 from screwgen.integrate import METHODS, Dynamics, Held
 from screwgen.state import State
@@ -301,59 +299,3 @@ def test_many_links_and_none_that_moves():
     assert max(map(len, a.text().splitlines())) <= 100
     welded = screwgen.analyse(model_of(arm(link(axes=[]), link("tip", axes=[]))), [{}])
     assert welded.well_posed and welded.states[0].motions == () and welded.text()
-
-
-# -------- samples, report, picture, command
-
-
-def test_samples_are_reproducible_and_small():
-    model = example("six_link")
-    one, again, other = (sample_states(model, 3, seed) for seed in (4, 4, 5))
-    for label, s in one.items():
-        assert np.array_equal(s.q, again[label].q) and not np.array_equal(s.q, other[label].q)
-        assert np.abs(s.q[:6]).max() <= np.pi and np.abs(s.q[6:]).max() <= 0.05 * 1.2
-    s = one["sample 1"]
-    straight = np.append(s.q[:6], np.zeros(5))
-    rigid = flat(model.casadi()["bias"](straight, np.zeros(11), np.zeros((6, 6)), model.parameter_values))
-    assert np.allclose(s.tau, rigid[:6], rtol=1e-10)
-
-
-def test_the_command_prints_a_report_and_json(capsys, tmp_path):
-    ella = str(EXAMPLES / "ella.toml")
-    picture = tmp_path / "m.png"
-    assert main(["analyse", ella, "--samples", "2", "--plot", str(picture)]) == 0
-    out = capsys.readouterr().out
-    assert out.splitlines()[2].startswith("WELL POSED") and "(E17)" in out and "(E19)" in out
-    assert max(map(len, out.splitlines())) <= 100
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    assert main(["analyse", ella, "--samples", "2", "--json", "--step", "2e-4"]) == 0
-    data = json.loads(capsys.readouterr().out)
-    assert [s["label"] for s in data["states"]] == ["zero", "sample 1", "sample 2"]
-    assert data["well_posed"] and data["step"] == 2e-4 and data["structure"]["labels"][:2] == ["w_1", "V_1"]
-    names = {"label", "well_posed", "singular", "system", "projectors", "blocks", "acceleration", "motions", "limits"}
-    assert all(set(s) == names for s in data["states"])
-    borne = {x["method"]: x["borne"] for x in data["states"][0]["limits"]}
-    assert borne["rk4"] and not borne["euler"] and list(borne) == list(METHODS)
-
-
-def test_the_command_takes_states_and_a_controller(capsys, tmp_path):
-    ella, state, gains = str(EXAMPLES / "ella.toml"), tmp_path / "s.json", tmp_path / "gains.toml"
-    state.write_text("[0.1, 0.2, 0.3]")
-    gains.write_text("kp = [900, 900, 300]\nkd = [60, 60, 20]\nq_des = [0.1, 0.2, 0.3]\n")
-    assert main(["analyse", ella, "--state", str(state), "--controller", f"pd:{gains}", "--json"]) == 0
-    data = json.loads(capsys.readouterr().out)
-    assert [s["label"] for s in data["states"]] == [str(state)] and data["closed_loop"]
-    assert max(m["eigenvalue"][0] for m in data["states"][0]["motions"]) < 1
-
-
-@pytest.mark.parametrize("count", [2, 32])
-def test_the_picture_is_the_same_twice(count):
-    model = model_of(equal_links(count, 3))
-    s = structure(model)
-    assert png(s, "arm") == png(s, "arm")
-
-
-@pytest.mark.parametrize("bad", [[], [[1.0, 2.0]], [{"Q": [1.0]}], [{"q": [float("nan")] * 9}]])
-def test_bad_states_are_refused(bad):
-    with pytest.raises(screwgen.UsageError):
-        screwgen.analyse(example("ella"), bad)

@@ -10,12 +10,11 @@ from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import MaxNLocator
 
 from .errors import UsageError
 from .modes import ModeShapes, stiffness
 from .motion import displacements
-from .plot import GREY, LOOK, PALETTE
+from .plot import GREY, LOOK, PALETTE, equal_scales
 
 if TYPE_CHECKING:
     from .build import Model
@@ -117,7 +116,8 @@ def _panel(axes, rest: np.ndarray, motion: np.ndarray) -> None:
         if share >= 0:
             axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
             axes.plot(*line[-1, -1], "D", color=color, markersize=5)
-    _frame(axes, np.concatenate([rest + motion, rest - motion]).reshape(-1, 3))
+    points = np.concatenate([rest + motion, rest - motion]).reshape(-1, 3)
+    equal_scales(axes, points, label_pad=-4, tick_pad=-2, size=7, zoom=0.9)
     elevation, azimuth = view(rest, motion)
     axes.view_init(elev=elevation, azim=azimuth)
 
@@ -134,18 +134,6 @@ def view(rest: np.ndarray, motion: np.ndarray) -> tuple[float, float]:
     areas = [area(angles) for angles in VIEWS]
     first_good = next(k for k, a in enumerate(areas) if a >= 0.8 * max(areas))
     return VIEWS[first_good]
-
-
-def _frame(axes, points: np.ndarray) -> None:
-    """Equal scales on all axes."""
-    reach = max(float(np.ptp(points, axis=0).max()) / 2, 1e-3)
-    for name, centre in zip("xyz", (points.max(0) + points.min(0)) / 2, strict=True):
-        getattr(axes, f"set_{name}lim")(centre - reach, centre + reach)
-        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=-4)
-        getattr(axes, f"{name}axis").set_major_locator(MaxNLocator(4))
-        getattr(axes, f"{name}axis").set_pane_color("#f7fafc")
-    axes.tick_params(pad=-2, labelsize=7)
-    axes.set_box_aspect((1, 1, 1), zoom=0.9)
 
 
 def _legend(out: Figure) -> None:

@@ -243,20 +243,25 @@ def _tip(axes: Axes, run: Run) -> None:
     _legend(axes)
 
 
+def equal_scales(axes: Axes, points: np.ndarray, label_pad: float, tick_pad: float, size: float, zoom: float) -> None:
+    """Axes in space about points (N, 3), m, with the same scale in all directions; pads and size in points."""
+    reach = max(float(np.ptp(points, axis=0).max()) / 2, 1e-3)
+    for name, centre in zip("xyz", (points.max(0) + points.min(0)) / 2, strict=True):
+        getattr(axes, f"set_{name}lim")(centre - reach, centre + reach)
+        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=label_pad)
+        getattr(axes, f"{name}axis").set_major_locator(MaxNLocator(4))
+        getattr(axes, f"{name}axis").set_pane_color("#f7fafc")
+    axes.tick_params(pad=tick_pad, labelsize=size)
+    axes.set_box_aspect((1, 1, 1), zoom=zoom)
+
+
 def _path(axes: Axes, run: Run) -> None:
     """The tip's path in space, its start marked, equal scales on all axes."""
     place = thin(run.tip_position)
     axes.plot(*place.T, color=PALETTE[0])
     axes.scatter(*place[0], color=PALETTE[2], s=22, label="start", depthshade=False)
     axes.scatter(*place[-1], color=PALETTE[3], s=22, label="end", depthshade=False)
-    reach = max(float(np.ptp(place, axis=0).max()) / 2, 1e-3)
-    for name, centre in zip("xyz", (place.max(0) + place.min(0)) / 2, strict=True):
-        getattr(axes, f"set_{name}lim")(centre - reach, centre + reach)
-        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=-2)
-        getattr(axes, f"{name}axis").set_major_locator(MaxNLocator(4))
-        getattr(axes, f"{name}axis").set_pane_color("#f7fafc")
-    axes.tick_params(pad=-1, labelsize=7.5)
-    axes.set_box_aspect((1, 1, 1), zoom=0.92)
+    equal_scales(axes, place, label_pad=-2, tick_pad=-1, size=7.5, zoom=0.92)
     axes.set_title("Tip path")
     axes.legend(loc="upper right", borderpad=0.3)
 

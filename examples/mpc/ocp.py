@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -13,6 +12,7 @@ import scipy.linalg
 from screwgen import Model
 
 from .arms import LIMIT, PAYLOAD, at_rest_there
+from .attempt import attempt
 
 DEGREE = 2
 """Radau points in an interval: third order, and what is too fast for the interval is damped."""
@@ -183,15 +183,8 @@ class Problem:
         for parameter, value in zip(self.given, (x0, extra, x.T, u.T), strict=True):
             self.opti.set_value(parameter, value)
         self._guess(x / self.dynamics.size, u / LIMIT)
-        start = time.process_time()
-        try:
-            value = self.opti.solve().value
-            converged = True
-        except RuntimeError:
-            value, converged = self.opti.debug.value, False
-        seconds = time.process_time() - start
+        value, converged, count, seconds = attempt(self.opti)
         self.last = [[np.array(value(v)) for v in part] for part in (self.X, self.U, self.C)]
-        count = int(self.opti.debug.stats().get("iter_count", -1))
         found = np.array(self.last[0]) * self.dynamics.size, np.array(self.last[1]) * LIMIT
         return Solution(found[1], found[0], converged, count, seconds, float(value(self.opti.f)))
 

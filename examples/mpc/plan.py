@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,6 +10,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from .arms import LIMIT
+from .attempt import attempt
 from .ocp import DEGREE, Dynamics
 
 SHARE = 0.97
@@ -106,11 +106,6 @@ def fastest(
 
 def _solved(o: ca.Opti, T, X, U, size, hold) -> Plan:
     o.solver("ipopt", {"print_time": False}, {"print_level": 0, "sb": "yes", "max_iter": 400, "tol": 1e-6})
-    before = time.process_time()
-    try:
-        value, converged = o.solve().value, True
-    except RuntimeError:
-        value, converged = o.debug.value, False
-    seconds, count = time.process_time() - before, int(o.debug.stats().get("iter_count", -1))
+    value, converged, count, seconds = attempt(o)
     x, u = (np.array([value(a) for a in part]) for part in (X, U))
     return Plan(float(value(T)), x * size, u * LIMIT, hold, converged, count, seconds)

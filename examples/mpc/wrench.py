@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 
 import casadi as ca
@@ -12,6 +11,7 @@ import screwgen
 from screwgen import Modes
 
 from .arms import GOAL, LIMIT, STEP, Arms, arm, at_rest
+from .attempt import attempt
 from .loop import Motion, run
 
 COMPONENT = "forearm.tau_y"
@@ -116,12 +116,7 @@ class Planner:
         return total + MOVE / N * sum(ca.sumsqr(u - self.hold(1.0) / LIMIT) for u in U)
 
     def solved(self, o: ca.Opti, X, Z, U) -> Plan:
-        start = time.process_time()
-        try:
-            value, converged = o.solve().value, True
-        except RuntimeError:
-            value, converged = o.debug.value, False
-        seconds, count = time.process_time() - start, int(o.debug.stats().get("iter_count", -1))
+        value, converged, count, seconds = attempt(o)
         moment = np.array([value(z)[self.column] for z in Z]).ravel() * Z_SIZE[self.column]
         u, q = np.array([value(u) for u in U]) * LIMIT, np.array([value(x)[34:37] for x in X])
         return Plan(u, q, moment, converged, count, seconds)

@@ -16,7 +16,9 @@ from collections import defaultdict
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+import robots  # noqa: E402
 
 import screwgen  # noqa: E402
 
@@ -39,8 +41,8 @@ def aligned(lines: list[list[str]], left: int) -> str:
 
 
 def write(robot: str, folder: Path) -> str:
-    """The C of a robot with its batch; returns the robot's name."""
-    model = screwgen.derive(screwgen.load(robot))
+    """The C of a robot of the bench, or of a file, with its batch; returns the robot's name."""
+    model = screwgen.derive(screwgen.load(robot) if robot.endswith(".toml") else robots.example(robot))
     for file, data in model.c_files(batch=True).items():
         (folder / file).write_bytes(data)
     return model.robot.name
@@ -74,8 +76,7 @@ def rows(name: str, flags: str, found: dict[str, list[tuple[float, float]]]) -> 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    examples = [str(HERE.parent / "examples" / f"{name}.toml") for name in ("ella", "six_link")]
-    parser.add_argument("robot", nargs="*", default=examples)
+    parser.add_argument("robot", nargs="*", default=["ella", "six_link"])
     parser.add_argument("--rounds", type=int, default=61)
     parser.add_argument("--flags", action="append")
     parser.add_argument("--openmp", action="store_true")

@@ -34,7 +34,8 @@ COMPILING = 10.0
 def planar(modes: int = 2) -> screwgen.Robot:
     """Two links that move in the plane x, y, with two bending modes each."""
     section = {"rhoA": 1.6302, "EIz": 3.67e3}
-    base = {"length": 0.9, "section": section, "modes": {"bending_y": modes}, "joint": {"axes": ["z"]}}
+    shapes = {"basis": "clamped_free", "bending_y": modes}
+    base = {"length": 0.9, "section": section, "modes": shapes, "joint": {"axes": ["z"]}}
     links = [base | {"name": name} for name in ("upper", "lower")]
     planar_gravity = {"name": "planar", "gravity": [0.0, -9.81, 0.0], "links": links}
     return screwgen.Robot.model_validate(planar_gravity)

@@ -16,12 +16,24 @@ PENDULUM = {"lengths": (0.95, 0.93), "rhoA": 1.6302, "EA": 4.38e7, "EI": 2.12e3}
 
 
 def example(name: str) -> screwgen.Robot:
-    """An example, or ``three_link``: ELLA with a third link like its forearm, on a joint that turns the other way."""
-    if name != "three_link":
-        return screwgen.load(EXAMPLES / f"{name}.toml")
-    ella = screwgen.load(EXAMPLES / "ella.toml")
+    """A robot as it always was here, so that figures stay comparable: the paper's ``ella``, ``six_link`` with one
+    bending mode per plane, or ``three_link``: ELLA with a third link like its forearm, whose joint turns the other way."""
+    if name == "six_link":
+        return _few_modes(screwgen.load(EXAMPLES / "six_link.toml"))
+    ella = screwgen.load(EXAMPLES / "ella_paper.toml")
+    if name == "ella":
+        return ella
     hand = ella.links[1].model_copy(update={"name": "hand", "joint": screwgen.Joint(axes=["y"])})
     return screwgen.Robot(name=name, gravity=ella.gravity, links=[*ella.links, hand])
+
+
+def _few_modes(six_link: screwgen.Robot) -> screwgen.Robot:
+    modes = {
+        "upper_arm": screwgen.Modes(basis="clamped_free", bending_y=1, bending_z=1, torsion=1),
+        "forearm": screwgen.Modes(basis="polynomial", bending_y=1, bending_z=1),
+    }
+    links = [link.model_copy(update={"modes": modes.get(link.name, link.modes)}) for link in six_link.links]
+    return six_link.model_copy(update={"links": tuple(links)})
 
 
 def build(name: str, links: Sequence[dict]) -> screwgen.Robot:
@@ -30,7 +42,7 @@ def build(name: str, links: Sequence[dict]) -> screwgen.Robot:
 
 def flexible(name: str, count: int, axial: int, bending: int) -> screwgen.Robot:
     """Equal flexible links, a universal joint at the base and revolute joints; no bodies, no spin inertia."""
-    modes = {"axial": axial, "bending_y": bending, "bending_z": bending}
+    modes = {"basis": "clamped_free", "axial": axial, "bending_y": bending, "bending_z": bending}
     base = {"length": 0.9, "section": TUBE, "modes": modes}
     joints = [["y", "z"]] + (count - 1) * [["z"]]
     return build(name, [base | {"name": f"link{i}", "joint": {"axes": a}} for i, a in enumerate(joints)])
@@ -56,13 +68,15 @@ def rigid_joints(robot: screwgen.Robot) -> list[list[float]]:
 
 def equal_chain(name: str, count: int) -> screwgen.Robot:
     """Equal links of one class, two bending modes each, on revolute joints."""
-    base = {"length": 0.3, "section": {**TUBE, "rhoIp": 2.15e-4}, "modes": {"bending_y": 1, "bending_z": 1}}
+    modes = {"basis": "clamped_free", "bending_y": 1, "bending_z": 1}
+    base = {"length": 0.3, "section": {**TUBE, "rhoIp": 2.15e-4}, "modes": modes}
     return build(name, [base | {"name": f"link{i}", "joint": {"axes": ["y"]}} for i in range(count)])
 
 
 def many_modes(name: str, bending: int) -> screwgen.Robot:
     """Two links with so many bending modes per plane."""
-    base = {"length": 0.9, "section": TUBE, "modes": {"bending_y": bending, "bending_z": bending}}
+    modes = {"basis": "clamped_free", "bending_y": bending, "bending_z": bending}
+    base = {"length": 0.9, "section": TUBE, "modes": modes}
     return build(name, [base | {"name": f"link{i}", "joint": {"axes": [a]}} for i, a in enumerate("yz")])
 
 

@@ -65,7 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = read(arguments)
     try:
         check_output(given.output, (".png",))
-        model = screwgen.derive(refined(screwgen.load(ROOT / "examples" / "ella.toml")))
+        model = screwgen.derive(refined(screwgen.load(ROOT / "examples" / "ella_paper.toml")))
         mass = dict(zip(model.parameter_names, model.parameter_values, strict=True))[PAYLOAD]
         found = [response(model, m, QUICK if given.quick else FULL) for m in (mass, 0.0)]
         check(found)

@@ -34,7 +34,7 @@ BAND = 5e-3  # m: the tip has settled when it stays that near
 
 def arm() -> screwgen.Model:
     """ELLA for control: no axial modes; rotors of geared motors (0.5 kg·m² at the joint), 1 % modal damping."""
-    table = tomllib.loads((ROOT / "examples" / "ella.toml").read_text(encoding="utf-8"))
+    table = tomllib.loads((ROOT / "examples" / "ella_paper.toml").read_text(encoding="utf-8"))
     for link in table["links"]:
         link["modes"]["axial"] = 0
         link["damping"] = {"ratio": 0.01}

@@ -165,7 +165,7 @@ def main(arguments=None) -> dict[str, float]:
     parser.add_argument("--duration", type=float, default=3.0, help="seconds of motion")
     parser.add_argument("--single", action="store_true", help="the filter in single precision")
     options = parser.parse_args(arguments)
-    robot = screwgen.load(ROOT / "examples" / "ella.toml")
+    robot = screwgen.load(ROOT / "examples" / "ella_paper.toml")
     model, plant = screwgen.derive(robot), screwgen.derive(softer(robot, SOFTER))
     run = record(plant, model, round(options.duration / STEP))
     truth, joints = tip_deformation(plant, run.q), run.q[:, :3]

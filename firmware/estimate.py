@@ -21,7 +21,7 @@ import screwgen
 from screwgen.errors import ScrewgenError
 
 ROOT = HERE.parent
-EXAMPLE = ROOT / "examples" / "ella.toml"
+EXAMPLE = ROOT / "examples" / "ella_paper.toml"
 OUT = ROOT / "build"
 WORK = OUT / "firmware_estimator"
 VARIANT = Variant(TARGETS["m4f"], "float", "fused", "runtime")

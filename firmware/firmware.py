@@ -29,7 +29,7 @@ from screwgen.errors import ScrewgenError
 ROOT = Path(__file__).resolve().parents[1]
 OUT = ROOT / "build"
 WORK = OUT / "firmware"
-EXAMPLE = ROOT / "examples" / "ella.toml"
+EXAMPLE = ROOT / "examples" / "ella_paper.toml"
 NOTES = """\
 flash: the whole image, start-up and libm included; model: the generated code in it. RAM: the caller's structs. Bytes.
 stack: worst over all calls, summed along the call graph; painted: deepest that was seen. Neither has an interrupt's.

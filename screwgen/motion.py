@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from .bases import axial, bending
 from .errors import UsageError
 from .spec.parameters import coordinate_names
 from .spec.robot import DIRECTIONS
@@ -54,12 +53,10 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Sequence[float
     `points`: places along the link as s in [0, 1], base to tip.
     """
     q, modes = _samples(model, q, "q"), model.robot.links[link].modes
-    shapes = {"axial": axial(modes.axial)}
-    shapes |= {name: bending(modes.basis, getattr(modes, name)) for name in LATERAL[1:]}
     out = np.zeros((len(q), len(points), 3))
     for k, direction in enumerate(LATERAL):
         if columns := modal_columns(model, link, direction):
-            out[:, :, k] = q[:, columns] @ np.array(shapes[direction].evaluate(points))
+            out[:, :, k] = q[:, columns] @ np.array(modes.shapes(direction).evaluate(points))
     return out
 
 

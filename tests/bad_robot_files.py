@@ -118,7 +118,7 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     ("area = 1e-4, E = 2e11", "area = 1e200, E = 1e200", f"{FORE}.section.EA", "overflows as a product"),
     # the modes
     (MODES, "3", f"{UPPER}.modes", "is 3; it must be a table of basis, axial"),
-    ('"clamped_free"', '"clamped"', f"{UPPER}.modes.basis", 'it must be "clamped_free" or "polynomial"'),
+    ('"clamped_free"', '"clamped"', f"{UPPER}.modes.basis", 'it must be "polynomial" or "clamped_free"'),
     ("axial = 1", "axial = -1", f"{UPPER}.modes.axial", "is -1; it must be from 0 to 32"),
     ("axial = 1", "axial = 33", f"{UPPER}.modes.axial", "is 33; it must be from 0 to 32"),
     ("axial = 1", "axial = 1.5", f"{UPPER}.modes.axial", "is 1.5; it must be a whole number from 0 to 32"),

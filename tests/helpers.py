@@ -50,14 +50,22 @@ def model_of(robot: dict) -> Model:
     return derive(Robot.model_validate(robot))
 
 
+FILES = {"ella": "ella_paper", "converged": "ella"}
+
+
+def example_file(name: str) -> Path:
+    """The robot file of an example: `ella` is the paper's arm, which has few modes, `converged` that of ella.toml."""
+    return ROOT / "examples" / (FILES.get(name, name) + ".toml")
+
+
 @cache
 def example(name: str) -> Model:
-    return derive(load(ROOT / "examples" / f"{name}.toml"))
+    return derive(load(example_file(name)))
 
 
 def example_dict(name: str) -> dict:
     """An example robot as the oracle takes it."""
-    return tomllib.loads((ROOT / "examples" / f"{name}.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(example_file(name).read_text(encoding="utf-8"))
 
 
 def drawn(seed: int, n_links: int | None = None, **limits) -> Case:

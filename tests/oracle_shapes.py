@@ -29,12 +29,20 @@ def quadrature(count: int) -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def bending_shapes(basis: str, modes: int, count: int) -> Shapes:
-    """Shapes of the named bending basis on `count` quadrature nodes."""
-    functions = {"clamped_free": clamped_free, "polynomial": polynomial}[basis](modes)
+    """Bending shapes of the named basis on `count` quadrature nodes."""
+    return _shapes({"clamped_free": clamped_free, "polynomial": polynomial}[basis](modes), 2, count)
+
+
+@cache
+def rod_shapes(basis: str, modes: int, count: int) -> Shapes:
+    """Axial and torsion shapes of the named basis on `count` quadrature nodes."""
+    return sine_shapes(modes, count) if basis == "clamped_free" else _shapes(polynomial(modes, 1), 1, count)
+
+
+def _shapes(functions: list, order: int, count: int) -> Shapes:
     nodes, weights = quadrature(count)
-    value, _, curvature = _tabulate(functions, nodes)
-    tip, slope, _ = _tabulate(functions, [1.0])
-    return Shapes(value, tip[:, 0], slope[:, 0], (curvature * weights) @ curvature.T)
+    table, tip = _tabulate(functions, nodes), _tabulate(functions, [1.0])
+    return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], (table[order] * weights) @ table[order].T)
 
 
 @cache
@@ -48,11 +56,11 @@ def sine_shapes(modes: int, count: int) -> Shapes:
 
 
 def shapes_of(direction: str, basis: str, modes: int, count: int) -> Shapes:
-    """Shapes of one direction; `basis` names the bending shapes only."""
+    """Shapes of one direction."""
     if modes == 0:
         return Shapes(np.zeros((0, count)), np.zeros(0), np.zeros(0), np.zeros((0, 0)))
     if direction in ("axial", "torsion"):
-        return sine_shapes(modes, count)
+        return rod_shapes(basis, modes, count)
     return bending_shapes(basis, modes, count)
 
 
@@ -91,22 +99,24 @@ def _clamped_free_mode(root):
 
 
 @cache
-def polynomial(modes: int) -> list:
-    """Ritz modes of the clamped beam in span{s², …, s^(r+1)}, in exact monomials at high precision."""
+def polynomial(modes: int, order: int = 2) -> list:
+    """Ritz modes of the clamped beam in span{s², …, s^(r+1)}, of the rod (order 1) in span{s, …, s^r}: in exact
+    monomials at high precision."""
     with mp.workdps(60 + 6 * modes):
-        powers = range(2, modes + 2)
+        powers = range(order, modes + order)
         mass = mp.matrix([[mp.mpf(1) / (i + j + 1) for j in powers] for i in powers])
-        bend = mp.matrix([[mp.mpf(i * (i - 1) * j * (j - 1)) / (i + j - 3) for j in powers] for i in powers])
+        fall = {n: n * (n - 1) if order == 2 else n for n in powers}
+        bend = mp.matrix([[mp.mpf(fall[i] * fall[j]) / (i + j + 1 - 2 * order) for j in powers] for i in powers])
         inverse = mp.inverse(mp.cholesky(mass))
         _, vectors = mp.eigsy(inverse * bend * inverse.T)
         coefficients = inverse.T * vectors
-        return [_polynomial_mode([coefficients[i, k] for i in range(modes)]) for k in range(modes)]
+        return [_polynomial_mode([coefficients[i, k] for i in range(modes)], order) for k in range(modes)]
 
 
-def _polynomial_mode(coefficients):
-    """s -> (ψ, ψ', ψ'') of ±Σ c_i s^(i+2), the sign such that ψ(1) > 0."""
+def _polynomial_mode(coefficients, order):
+    """s -> (ψ, ψ', ψ'') of ±Σ c_i s^(i+order), the sign such that ψ(1) > 0."""
     sign = 1 if mp.fsum(coefficients) > 0 else -1
-    terms = [(sign * c, i + 2) for i, c in enumerate(coefficients)]
+    terms = [(sign * c, i + order) for i, c in enumerate(coefficients)]
 
     def mode(s):
         value = mp.fsum(c * s**p for c, p in terms)

@@ -101,7 +101,7 @@ def random_modes(rng, limits: dict) -> dict:
     modes["torsion"] = int(rng.integers(1, most + 1)) if most and chance(rng, limits["torsion"]) else 0
     modes = {d: n for d, n in modes.items() if n or chance(rng, 0.5)}
     basis = limits["basis"] or str(rng.choice(["clamped_free", "polynomial"]))
-    return modes if basis == "clamped_free" and chance(rng, 0.3) else {"basis": basis, **modes}
+    return modes if basis == "polynomial" and chance(rng, 0.3) else {"basis": basis, **modes}
 
 
 def random_section(rng, modes: dict, limits: dict) -> dict:

@@ -30,7 +30,7 @@ def test_samples_are_reproducible_and_small():
 
 
 def test_the_command_prints_a_report_and_json(capsys, tmp_path):
-    ella = str(EXAMPLES / "ella.toml")
+    ella = str(EXAMPLES / "ella_paper.toml")
     picture = tmp_path / "m.png"
     assert main(["analyse", ella, "--samples", "2", "--plot", str(picture)]) == 0
     out = capsys.readouterr().out
@@ -48,7 +48,7 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
 
 
 def test_the_command_takes_states_and_a_controller(capsys, tmp_path):
-    ella, state, gains = str(EXAMPLES / "ella.toml"), tmp_path / "s.json", tmp_path / "gains.toml"
+    ella, state, gains = str(EXAMPLES / "ella_paper.toml"), tmp_path / "s.json", tmp_path / "gains.toml"
     state.write_text("[0.1, 0.2, 0.3]")
     gains.write_text("kp = [900, 900, 300]\nkd = [60, 60, 20]\nq_des = [0.1, 0.2, 0.3]\n")
     assert main(["analyse", ella, "--state", str(state), "--controller", f"pd:{gains}", "--json"]) == 0

@@ -8,7 +8,7 @@ import pytest
 
 from screwgen.cli import main
 
-EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella.toml"
+EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella_paper.toml"
 RUN = "simulate ella.toml --duration 0.01 --step 1e-3 -o run.npz"
 GAINS = "kp = [1, 1, 1]\nkd = [1, 1, 1]\nq_des = [0, 0, 0]\n"
 

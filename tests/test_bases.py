@@ -6,18 +6,33 @@ import pytest
 from mpmath import mpc, mpf
 from scipy.linalg import eigh
 
-from screwgen.bases import BENDING_BASES, axial, bending, products
+from screwgen.bases import BASES, of_order, products
+from screwgen.bases import shapes as shapes_of
 from screwgen.bases.functions import ClosedForm, inner, polynomial_form
 from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
 
 MANY = 32
-NAMES = ("clamped_free", "polynomial", "sine")
+KINDS = {
+    "clamped_free": ("clamped_free", 2),
+    "polynomial": ("polynomial", 2),
+    "sine": ("clamped_free", 1),
+    "polynomial rod": ("polynomial", 1),
+}
+"""Names of the families, and the basis and order by which they are had."""
 
 
-@pytest.fixture(scope="module", params=[(name, n) for name in NAMES for n in (1, 2, 5, MANY)], ids=str)
+@pytest.fixture(scope="module", params=[(name, n) for name in KINDS for n in (1, 2, 5, MANY)], ids=str)
 def shapes(request) -> Shapes:
     name, count = request.param
-    return axial(count) if name == "sine" else bending(name, count)
+    return of_order(*KINDS[name], count)
+
+
+def bending(basis: str, count: int) -> Shapes:
+    return of_order(basis, 2, count)
+
+
+def axial(basis: str, count: int) -> Shapes:
+    return of_order(basis, 1, count)
 
 
 def gauss(points: int) -> tuple[np.ndarray, np.ndarray]:
@@ -104,7 +119,7 @@ def test_modes_ascend_and_have_documents(shapes):
     assert all(np.diff(shapes.stiffness) > 0)
     assert len(shapes.formulas) == len(shapes.eigenvalues) == shapes.count
     assert all("e+" not in text and "e-" not in text for text in shapes.formulas)
-    assert shapes.family.name in NAMES
+    assert shapes.family.name in KINDS
 
 
 # --- clamped-free modes -------------------------------------------------------------------------------------
@@ -217,7 +232,7 @@ def test_frequencies_under_a_payload(mass, inertia, first, second):
 
 
 def test_sine_modes_are_the_rod_modes():
-    shapes = axial(MANY)
+    shapes = axial("clamped_free", MANY)
     frequency = (2 * np.arange(1, MANY + 1) - 1) * np.pi / 2
     sign = (-1.0) ** np.arange(MANY)
     np.testing.assert_allclose(shapes.eigenvalues, frequency, rtol=4e-16)
@@ -229,10 +244,37 @@ def test_sine_modes_are_the_rod_modes():
     assert shapes.formulas[1] == r"\sqrt{2}\,\sin\tfrac{3\pi}{2}s"
 
 
-@pytest.mark.parametrize("name", sorted(BENDING_BASES))
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_polynomial_rod_modes_equal_ritz_in_monomials(count):
+    """The same Ritz problem, straight from s, s^2, ...: eigenvalues and tip values; and they come from above."""
+    n = np.arange(1, count + 1)
+    total = n[:, None] + n
+    eigenvalues, vectors = eigh(np.outer(n, n) / (total - 1), 1.0 / (total + 1))
+    shapes = axial("polynomial", count)
+    np.testing.assert_allclose(shapes.stiffness, eigenvalues, rtol=1e-9)
+    np.testing.assert_allclose(shapes.tip_value, np.abs(vectors.sum(axis=0)), rtol=1e-8)
+    assert all(np.array(shapes.stiffness) >= np.array(axial("clamped_free", count).stiffness))
+
+
+@pytest.mark.parametrize("count", [1, 2, 6, MANY])
+def test_polynomial_rod_modes_are_exact_for_a_static_tip_load(count):
+    """Unit tip force: displacement 1; sines give 81 % of it with one mode, 99.4 % with 32."""
+    flexibility = lambda shapes: sum(v * v / k for v, k in zip(shapes.tip_value, shapes.stiffness, strict=True))  # noqa: E731
+    assert flexibility(axial("polynomial", count)) == pytest.approx(1, rel=1e-13)
+    sines = {1: 0.8106, 32: 0.9937}
+    assert count not in sines or flexibility(axial("clamped_free", count)) == pytest.approx(sines[count], abs=5e-5)
+
+
+def test_a_direction_has_the_order_that_stores_its_energy():
+    for basis in BASES:
+        assert shapes_of(basis, "axial", 2) is shapes_of(basis, "torsion", 2) is axial(basis, 2)
+        assert shapes_of(basis, "bending_y", 2) is shapes_of(basis, "bending_z", 2) is bending(basis, 2)
+
+
+@pytest.mark.parametrize("name", sorted(BASES))
 @pytest.mark.parametrize("counts", [(2, 3), (MANY, MANY)])
 def test_axial_with_bending_by_quadrature(name, counts):
-    a, b = axial(counts[0]), bending(name, counts[1])
+    a, b = axial(name, counts[0]), bending(name, counts[1])
     nodes, weights = gauss(160)
     expected = np.array(a.evaluate(nodes)) * weights @ np.array(b.evaluate(nodes)).T
     np.testing.assert_allclose(products(a, b), expected, atol=1e-13)
@@ -242,7 +284,7 @@ def test_products_are_exact_within_a_family_and_symmetric():
     a, b = bending("clamped_free", 2), bending("clamped_free", 3)
     assert products(a, b) == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
     assert products(b, b) == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    assert products(axial(1), axial(2)) == ((1.0, 0.0),)
+    assert products(axial("clamped_free", 1), axial("clamped_free", 2)) == ((1.0, 0.0),)
     c = bending("polynomial", 3)
     assert products(a, c) == tuple(zip(*products(c, a), strict=True))
 
@@ -251,15 +293,15 @@ def test_products_are_exact_within_a_family_and_symmetric():
 
 
 def test_a_third_basis_is_one_function_and_one_line(monkeypatch):
-    def tip_load(count: int) -> Shapes:
+    def tip_load(count: int, order: int) -> Shapes:
         """The static shape under a tip force, alone."""
-        family = Family("tip_load", "tip load shape", r"c(3s^2 - s^3)", "", r"\Lambda_k", 2)
+        family = Family("tip_load", "tip load shape", r"c(3s^2 - s^3)", "", r"\Lambda_k", order)
         with mpmath.workdps(working_digits(count)):
             shape = polynomial_form([mpf(0), mpf(0), mpf(3), mpf(-1)])
             shape = shape.scaled(1 / mpmath.sqrt(inner(shape, shape)))
             return tabulate(family, [shape], [mpf(140) / 11], [latex_number(shape(1))])
 
-    monkeypatch.setitem(BENDING_BASES, "tip_load", tip_load)
+    monkeypatch.setitem(BASES, "tip_load", tip_load)
     shapes = bending("tip_load", 1)
     assert shapes.stiffness == pytest.approx(shapes.eigenvalues)
     assert shapes.tip_value[0] ** 2 / shapes.stiffness[0] == pytest.approx(1 / 3)
@@ -267,11 +309,11 @@ def test_a_third_basis_is_one_function_and_one_line(monkeypatch):
 
 def test_results_ignore_the_precision_of_the_process():
     point = [0.3]
-    expected = [BENDING_BASES[name](3) for name in sorted(BENDING_BASES)]
-    values = [shapes.evaluate(point, 2) for shapes in expected]
+    expected = [BASES[name](3, order) for name in sorted(BASES) for order in (1, 2)]
+    values = [shapes.evaluate(point, 1) for shapes in expected]
     with mpmath.workdps(5):
-        again = [BENDING_BASES[name](3) for name in sorted(BENDING_BASES)]
-        assert [shapes.evaluate(point, 2) for shapes in again] == values
+        again = [BASES[name](3, order) for name in sorted(BASES) for order in (1, 2)]
+        assert [shapes.evaluate(point, 1) for shapes in again] == values
         assert mpmath.mp.dps == 5
     for old, new in zip(expected, again, strict=True):
         assert (old.integral, old.moment, old.stiffness) == (new.integral, new.moment, new.stiffness)
@@ -279,9 +321,9 @@ def test_results_ignore_the_precision_of_the_process():
 
 
 def test_no_modes_at_all():
-    for empty in (axial(0), *(bending(name, 0) for name in BENDING_BASES)):
+    for empty in (of_order(name, order, 0) for name in BASES for order in (1, 2)):
         assert empty.count == 0 and empty.integral == ()
-        assert products(axial(2), empty) == ((), ())
+        assert products(axial("polynomial", 2), empty) == ((), ())
 
 
 def test_refusals_say_what_is_wrong():
@@ -289,8 +331,8 @@ def test_refusals_say_what_is_wrong():
         bending("cubic", 2)
     with pytest.raises(ValueError, match="must not be negative, got -1"):
         bending("polynomial", -1)
-    with pytest.raises(ValueError, match="must not be negative, got -2"):
-        axial(-2)
+    with pytest.raises(ValueError, match="unknown direction 'shear': choose one of axial"):
+        shapes_of("polynomial", "shear", 2)
 
 
 def test_numbers_in_latex():

@@ -21,7 +21,7 @@ from screwgen.modes import natural_frequencies
 from screwgen.simulation import FORMS, simulate
 
 ROOT = Path(__file__).resolve().parents[1]
-ELLA = str(ROOT / "examples" / "ella.toml")
+ELLA = str(ROOT / "examples" / "ella_paper.toml")
 STATE = {
     "q": [0.3, -0.4, 0.5, 1e-5, 0.01, -0.02, 2e-5, 0.01, 0.005],
     "v": [0.5, 0.2, -0.6, 0.0, 0.1, 0.2, 0.0, -0.1, 0.1],

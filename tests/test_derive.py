@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from screwgen.bases import axial, bending
 from screwgen.derive.block import Block
 from screwgen.derive.energy import energy_block
 from screwgen.derive.link import LinkBlock
@@ -20,7 +19,7 @@ def link_class(basis="polynomial", counts=(1, 2, 1, 1), **given) -> LinkClass:
     flags = ("mount_xyz", "mount_rpy", "armature", "joint_damping", "stiffness", "frame_at", "damping")
     absent = dict.fromkeys(flags, False)
     structure = {"axes": ((0.0, 0.0, 1.0),), "spin": True, "section_rotation": True, "bodies": ()}
-    return LinkClass(basis=basis, counts=counts, **(absent | structure | given))
+    return LinkClass(bases=(basis,) * 4, counts=counts, **(absent | structure | given))
 
 
 CLASSES = {
@@ -81,14 +80,10 @@ class Field:
         start = -given["frame_at"].item() if key.frame_at else 0.0
         self.xi, self.weights = start + self.length * self.s, weights / 2 * self.length
         counts = dict(zip(DIRECTIONS, key.counts, strict=True))
-        self.shapes = {d: self._shapes(key, d, n) for d, n in counts.items()}
+        self.shapes = {d: key.shapes(d) for d in counts}
         self.order = [(d, k) for d, n in counts.items() for k in range(n)]
         self.rhoA = given["rhoA"].item()
         self.rhoIp = given["rhoIp"].item() if key.spin else 0.0
-
-    @staticmethod
-    def _shapes(key: LinkClass, direction: str, count: int):
-        return bending(key.basis, count) if direction.startswith("bending") else axial(count)
 
     def table(self, derivative=0) -> np.ndarray:
         """(r, N): the shape of every mode, derivatives by xi."""

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from screwgen import NoEquilibriumError, SingularError, UsageError, equilibrium
 from screwgen.cli import main
 
-ELLA = str(ROOT / "examples" / "ella.toml")
+ELLA = str(ROOT / "examples" / "ella_paper.toml")
 STIFF = {"soft": 0.0, "max_modes": 1, "max_axes": 2}
 """Robots that bend as small deflections do."""
 

@@ -41,7 +41,7 @@ def test_only_on_request():
 
 def test_command_line(tmp_path):
     def generate(folder, target):
-        robot = str(ROOT / "examples" / "ella.toml")
+        robot = str(ROOT / "examples" / "ella_paper.toml")
         return main(["generate", robot, "-o", str(tmp_path / folder), "--target", target, "--estimator", "-q"])
 
     assert generate("o", "c") == 0

@@ -131,4 +131,4 @@ def test_the_blocks_that_are_named_exist(model):
 
 @pytest.fixture(scope="module")
 def model():
-    return screwgen.derive(screwgen.load("examples/ella.toml"))
+    return screwgen.derive(screwgen.load("examples/ella_paper.toml"))

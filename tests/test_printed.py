@@ -145,12 +145,12 @@ def test_the_formulation_is_chosen_by_name(tmp_path, capsys):
         screwgen.derive(robot, formulation="wrong")
     with pytest.raises(UsageError, match=r"\(27\) changes no number"):
         PrintedModel(robot, ("27",))
-    assert main(["evaluate", "examples/ella.toml", "--formulation", "printed"]) == 0
+    assert main(["evaluate", "examples/ella_paper.toml", "--formulation", "printed"]) == 0
     out = json.loads(capsys.readouterr().out)
     assert out["as_printed"] == list(PRINTED)
     assert len(out["vdot"]) == 9 and len(out["wrench"]) == 2
-    assert main(["evaluate", "examples/ella.toml", "--formulation", "printed", "--backend", "c"]) == 2
-    assert main(["evaluate", "examples/ella.toml", "--formulation", "other"]) == 2
+    assert main(["evaluate", "examples/ella_paper.toml", "--formulation", "printed", "--backend", "c"]) == 2
+    assert main(["evaluate", "examples/ella_paper.toml", "--formulation", "other"]) == 2
 
 
 def test_torsion_is_refused():

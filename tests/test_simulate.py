@@ -19,7 +19,7 @@ EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
 
 @cache
 def ella():
-    return derive(load(os.path.join(EXAMPLES, "ella.toml")))
+    return derive(load(os.path.join(EXAMPLES, "ella_paper.toml")))
 
 
 def soft_dict() -> dict:

@@ -13,7 +13,7 @@ import screwgen
 from screwgen import PD, Body, Joint, Link, Model, Modes, Mount, Robot, Section
 from screwgen.motion import LATERAL, displacements, modal_columns
 
-FILE = Path(__file__).resolve().parents[1] / "ella.toml"
+FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"
 
 # what the paper states
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
@@ -73,8 +73,10 @@ def load() -> Arm:
 
 
 def with_modes(robot: Robot, rotation: bool = True, **modes) -> Robot:
-    """The robot with other modes in every link; `rotation`: the next link follows the tip's slope."""
-    links = tuple(link.model_copy(update={"modes": Modes(**modes)}) for link in robot.links)
+    """The robot with other modes in every link, the paper's shapes if none are named; `rotation`: the next link follows
+    the tip's slope."""
+    modes = Modes(**{"basis": "clamped_free"} | modes)
+    links = tuple(link.model_copy(update={"modes": modes}) for link in robot.links)
     return robot.model_copy(update={"links": links, "section_rotation": rotation})
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 import screwgen
 from screwgen import Joint, natural_frequencies
-from screwgen.bases import axial, bending
+from screwgen.bases import shapes
 
 from .arm import TIP_DISPLACEMENT, Arm, with_modes
 
@@ -50,9 +50,9 @@ def compute(arm: Arm) -> Numbers:
     link = arm.robot.links[1]
     l, rhoA = link.length, link.section.rhoA
     EA, EI = link.section.EA, link.section.EIz
-    u, shape, curve = abs(TIP_DISPLACEMENT[0]), axial(1), bending("clamped_free", 2)
-    omega = np.sqrt(shape.stiffness[0] * EA / rhoA) / l
-    eta = u / shape.tip_value[0]
+    u, rod, curve = abs(TIP_DISPLACEMENT[0]), shapes("clamped_free", "axial", 1), shapes("clamped_free", "bending_y", 2)
+    omega = np.sqrt(rod.stiffness[0] * EA / rhoA) / l
+    eta = u / rod.tip_value[0]
     bare, loaded = clamped(arm, "clamped_free", 2, False), clamped(arm, "polynomial", 6, True)
     s = np.linspace(0, 1, 2001)
     slope = np.array(curve.evaluate(s, 1))[0] / curve.tip_value[0]
@@ -66,8 +66,8 @@ def compute(arm: Arm) -> Numbers:
         bound=float(2 * l**2 / curve.eigenvalues[0] ** 2 * np.sqrt(rhoA / EI)),
         axial_frequency=float(omega / (2 * np.pi)),
         axial_bound=float(2 / omega),
-        axial_energy=float(EA / l * shape.stiffness[0] * eta**2 / 2),
-        axial_force=float(EA / l * eta * np.array(shape.evaluate([0.0], 1))[0, 0]),
+        axial_energy=float(EA / l * rod.stiffness[0] * eta**2 / 2),
+        axial_force=float(EA / l * eta * np.array(rod.evaluate([0.0], 1))[0, 0]),
         uniform_energy=EA * u**2 / (2 * l),
         uniform_force=EA * u / l,
         strain=u / l,

@@ -14,7 +14,7 @@ from screwgen import Model, Modes, Robot
 from screwgen.compiled import Compiled
 from screwgen.motion import displacements, modal_columns, tip_position
 
-FILE = Path(__file__).resolve().parents[1] / "ella.toml"
+FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"
 GOAL = np.array([-0.4928, 0.6922, 0.4270])
 """rad: the paper's set points; the joints start at 0, the arm straight and horizontal."""
 LIMIT = np.array([300.0, 150.0, 70.0])

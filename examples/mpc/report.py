@@ -46,9 +46,9 @@ def report(r: Results) -> Document:
 def task_and_plant(out: Document, n: dict) -> None:
     out.heading("Task")
     out.text(
-        "The arm of `examples/ella.toml` moves from rest, straight and horizontal, to where its tip rests when its",
-        f"joints are at the paper's set points. All controllers have the same torque limits, {listed(LIMIT)} N·m, by",
-        f"saturation. Added to the file: rotor inertias of {listed(ARMATURE)} kg·m² at the joints, in plant and",
+        "The arm of `examples/ella_paper.toml` moves from rest, straight and horizontal, to where its tip rests when",
+        f"its joints are at the paper's set points. All controllers have the same torque limits, {listed(LIMIT)} N·m,",
+        f"by saturation. Added to the file: rotor inertias of {listed(ARMATURE)} kg·m² at the joints, in plant and",
         "models, of the size that geared joints of such torques have; without any, no loop of 1 kHz can damp a joint.",
     )
     out.text(

@@ -1,11 +1,10 @@
 """Bases: the shapes in which a link bends, stretches and twists.
 
 A basis is data: functions psi on s in [0, 1], orthonormal there, with diagonal stiffness, closed-form
-integrals, tip value and tip slope, all dimensionless. A robot file names the *bending* shapes; stretching and
-torsion always use sines.
+integrals, tip value and tip slope, all dimensionless. It has shapes of two orders: 2 for bending, where curvature
+stores energy, and 1 for stretching and torsion, where the first derivative does.
 
-A further basis is one more small file with a function ``count -> Shapes`` and one more line in
-`BENDING_BASES`.
+A further basis is one more small file with a function ``(count, order) -> Shapes`` and one more line in `BASES`.
 """
 
 from __future__ import annotations
@@ -16,37 +15,39 @@ from functools import cache
 from screwgen.bases.clamped_free import clamped_free
 from screwgen.bases.polynomial import polynomial
 from screwgen.bases.shapes import Family, Shapes, products
-from screwgen.bases.sine import sine
 
-__all__ = ["BENDING_BASES", "Family", "Shapes", "axial", "bending", "products"]
+__all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Family", "Shapes", "products", "shapes"]
 
-BENDING_BASES: dict[str, Callable[[int], Shapes]] = {
-    "clamped_free": clamped_free,
+BASES: dict[str, Callable[[int, int], Shapes]] = {
     "polynomial": polynomial,
+    "clamped_free": clamped_free,
 }
 
+DEFAULT = "polynomial"
+"""The basis of a robot file that names none."""
+
+NATURAL = "clamped_free"
+"""The basis of the bare link's own modes, to which measured frequencies belong."""
+
+ORDER = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
+"""Order of the derivative that stores energy, by direction of deflection."""
+
+
+def shapes(basis: str, direction: str, count: int) -> Shapes:
+    """The `count` modes of the basis called `basis` in a direction of `ORDER`; no mode at all is allowed.
+
+    Raises ValueError for an unknown basis, an unknown direction or a negative count.
+    """
+    if direction not in ORDER:
+        raise ValueError(f"unknown direction {direction!r}: choose one of {', '.join(ORDER)}")
+    return of_order(basis, ORDER[direction], count)
+
 
 @cache
-def bending(name: str, count: int) -> Shapes:
-    """The `count` bending modes of the basis called `name`; no mode at all is allowed.
-
-    Raises ValueError for an unknown name or a negative count.
-    """
-    if name not in BENDING_BASES:
-        raise ValueError(f"unknown bending basis {name!r}: choose one of {', '.join(sorted(BENDING_BASES))}")
-    return BENDING_BASES[name](_checked(count))
-
-
-@cache
-def axial(count: int) -> Shapes:
-    """The first `count` modes of stretching, which are those of torsion too.
-
-    Raises ValueError for a negative count.
-    """
-    return sine(_checked(count))
-
-
-def _checked(count: int) -> int:
+def of_order(basis: str, order: int, count: int) -> Shapes:
+    """The `count` modes of a basis of order 1 or 2; made once, so that equal shapes are one object."""
+    if basis not in BASES:
+        raise ValueError(f"unknown basis {basis!r}: choose one of {', '.join(sorted(BASES))}")
     if count < 0:
         raise ValueError(f"the number of modes must not be negative, got {count}")
-    return count
+    return BASES[basis](count, order)

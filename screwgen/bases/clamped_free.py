@@ -1,4 +1,8 @@
-"""`clamped_free`: the vibration modes of a uniform clamped-free Euler-Bernoulli beam."""
+"""`clamped_free`: the vibration modes of a uniform clamped-free beam, in bending and as a rod.
+
+They carry neither force nor moment at the tip, so they converge slowly where a link carries another one, a body or
+a load. The paper uses them, and measured frequencies belong to them.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +11,7 @@ from mpmath import mpc, mpf
 
 from screwgen.bases.functions import ClosedForm
 from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
+from screwgen.bases.sine import sine
 
 FAMILY = Family(
     name="clamped_free",
@@ -20,8 +25,10 @@ FAMILY = Family(
 )
 
 
-def clamped_free(count: int) -> Shapes:
-    """The first `count` modes; psi_k(1) = 2, -2, 2, ..., stiffness lambda_k^4."""
+def clamped_free(count: int, order: int = 2) -> Shapes:
+    """The first `count` modes: of a beam (order 2; psi_k(1) = 2, -2, 2, ..., stiffness lambda_k^4) or of a rod (1)."""
+    if order == 1:
+        return sine(count)
     with mpmath.workdps(working_digits(count)):
         roots = [_root(k) for k in range(1, count + 1)]
         return tabulate(FAMILY, [_mode(root) for root in roots], roots, [_latex(root) for root in roots])

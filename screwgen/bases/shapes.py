@@ -26,7 +26,7 @@ class Family:
     """What the modes of a basis have in common: the words and formulas by which documents define it."""
 
     name: str
-    """Name in robot files."""
+    """Name of the shapes: the basis, and what deflects where a basis has different ones."""
     title: str
     """Name in prose."""
     formula: str
@@ -37,6 +37,8 @@ class Family:
     """LaTeX symbol of the k-th eigenvalue."""
     order: int
     """Order of the derivative that stores energy: 2 in bending (curvature), 1 in stretching and torsion."""
+    changes: bool = False
+    """Whether all shapes change with their number."""
 
 
 @dataclass(frozen=True, eq=False)

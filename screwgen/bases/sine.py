@@ -1,4 +1,4 @@
-"""`sine`: the clamped-free modes of a uniform rod, used for stretching and for torsion."""
+"""`sine`: the clamped-free modes of a uniform rod, the axial and torsion modes of the basis `clamped_free`."""
 
 from __future__ import annotations
 

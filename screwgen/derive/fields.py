@@ -14,12 +14,12 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from ..bases import products
+from ..bases import ORDER, products
 from .link_class import LinkClass
 
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
-STRAIN = {"axial": (0, 1), "bending_y": (1, 2), "bending_z": (2, 2), "torsion": (3, 1)}
-"""Row of the strain vector, and the order of the derivative that strains: u_x', u_y'', u_z'', θ_x'."""
+STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
+"""Row of the strain vector u_x', u_y'', u_z'', θ_x'."""
 
 XI = sp.Symbol("xi", real=True)
 
@@ -47,7 +47,7 @@ class Fields:
 
     def strain(self) -> np.ndarray:
         """The 4 x r strain operator: u_x', u_y'', u_z'' and θ_x' of every mode."""
-        return self._matrix(4, lambda d: STRAIN[d][0], self.strain_shape)
+        return self._matrix(4, lambda d: STRAIN[d], self.strain_shape)
 
     def translational(self) -> np.ndarray:
         """The 1 x r row of displacement shapes regardless of their axis."""
@@ -147,7 +147,7 @@ class Fields:
 
     def _stiffness(self, k: int, m: int) -> sp.Expr:
         (direction, i), (shape, _) = self.key.directions[k], self._shape(k)
-        order = STRAIN[direction][1]
+        order = ORDER[direction]
         return _number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..bases import axial, bending
+from ..bases import shapes
 from ..spec.robot import Link
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
@@ -24,7 +24,8 @@ class BodyClass:
 class LinkClass:
     """Everything of a link but its numbers: the complete key of its derivation."""
 
-    basis: str
+    bases: tuple[str, str, str, str]
+    """The basis of each direction that has modes."""
     counts: tuple[int, int, int, int]
     axes: tuple[tuple[float, float, float], ...]
     mount_xyz: bool
@@ -57,8 +58,8 @@ class LinkClass:
 
     def shapes(self, direction: str):
         """The mode shapes of a direction."""
-        count = self.counts[DIRECTIONS.index(direction)]
-        return bending(self.basis, count) if direction.startswith("bending") else axial(count)
+        k = DIRECTIONS.index(direction)
+        return shapes(self.bases[k], direction, self.counts[k])
 
     def bodies_at(self, section: str) -> list[int]:
         return [b for b, body in enumerate(self.bodies) if body.at == section]
@@ -70,7 +71,7 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
     counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
     mount = joint.mount
     return LinkClass(
-        basis=modes.basis if modes.bending_y or modes.bending_z else "",
+        bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
         counts=counts,
         axes=tuple(joint.axes),
         mount_xyz=mount is not None and mount.xyz is not None,

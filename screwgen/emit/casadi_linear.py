@@ -6,16 +6,13 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from ..bases import axial, bending
+from ..bases import ORDER
 from ..chain import fuse
 from ..chain.algorithms import Functions
 from ..chain.chain import Chain
 from ..spec.parameters import parameters
 from ..spec.robot import DIRECTIONS, Link
 from .casadi import expressions, function
-
-ORDER = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
-"""How often a direction's displacement is differentiated along the link to give its strain."""
 
 
 def linearisation(chain: Chain) -> ca.Function:
@@ -84,7 +81,7 @@ def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     for link in chain.robot.links:
         length = p[names.index(f"{link.name}.length")]
         for direction, count in strained(link):
-            weights = base_slopes(link, direction, count)
+            weights = base_slopes(link, direction)
             rows.append(ca.dot(ca.DM(weights), q[at : at + count]) / length ** ORDER[direction])
             at += count
     return ca.vertcat(ca.SX(0, 1), *rows)
@@ -95,7 +92,6 @@ def strained(link: Link) -> list[tuple[str, int]]:
     return [(d, n) for d, n in zip(DIRECTIONS, link.modes.counts, strict=True) if n]
 
 
-def base_slopes(link: Link, direction: str, count: int) -> Sequence[float]:
+def base_slopes(link: Link, direction: str) -> Sequence[float]:
     """The derivatives of that order of the shapes ψ_k(s) at s = 0."""
-    shapes = bending(link.modes.basis, count) if direction.startswith("bending") else axial(count)
-    return [row[0] for row in shapes.evaluate([0.0], ORDER[direction])]
+    return [row[0] for row in link.modes.shapes(direction).evaluate([0.0], ORDER[direction])]

@@ -78,11 +78,12 @@ def _field(key: LinkClass) -> Iterator[Item]:
         r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
-    families = {}
-    for direction, _ in key.directions:
-        families.setdefault(key.shapes(direction).family.name, []).append(direction)
-    for directions in families.values():
-        yield from _family(key.shapes(directions[0]), list(dict.fromkeys(directions)))
+    alike: dict[tuple, list[str]] = {}
+    for direction in dict.fromkeys(d for d, _ in key.directions):
+        shapes = key.shapes(direction)
+        alike.setdefault((shapes.family.name, shapes.family.changes and shapes.count), []).append(direction)
+    for directions in alike.values():
+        yield from _family(key.shapes(directions[0]), directions)
     yield Paragraph(
         r"Constants of the shapes; $p$ is 1 for axial and torsion shapes and 2 for bending, so that the last but two "
         r"is the dimensionless stiffness:"
@@ -96,7 +97,7 @@ def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
     formula = family.formula.replace(r",\quad", r",\qquad", 1)
     parts = [*formula.split(r",\qquad"), family.condition]
     yield Display(_side_by_side([part.strip() for part in parts]))
-    if family.name == "polynomial" and shapes.count <= FORMULAS:
+    if family.changes and shapes.count <= FORMULAS:
         yield Paragraph("which are here")
         yield Display(tuple(row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text)))
 

@@ -55,7 +55,7 @@ def _axis(axis: Sequence[float]) -> str:
 
 def _modes(key: LinkClass) -> str:
     counts = ", ".join(str(n) for n in key.counts)
-    return f"{counts} `{key.basis}`" if key.basis else counts if key.modes else "rigid"
+    return f"{counts} `{'`, `'.join(dict.fromkeys(filter(None, key.bases)))}`" if key.modes else "rigid"
 
 
 def _remarks(link: Link, key: LinkClass) -> str:

@@ -2,7 +2,7 @@
 
 import math
 
-from screwgen.bases import axial, bending
+from screwgen.bases import ORDER
 from screwgen.spec.robot import Link
 
 
@@ -19,8 +19,7 @@ def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:
 
 
 def _equivalent(link: Link, direction: str, values: tuple[float, ...]) -> tuple[float, ...]:
-    bends = direction.startswith("bending")
-    shapes = bending(link.modes.basis, len(values)) if bends else axial(len(values))
     inertia = link.section.rhoIp if direction == "torsion" else link.section.rhoA
-    scale = inertia * link.length ** (4 if bends else 2)
-    return tuple(scale * (math.tau * f) ** 2 / k for f, k in zip(values, shapes.stiffness, strict=True))
+    scale = inertia * link.length ** (2 * ORDER[direction])
+    natural = link.modes.shapes(direction).stiffness
+    return tuple(scale * (math.tau * f) ** 2 / k for f, k in zip(values, natural, strict=True))

@@ -42,7 +42,7 @@ class Frequencies(Part):
     Limits. With a motor, a payload or the rest of an arm on the link other frequencies are measured: those must
     not be put here, the model adds the bodies itself. The frequencies fix K alone; the shapes, and so the
     inertia, stay those of the uniform beam. Higher modes of a link that is not uniform are then met in
-    frequency, not in shape. In bending the basis must be `clamped_free`: its shapes alone are the beam's modes.
+    frequency, not in shape. The shapes are those of `clamped_free`: they alone are the link's modes.
     `equivalent_stiffness` tells how far the link is from a uniform beam.
     """
 

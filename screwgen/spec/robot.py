@@ -5,11 +5,11 @@ stated 0.0 is a runtime parameter that happens to be zero. SI units and radians 
 those of NOTATION.md.
 """
 
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from screwgen.bases import BENDING_BASES
+from screwgen.bases import BASES, DEFAULT, NATURAL, Shapes, shapes
 from screwgen.spec.frequencies import Frequencies
 from screwgen.spec.names import distinct, link_name, robot_name
 from screwgen.spec.part import Part
@@ -22,7 +22,7 @@ Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValida
 Axes = Annotated[tuple[tuple[float, float, float], ...], PlainValidator(axes)]
 PerAxis = Annotated[tuple[float, ...], PlainValidator(non_negatives)]
 Count = Annotated[int, PlainValidator(count)]
-Basis = Annotated[str, PlainValidator(choice(*BENDING_BASES))]
+Basis = Annotated[str, PlainValidator(choice(*BASES))]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
@@ -38,16 +38,27 @@ NEEDS = {  # direction of deflection: its stiffness, then what else of the secti
 class Modes(Part):
     """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
 
-    `basis` names the bending shapes. Modal coordinates are in metres, those of torsion in radians.
-    `frequencies` (Hz) of the bare clamped link, if measured, take the place of the section's stiffness.
+    `basis` names the shapes. Modal coordinates are in metres, those of torsion in radians. Polynomials, the default,
+    converge fast from two bending modes, one axial and one torsion mode on; one alone in bending is too stiff.
+    `frequencies` (Hz) of the bare clamped link, if measured, take the place of the section's stiffness; those
+    directions have the link's natural modes, `clamped_free`, as shapes.
     """
 
-    basis: Basis = "clamped_free"
+    basis: Basis = DEFAULT
     axial: Count = 0
     bending_y: Count = 0
     bending_z: Count = 0
     torsion: Count = 0
     frequencies: Frequencies | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _natural_modes_of_measured_bending(cls, given: Any) -> Any:
+        """Where bending frequencies are stated and no basis, the basis is the one that they belong to."""
+        frequencies = given.get("frequencies") if isinstance(given, dict) else None
+        stated = dict(frequencies) if isinstance(frequencies, dict | Frequencies) else {}
+        bends = stated.get("bending_y") or stated.get("bending_z")
+        return {"basis": NATURAL} | given if bends else given
 
     @model_validator(mode="after")
     def _one_frequency_per_mode(self) -> Self:
@@ -61,8 +72,8 @@ class Modes(Part):
     @model_validator(mode="after")
     def _frequencies_of_natural_modes(self) -> Self:
         for direction in self.measured:
-            if direction.startswith("bending") and self.basis != "clamped_free":
-                why = f"is stated with basis {quoted(self.basis)}, whose shapes are not the beam's natural modes"
+            if direction.startswith("bending") and self.basis != NATURAL:
+                why = f"is stated with basis {quoted(self.basis)}, whose shapes are not the link's natural modes"
                 what = f'{why}; use basis "clamped_free", or state {NEEDS[direction][0]} in the section'
                 raise refuse(what, at=("frequencies", direction))
         return self
@@ -71,6 +82,14 @@ class Modes(Part):
     def measured(self) -> tuple[str, ...]:
         """The directions whose stiffness is stated by frequencies."""
         return tuple(self.frequencies.stated) if self.frequencies else ()
+
+    def basis_of(self, direction: str) -> str:
+        """The basis of a direction's shapes."""
+        return NATURAL if direction in self.measured else self.basis
+
+    def shapes(self, direction: str) -> Shapes:
+        """The mode shapes of a direction."""
+        return shapes(self.basis_of(direction), direction, getattr(self, direction))
 
     @property
     def counts(self) -> tuple[int, int, int, int]:

@@ -56,14 +56,30 @@ def mode_shapes(
     try:
         M = (M + M.T) / 2
         rest, springs, rigid = without_rigid_motion(M, k)
-        squares, vectors = scipy.linalg.eigh(np.diag(springs), rest) if len(springs) else (np.zeros(0), out[:0])
+        frequencies, vectors = vibrations(rest, springs)
         out[first + held] = vectors
         if len(free):
             coupling = M[np.ix_(free, held)] @ vectors
             out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
-    return ModeShapes(np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi), out, rigid)
+    return ModeShapes(frequencies / (2 * np.pi), out, rigid)
+
+
+def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Angular frequencies, ascending, and columns of unit modal mass of `M ẍ + k x = 0`; all `k` > 0.
+
+    With `M = L Lᵀ` the columns of `Lᵀ k^(-1/2)` have the singular values 1/ω. Springs that differ by many orders of
+    magnitude scale its columns, which a Jacobi method bears: every frequency keeps its digits. An eigenvalue solver
+    for `k` and `M` leaves an error of the stiffest spring's size in the softest mode.
+    """
+    if not len(k):
+        return np.zeros(0), np.zeros((0, 0))
+    L = scipy.linalg.cholesky(M, lower=True)
+    periods, vectors, _, scale, _, failed = scipy.linalg.lapack.dgejsv(L.T / np.sqrt(k), joba=0, jobv=3, jobp=0)
+    if failed:
+        raise np.linalg.LinAlgError("the Jacobi method does not converge")
+    return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
 
 
 def stiffness(model: Model, p: Sequence[float] | None = None) -> np.ndarray:

@@ -78,6 +78,26 @@ def test_free_joints_give_exact_zeros_and_springs_do_not():
     assert np.allclose(found[2:], oracle.frequencies(posture(sprung), "free")[2:], rtol=1e-8)
 
 
+@pytest.mark.parametrize("stiffness", [1e10, 1e16, 1e20, 1e200])
+def test_a_joint_of_any_stiffness_leaves_the_other_frequencies_their_digits(stiffness):
+    """A very stiff joint is a weld: the same arm with its elbow welded at that angle has the other frequencies."""
+    sprung, welded = ella(), ella()
+    sprung["links"][1]["joint"]["stiffness"] = [stiffness]
+    welded["links"][1]["joint"] = {"axes": [], "mount": {"rpy": [0.0, 0.0, SETPOINTS[2]]}}
+    stiff, fixed = model_of(sprung), model_of(welded)
+    found, expected = (natural_frequencies(m, posture(m, SETPOINTS[: m.n_joints]), "free") for m in (stiff, fixed))
+    assert np.allclose(found[:-1], expected, rtol=1e5 / stiffness + 1e-9, atol=0)
+    own = np.sqrt(stiffness * np.linalg.inv(stiff.numpy().mass_matrix(posture(stiff)))[2, 2]) / (2 * np.pi)
+    assert np.isclose(found[-1], own, rtol=1e-4)
+
+
+def test_springs_leave_the_mass_matrix_alone():
+    robot = ella()
+    expected = model_of(robot).numpy().mass_matrix(posture(model_of(robot)))
+    robot["links"][1]["joint"]["stiffness"] = [1e20]
+    assert np.array_equal(model_of(robot).numpy().mass_matrix(posture(model_of(robot))), expected)
+
+
 def test_locked_rigid_arm_has_no_frequencies():
     robot = ella()
     for link in robot["links"]:

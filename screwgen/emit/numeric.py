@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -30,6 +31,9 @@ from ..spec.parameters import parameters
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)
+SPRING = re.compile(r"K|c\.joint_stiffness_\d")
+"""Constants of springs: their forces are no part of the mass matrix and would swamp it."""
+
 _COMPILED: dict[int, tuple] = {}
 
 
@@ -89,7 +93,7 @@ class Numeric:
         """``M`` (nq, nq), column by column from the inverse dynamics."""
         nq, rest = self.chain.nq, (np.zeros(self.chain.nq), np.zeros((self.chain.n, 6)))
         stiff = self._functions(INVERSE).constants
-        soft = [c | {"K": [0.0] * k.modes} for c, k in zip(stiff, self.chain.keys, strict=True)]
+        soft = [{k: [0.0] * len(x) if SPRING.fullmatch(k) else x for k, x in c.items()} for c in stiff]
         still = Functions(self.chain, soft, [0.0] * 3, self._apply)
         offset = _inverse(still, q, rest[0], rest[0], rest[1])
         columns = [_inverse(still, q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]

@@ -9,6 +9,7 @@ from . import sympy_cache  # noqa: F401
 from .analysis import Analysis, analyse
 from .build import Model
 from .controllers import PD
+from .convergence import Convergence, convergence
 from .equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
@@ -28,6 +29,7 @@ __all__ = [
     "PD",
     "Analysis",
     "Body",
+    "Convergence",
     "Damping",
     "DivergedError",
     "Equilibrium",
@@ -49,6 +51,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "analyse",
+    "convergence",
     "derive",
     "dump",
     "equilibrium",

@@ -176,12 +176,16 @@ def modes(
         typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
     ] = None,
     joints: Annotated[str, typer.Option(metavar="HOW", help="locked or free.")] = "locked",
-    json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […]}.')] = False,
+    json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
     ] = None,
 ) -> None:
-    """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity."""
+    """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity.
+
+    Beside each stands by how much one more mode in every direction of the links would move it, and the direction in
+    which that mode is wanted most: whether the modes suffice.
+    """
     from .cli_linear import run_modes
 
     run_modes(robot, posture, joints, json, plot)

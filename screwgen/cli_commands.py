@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from .build import TARGETS, Model, derive
-from .cli_output import bar, busy, say
+from .cli_output import bar, busy, load_robot, say
 from .errors import SingularError, StoppedError, UsageError
-from .spec.load import load, one_line
+from .spec.load import one_line
 from .spec.robot import Robot
 from .state import State, read_state, state_of
 
@@ -51,7 +51,7 @@ def run_generate(
             raise UsageError(f"{option} adds to the C, which --target leaves out; add --target c or leave {option} out")
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
-    model = derive(load(robot))
+    model = derive(load_robot(robot, quiet))
     with busy("generating", quiet):
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
         asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
@@ -87,7 +87,7 @@ def run_simulate(
     if plot is not None:
         check_output(plot, (".png",))
     steps = step_count(duration, step)
-    model = derive(load(robot))
+    model = derive(load_robot(robot, quiet))
     start = _state(state, model)
     torque = read_controller(controller, model) if controller is not None else start.tau
     if controller is not None and start.tau.any():
@@ -182,7 +182,7 @@ def run_evaluate(robot: str, state: str | None, backend: str, form: str, formula
             "--formulation printed is evaluated by NumPy in the joint form; leave out --backend and --form"
         )
     evaluated = _printed if formulation == "printed" else partial(_consistent, backend=backend, form=form)
-    print(json_format.dumps(evaluated(load(robot), state), allow_nan=False))
+    print(json_format.dumps(evaluated(load_robot(robot), state), allow_nan=False))
 
 
 def _consistent(robot: Robot, state: str | None, backend: str, form: str) -> dict:
@@ -248,7 +248,7 @@ def run_analyse(
     if plot is not None:
         check_output(plot, (".png",))
     count = (0 if states else SAMPLES) if samples is None else samples
-    model = derive(load(robot))
+    model = derive(load_robot(robot, quiet))
     law = read_controller(controller, model) if controller is not None else None
     given = {one_line(path): read_state(path, model) for path in states} or {"zero": _state(None, model)}
     for path, state in given.items():
@@ -273,7 +273,7 @@ def run_latex(robot: str, output: str, quiet: bool) -> None:
     from .runs import check_output, outputs, suffix
 
     check_output(output, LATEX)
-    loaded = load(robot)
+    loaded = load_robot(robot, quiet)
     with busy("typesetting", quiet), outputs(output) as (stream,):
         stream.write(LATEX[suffix(output)](loaded))
     say(output, quiet)

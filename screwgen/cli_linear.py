@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .build import Model, derive
+from .cli_output import load_robot
 from .errors import UsageError
-from .spec.load import load, one_line
+from .spec.load import one_line
 from .state import State, read_state, state_of
 
 if TYPE_CHECKING:
+    from .convergence import Convergence
     from .equilibrium import Equilibrium
+    from .modes import ModeShapes
 
 LARGE = 0.1
 """Deflection of a link's tip over its length beyond which the model, linear in bending, is stretched."""
@@ -26,24 +29,50 @@ def state_in(path: str | None, model: Model) -> State:
 
 def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: str | None) -> None:
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
+    from .convergence import convergence
     from .modes import mode_shapes
     from .runs import check_output, outputs
 
     if plot is not None:
         check_output(plot, (".png",))
-    model = derive(load(robot))
+    model = derive(load_robot(robot))
     q = state_in(posture, model).q
     found = mode_shapes(model, q, joints)
-    frequencies = [*found.rigid * [0.0], *found.frequencies.tolist()]
+    more = convergence(model, q, joints)
     if plot is not None:
         from .mode_plot import png
 
         with outputs(plot) as (stream,):
             stream.write(png(model, q, found))
     if json:
-        print(json_format.dumps({"frequencies_hz": frequencies}))
+        print(json_format.dumps(modes_record(found, more), allow_nan=False))
     else:
-        print("\n".join(f"{f:.6g} Hz" for f in frequencies) or "no modes: every link is rigid and every joint locked")
+        print("\n".join(modes_table(found, more)) or "no modes: every link is rigid and every joint locked")
+
+
+def modes_record(found: ModeShapes, more: Convergence) -> dict:
+    """What `modes --json` prints; zeros and nulls first, for the motions that no spring resists."""
+    count = range(len(found.frequencies))
+    return {
+        "frequencies_hz": [*found.rigid * [0.0], *found.frequencies.tolist()],
+        "one_more_mode": [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
+        "short_of": [*found.rigid * [None], *(more.short(k) for k in count)],
+    }
+
+
+def modes_table(found: ModeShapes, more: Convergence) -> list[str]:
+    """A line for each frequency: Hz, its change by one more mode per direction in %, where that mode is wanted most."""
+    lines = [f"{0:<12g} Hz" for _ in range(found.rigid)]
+    for k, f in enumerate(found.frequencies):
+        lines.append(f"{f:<12.6g} Hz {percent(more.total[k]):>14}   {more.short(k) or ''}".rstrip())
+    head = f"{'frequency':15} {'one more mode':>14}   wanted most in"
+    return [head, *lines] if lines else []
+
+
+def percent(change: float) -> str:
+    """A relative change in %, to two digits and no finer than 0.01 %."""
+    size = 100 * abs(change)
+    return "0 %" if size < 0.005 else f"−{size:.2g} %" if size < 9.95 else f"−{size:.0f} %"
 
 
 # ------------------------------------------------------------------------------ equilibrium
@@ -53,7 +82,7 @@ def run_equilibrium(robot: str, state: str | None, q: str | None, tau: str | Non
     """Print where the arm rests, as a report or as JSON."""
     from .equilibrium import equilibrium
 
-    model = derive(load(robot))
+    model = derive(load_robot(robot))
     given = state_in(state, model)
     if given.v.any():
         raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")

@@ -6,11 +6,23 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from .spec.advice import advice
+from .spec.load import load, one_line
+from .spec.robot import Robot
+
 
 def say(text: str, quiet: bool) -> None:
     """A summary on stdout."""
     if text and not quiet:
         print(text)
+
+
+def load_robot(path: str, quiet: bool = False) -> Robot:
+    """The robot in a file, with a note on stderr on whatever in it is seldom meant."""
+    robot = load(path)
+    for line in () if quiet else advice(robot):
+        print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
+    return robot
 
 
 def shows_progress(quiet: bool) -> bool:

@@ -44,12 +44,7 @@ def mode_shapes(
     model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    if joints not in JOINTS:
-        raise UsageError(f"joints are '{joints}'; they must be {' or '.join(JOINTS)}")
-    if q is not None and np.size(q) == model.n_joints != model.nq:
-        q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
-    q = checked(q, "q", model.nq)
-    first = model.n_joints if joints == "locked" else 0
+    q, first = posture(model, q), locked_from(model, joints)
     M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
     free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
     out = np.zeros((model.nq, len(held)))
@@ -64,6 +59,20 @@ def mode_shapes(
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
     return ModeShapes(frequencies / (2 * np.pi), out, rigid)
+
+
+def posture(model: Model, q: Sequence[float] | None) -> np.ndarray:
+    """The coordinates (nq,) of a posture: as given, the joints alone, or all zero."""
+    if q is not None and np.size(q) == model.n_joints != model.nq:
+        q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
+    return checked(q, "q", model.nq)
+
+
+def locked_from(model: Model, joints: str) -> int:
+    """The first coordinate that may move."""
+    if joints not in JOINTS:
+        raise UsageError(f"joints are '{joints}'; they must be {' or '.join(JOINTS)}")
+    return model.n_joints if joints == "locked" else 0
 
 
 def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -21,7 +21,7 @@ LAYERS = [
     {"loop"},
     {"simulation"},
     {"batch", "estimator", "rollout", "statics"},
-    {"equilibrium", "mode_plot"},
+    {"convergence", "equilibrium", "mode_plot"},
     {"analysis"},
     {"paper"},
     {"formulation"},

@@ -1,0 +1,19 @@
+"""What a robot states that is legal and seldom meant."""
+
+from screwgen.spec.robot import Robot
+
+SINGLE = (
+    "a single polynomial bends as a parabola: the bare link's first frequency comes out 27 % high, a tip force bends it"
+    ' by a quarter too little; state 2 (or basis = "clamped_free" for the bare link\'s first mode)'
+)
+
+
+def advice(robot: Robot) -> list[str]:
+    """A line for each thing of that kind: the keys, what follows, and the remedy."""
+    single = [
+        f"{link.name}.modes.{direction}"
+        for link in robot.links
+        for direction in ("bending_y", "bending_z")
+        if getattr(link.modes, direction) == 1 and link.modes.basis_of(direction) == "polynomial"
+    ]
+    return [f"{', '.join(single)}: is 1, and {SINGLE}"] if single else []

@@ -16,7 +16,7 @@ PENDULUM = {"lengths": (0.95, 0.93), "rhoA": 1.6302, "EA": 4.38e7, "EI": 2.12e3}
 
 
 def example(name: str) -> screwgen.Robot:
-    """A robot as it always was here, so that figures stay comparable: the paper's ``ella``, ``six_link`` with one
+    """A robot as it was from the start, so that figures compare: the paper's ``ella``, ``six_link`` with one
     bending mode per plane, or ``three_link``: ELLA with a third link like its forearm, its joint the other way round."""
     if name == "six_link":
         return _few_modes(screwgen.load(EXAMPLES / "six_link.toml"))

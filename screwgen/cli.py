@@ -181,11 +181,7 @@ def modes(
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
     ] = None,
 ) -> None:
-    """Print the natural frequencies in Hz, ascending, at rest in a posture, without gravity.
-
-    Beside each stands by how much one more mode in every direction of the links would move it, and the direction in
-    which that mode is wanted most: whether the modes suffice.
-    """
+    """Print the natural frequencies in Hz, at rest in a posture, without gravity; and what one more mode would change."""
     from .cli_linear import run_modes
 
     run_modes(robot, posture, joints, json, plot)

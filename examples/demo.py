@@ -1,4 +1,4 @@
-"""The paper's two-link arm from robot file to motion: derive, generate, compile, step, plot.
+"""ELLA, the paper's arm with modes that converge, from robot file to motion: derive, generate, compile, step, plot.
 
 Writes build/ella and build/ella.png and prints a short summary. The motion goes to the paper's set points under
 PD torques with gravity compensation; the gains are ours, the paper gives none.

@@ -213,6 +213,8 @@ def test_the_held_map_is_the_power_of_one_step_where_no_torque_acts():
 def test_a_page_escapes_and_aligns():
     page = document.Document("a < b")
     page.text("**bold** and `x < y`")
+    page.text("**not `a*b`.** *PD, as designed*: 2 * 3 * 4")
     page.table(("name", "value"), [("first", "1.5 mm"), ("second", "–")])
     assert "<b>bold</b> and <code>x &lt; y</code>" in page.html() and "<title>a &lt; b</title>" in page.html()
+    assert "<b>not <code>a*b</code>.</b> <i>PD, as designed</i>: 2 * 3 * 4" in page.html()
     assert "| --- | ---: |" in page.markdown() and "<td class=n>1.5 mm" in page.html()

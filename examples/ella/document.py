@@ -18,6 +18,8 @@ figure { margin: 1.5em 0 } figure img { max-width: 100% } figcaption { font-size
 code { background: #edf2f7; padding: 0 .2em }
 """
 NUMBER = re.compile(r"[-+−]?[\d.]+([·×e][\d^+−-]+)?( (%|s|ms|mm|Hz|/s|µs))?|–|none|")
+MARK = re.compile(r"(`|(?<!\w)\*{1,2})(?=\S)(.+?)(?<=\S)\1(?!\*)")
+TAGS = {"`": "code", "**": "b", "*": "i"}
 
 
 @dataclass
@@ -31,7 +33,7 @@ class Document:
         self.blocks.append(("heading", text))
 
     def text(self, *sentences: str) -> None:
-        """A paragraph; **bold** and `code` may mark words."""
+        """A paragraph; **bold**, *emphasis* and `code` may mark words."""
         self.blocks.append(("text", " ".join(sentences)))
 
     def table(self, header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
@@ -71,9 +73,14 @@ def alignments(rows: Sequence[Sequence[str]]) -> list[bool]:
 
 
 def marked(text: str) -> str:
-    """Text with **bold** and `code` as HTML."""
-    out = html.escape(text, quote=False)
-    return re.sub(r"`(.+?)`", r"<code>\1</code>", re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", out))
+    """Text with **bold**, *emphasis* and `code` as HTML."""
+    return MARK.sub(_tagged, html.escape(text, quote=False))
+
+
+def _tagged(match: re.Match) -> str:
+    tag = TAGS[match[1]]
+    inner = match[2] if tag == "code" else MARK.sub(_tagged, match[2])
+    return f"<{tag}>{inner}</{tag}>"
 
 
 def html_figure(file: str, caption: str) -> str:

@@ -91,8 +91,8 @@ SHAPES = (
         errata=("E30",),
         gap=(
             Formula(
-                r"$\int\boldsymbol{\phi}''''^{\top}\boldsymbol{\phi}\,d\xi - "
-                r"\int\boldsymbol{\phi}''^{\top}\boldsymbol{\phi}''\,d\xi$, which is not zero in $H^2$"
+                r"$\int(\boldsymbol{\phi}'''')^{\top}\boldsymbol{\phi}\,d\xi - "
+                r"\int(\boldsymbol{\phi}'')^{\top}\boldsymbol{\phi}''\,d\xi$, which is not zero in $H^2$"
             ),
         ),
         judge=weak_stiffness,

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+import subprocess
 from functools import cache
 from pathlib import Path
 
 import pytest
+from conftest import require_tool
 
 from screwgen import Robot, load
 from screwgen.emit import latex
@@ -84,3 +87,13 @@ def tex(name: str) -> str:
 @cache
 def page(name: str) -> str:
     return latex.html(robot(name))
+
+
+def too_wide(text: str, where: Path) -> float:
+    """By how many points the widest line of a LaTeX document runs off its column or the page."""
+    (where / "equations.tex").write_text(text, encoding="utf-8")
+    command = [require_tool("pdflatex"), "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
+    done = subprocess.run(command, cwd=where, capture_output=True, text=True, errors="replace")
+    assert done.returncode == 0, done.stdout[-2000:]
+    log = (where / "equations.log").read_text(errors="replace").replace("\n", " ")
+    return max(map(float, re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)), default=0.0)

@@ -3,12 +3,15 @@
 import json
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
+from conftest import require_tool
+from latex_documents import too_wide
 
 from screwgen.algebra.plain import WIDTH, shown
 from screwgen.cli import main
-from screwgen.paper.document import errata_page
+from screwgen.paper import document
 from screwgen.paper.register import equations, errata
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -68,21 +71,38 @@ def test_json_has_the_formulas(capsys):
     assert erratum["number"] == "E25" and erratum["figures"]
 
 
-@pytest.mark.parametrize("suffix", [".tex", ".html"])
+@pytest.mark.parametrize("suffix", [".tex", ".html", ".pdf"])
 def test_the_document_is_written(suffix, tmp_path, capsys):
     file = tmp_path / f"paper{suffix}"
+    if suffix == ".pdf":
+        require_tool("pdflatex")
     output(capsys, "29", "E7", "-o", str(file))
-    text = file.read_text(encoding="utf-8")
-    assert "(29)" in text and "E7" in text
+    text = file.read_text(encoding="latin-1")
+    assert text.startswith("%PDF") if suffix == ".pdf" else "(29)" in text and "E7" in text
     first = file.read_bytes()
     output(capsys, "29", "E7", "-o", str(file))
     assert file.read_bytes() == first
 
 
-def test_the_page_of_errata_is_current(tmp_path, capsys):
+def test_all_of_the_paper_in_every_format(tmp_path, capsys, monkeypatch):
+    """The page of errata is current; every equation and erratum gets through MathML and pdflatex, within its column."""
     file = tmp_path / "errata.md"
     output(capsys, "--errata", "-o", str(file))
-    assert file.read_text(encoding="utf-8") == errata_page(errata()) == ERRATA_PAGE.read_text(encoding="utf-8")
+    assert file.read_text(encoding="utf-8") == ERRATA_PAGE.read_text(encoding="utf-8")
+    whole = document.content(equations(), errata())
+    monkeypatch.setattr(document, "content", lambda *chosen: whole)
+    for name in ("paper.html", "paper.tex"):
+        output(capsys, "-o", str(tmp_path / name))
+        text = (tmp_path / name).read_text(encoding="utf-8").replace(r"\_", "_")
+        assert all(f"({e.label}) " in text for e in equations())
+        assert all(f"{e.number}: " in text for e in errata())
+    ElementTree.parse(tmp_path / "paper.html")
+    assert too_wide((tmp_path / "paper.tex").read_text(encoding="utf-8"), tmp_path) <= 1.1
+
+
+def test_numbers_have_minus_signs():
+    cells = [line for line in ERRATA_PAGE.read_text(encoding="utf-8").splitlines() if line.startswith("|")]
+    assert not [cell for line in cells for cell in line.split("|") if re.match(r"\s*-\d|.*\de-\d", cell)]
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,10 @@ from collections import Counter
 
 import pytest
 import sympy as sp
+from helpers import arm, link
 from latex_documents import every_robot, page, robot, tex
 
+from screwgen import Robot
 from screwgen.algebra.notation import latex as formula
 from screwgen.algebra.notation import number, tilde
 from screwgen.chain.chain import Chain
@@ -19,6 +21,7 @@ from screwgen.emit.latex_layout import PAGE, width
 from screwgen.emit.latex_scalars import scalars
 from screwgen.emit.latex_steps import block_view
 from screwgen.emit.latex_symbols import entries, written
+from screwgen.emit.latex_z import z_view
 
 # -------- LaTeX
 
@@ -103,6 +106,37 @@ def test_the_table_has_no_symbol_twice(name):
     counts = Counter(entry.display for entry in table)
     assert max(counts.values()) == 1
     assert all(entry.meaning for entry in table)
+
+
+@every_robot
+def test_the_table_says_shape_frame_and_origin_of_every_symbol(name):
+    (table,) = next(s.items for s in latex.content(robot(name)).sections if s.title == "Symbols")
+    assert all(cell for row in table.rows for cell in row)
+    rows = {row[0]: row[1:] for row in table.rows}
+    assert rows[r"$\mathbf{M}_i$"][2:] == (r"$\mathcal{F}_i$", r"$(6 + r_i) \times (6 + r_i)$", "state")
+    no_origin = {row[0] for row in table.rows if row[-1] == "–"}
+    assert no_origin == {r"$\xi$", "$s$"}, "what does not follow from anything"
+
+
+def test_the_system_shown_is_the_robot_s():
+    """One link: three places, the pattern of both forms without a second link, 14 unknowns."""
+    text = latex.document(Robot.model_validate(arm(link("rod", axes="y", modes={"bending_y": 1, "bending_z": 1}))))
+    system = text[text.index("The stacked system") : text.index("Its solution")]
+    assert "unknowns: here $14$" in system
+    assert r"[\mathbf{w}_1;\ \dot{\mathbf{V}}_1;\ \ddot{\boldsymbol{\eta}}_1]" in system
+    assert r"\mathbf{M}_{VV,1}" in system and ",2}" not in system and r"\vdots" not in system
+    assert r"\mathbf{M}_{VZ,1}" in text and "1 joint coordinate, 2 modal" in text
+
+
+@every_robot
+def test_no_step_says_that_a_symbol_is_itself(name):
+    """As ``c_1 = c_1(x)`` would."""
+    for key in Chain(robot(name)).classes:
+        for view in (*latex.class_views(key), z_view()):
+            for step in view.steps:
+                left, right, *_ = step.formula[0]
+                assert not right.removeprefix("= ").startswith(f"{left}("), step.name
+                assert not re.fullmatch(re.escape(left) + r"\\left\(.*\\right\)", right.removeprefix("= ")), step.name
 
 
 @pytest.mark.parametrize(

@@ -49,6 +49,7 @@ def test_everything_is_written_and_the_report_shows_it(written):
     text = (written / "report.md").read_text()
     assert all(f"({name})" in text for name in PNGS)
     assert str(ROOT) not in text and "nan" not in text.lower().split()
+    assert "*" not in (written / "report.html").read_text()
 
 
 def test_every_solve_converges(results):

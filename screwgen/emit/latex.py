@@ -24,6 +24,7 @@ from . import latex_tables as tables
 from . import latex_text as text
 from .latex_class import class_section, ordered
 from .latex_content import Document, Paragraph, Section, parse
+from .latex_pattern import pattern
 from .latex_steps import BlockView, block_view
 from .latex_symbols import entries
 from .latex_z import z_section, z_view
@@ -124,7 +125,8 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
 
 def _robot(robot: Robot, chain: Chain) -> Section:
     links = f"{chain.n} link{'s' if chain.n > 1 else ''}"
-    count = f"{links}, {chain.n_joints} joint coordinates, {chain.n_modes} modal ones"
+    joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
+    count = f"{links}, {joints}, {chain.n_modes} modal"
     items = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
@@ -136,6 +138,10 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     conventions = render("latex/conventions.tex.jinja", gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "))
     equations = render(
-        "latex/equations.tex.jinja", section_rotation=robot.section_rotation, unknowns=12 * chain.n + chain.n_modes
+        "latex/equations.tex.jinja",
+        section_rotation=robot.section_rotation,
+        unknowns=12 * chain.n + chain.n_modes,
+        pattern=pattern(chain, "V"),
+        several=chain.n > 1,
     )
     return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]

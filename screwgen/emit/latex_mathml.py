@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from xml.etree import ElementTree
 
 from latex2mathml.converter import convert
 
@@ -28,6 +29,10 @@ BRACKETS = (
     ("</mtable><mo>]</mo>", "</mtable><mo>]</mo></mrow>"),
 )
 """A matrix is a group of its own: brackets grow with what is in their group."""
+
+SCRIPTED = re.compile(r"<m(?:sup|subsup)><mover>")
+LETTER, ACCENT = "0.7em", "+0.15em"
+"""The height of a letter with an accent as far as its superscript sees it, and what lines above must keep clear."""
 
 
 def inline(tex: str) -> str:
@@ -57,7 +62,8 @@ def _inner(tex: str) -> str:
     body = body.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
     for plain, grouped in BRACKETS:
         body = body.replace(plain, grouped)
-    return re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
+    body = re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
+    return _scripts(body)
 
 
 def _character(match: re.Match) -> str:
@@ -69,6 +75,26 @@ def _accent(match: re.Match) -> str:
     """Dots, hats and tildes above a letter, in the characters that fonts place there."""
     character = {"~": "\u02dc", "^": "\u02c6"}.get(match[1], match[1])
     return f'<mo accent="true" stretchy="false">{character}</mo></mover>'
+
+
+def _scripts(body: str) -> str:
+    """Superscripts beside an accent at the height that they have beside the bare letter, as TeX sets them."""
+    if not SCRIPTED.search(body):
+        return body
+    root = ElementTree.fromstring(f"<math>{body}</math>")
+    for parent in list(root.iter()):
+        for place, child in enumerate(list(parent)):
+            if child.tag in ("msup", "msubsup") and child[0].tag == "mover":
+                child[0] = _padded(child[0], LETTER)
+                parent[place] = _padded(child, ACCENT)
+    text = ElementTree.tostring(root, encoding="unicode", short_empty_elements=False)
+    return text.removeprefix("<math>").removesuffix("</math>")
+
+
+def _padded(inner: ElementTree.Element, height: str) -> ElementTree.Element:
+    out = ElementTree.Element("mpadded", height=height)
+    out.append(inner)
+    return out
 
 
 def _bold(match: re.Match) -> str:

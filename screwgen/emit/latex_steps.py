@@ -89,10 +89,17 @@ def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: 
     s = step.signal
     left = latex(ex.Symbol(s.name, s.shape, s.display))
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
-    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in terms(right)]]
+    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in _terms(right)]]
     bracket, below = _components(block, step, right, write)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
+
+
+def _terms(right: ex.Expression) -> list[str]:
+    """The terms of the right side; a Stumpff function by its series, for its symbol says no more than its name."""
+    if isinstance(right, ex.Stumpff):
+        return [rf"\sum\limits_{{j=0}}^{{\infty}} \frac{{(-{latex(right.arg)})^{{j}}}}{{({right.order}+2j)!}}"]
+    return terms(right)
 
 
 # ----------------------------------------------------------------------------------------- components

@@ -12,62 +12,72 @@ from ..derive.block import Binding, Block, Signal
 from .latex_content import frame, unit, words
 from .latex_steps import BlockView
 
-FIELDS = {
-    "r_b": ("undeformed position of the element at ξ", "m"),
-    "rho": ("position of the element at ξ", "m"),
-    "u": ("elastic displacement of the element at ξ", "m"),
-    "udot": ("rate of the elastic displacement", "m/s"),
-    "udot_modal": ("rate of the elastic displacement", "m/s"),
-    "Phi": ("displacement shapes, a column for each mode", "-"),
-    "phi_row": ("displacement shapes in a row, whatever their direction", "-"),
-    "phi_t": ("torsion shapes in a row", "-"),
-    "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-"),
-    "Phi_tip": ("displacement shapes at the tip", "-"),
-    "Psi_tip": ("turn of the section at the tip by each mode", "1/m"),
-    "x_of": ("axial shapes in a row", "-"),
-    "y_of": ("shapes of bending in y in a row", "-"),
-    "z_of": ("shapes of bending in z in a row", "-"),
-    "ones": ("column of ones", "-"),
-}
-"""What varies along the link, and has no signal of its own."""
+CONSTANT, PARAMETER, STATE = Binding
 
+FIELDS = {
+    "r_b": ("undeformed position of the element at ξ", "m", CONSTANT),
+    "rho": ("position of the element at ξ", "m", STATE),
+    "u": ("elastic displacement of the element at ξ", "m", STATE),
+    "udot": ("rate of the elastic displacement", "m/s", STATE),
+    "udot_modal": ("rate of the elastic displacement", "m/s", STATE),
+    "Phi": ("displacement shapes, a column for each mode", "-", PARAMETER),
+    "phi_row": ("displacement shapes in a row, whatever their direction", "-", PARAMETER),
+    "phi_t": ("torsion shapes in a row", "-", PARAMETER),
+    "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-", PARAMETER),
+    "Phi_tip": ("displacement shapes at the tip", "-", CONSTANT),
+    "Psi_tip": ("turn of the section at the tip by each mode", "1/m", PARAMETER),
+    "x_of": ("axial shapes in a row", "-", PARAMETER),
+    "y_of": ("shapes of bending in y in a row", "-", PARAMETER),
+    "z_of": ("shapes of bending in z in a row", "-", PARAMETER),
+    "ones": ("column of ones", "-", CONSTANT),
+}
+"""What varies along the link, and has no signal of its own: meaning, unit, binding at a given place."""
+
+TWIST, WRENCH = "rad/s, m/s", "N*m, N"
+ALL = r"(6 + r_i) × (6 + r_i)"
+DYNAMIC = "12 n × 12 n, 12 n"
 SYSTEM = (
-    (r"\mathcal{F}_i", "frame of link $i$", "", ""),
-    (r"\xi", "place on the centreline, from the origin of F_i", "m", ""),
-    (r"s", "place on the centreline from base to tip, 0 to 1", "-", ""),
-    (r"\mathbf{V}_i", "twist of F_i", "rad/s, m/s", "6"),
-    (r"\boldsymbol{\nu}_i", "twist and modal rates", "", "6 + r_i"),
-    (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", "N*m, N", "6"),
-    (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", "N*m, N", "6"),
-    (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i"),
-    (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", "N*m, N", "6"),
-    (r"\mathbf{M}_i", "inertia of twist and modes together", "", "6 + r_i, square"),
-    (r"\mathbf{h}_i", "bias of twist and modal rows together", "", "6 + r_i"),
-    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist", "", "6 × (6 + r_i)"),
-    (r"\boldsymbol{\mathcal{W}}_{ext,i}", "external wrench on the tip section, tip frame", "N*m, N", "6"),
-    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}"),
-    (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6"),
-    (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point in F_i", "", "6 × 6"),
-    (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "", "6 × 6"),
-    (r"\mathbf{r}_B", "joint point in F_i", "m", "3"),
-    (r"\mathbf{r}_m", "joint point from the parent's tip point, parent's tip frame", "m", "3"),
-    (r"\boldsymbol{\beta}_i", "rate of the twist that the velocities cause at the joint", "rad/s^2, m/s^2", "6"),
-    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6"),
-    (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3"),
-    (r"\mathbf{M}_T", "inertia of the bodies at the tip, tip frame", "", "6 × 6"),
-    (r"\mathbf{h}_T", "bias of the bodies at the tip, tip frame", "N*m, N", "6"),
-    (r"\mathbf{J}_m", "armature of the joint, rotor inertias seen at its axes", "kg*m^2", "n_{q,i} × n_{q,i}"),
-    (r"\mathbf{D}_q,\ \mathbf{S}_q", "damping and stiffness of the joint", "N*m*s/rad, N*m/rad", "n_{q,i} × n_{q,i}"),
-    (r"\boldsymbol{\Lambda},\ \mathbf{p}", "inertia and bias of what the tip section carries", "", "6 × 6, 6"),
-    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "joint wrenches with rates of twists, or of Z", "", "12 n"),
-    (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "", "12 n × 12 n, 12 n"),
-    (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, and their bias", "", "12 n × 12 n, 12 n"),
-    (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "", "12 n"),
-    (r"\mathbf{x}_c", "state of the Cauchy form", "", r"12 n + 2 \sum r_i"),
-    (r"\mathbf{A}_c,\ \mathbf{g}_c", "matrix and free term of the Cauchy form", "", ""),
-    (r"\mathbf{g}", "free fall, inertial frame", "m/s^2", "3"),
+    (r"\mathcal{F}_i", "frame of link $i$", "-", "-", "-", STATE),
+    (r"\xi", "place on the centreline, from the origin of F_i", "m", "1", "F_i", None),
+    (r"s", "place on the centreline from base to tip, 0 to 1", "-", "1", "-", None),
+    (r"\mathbf{V}_i", "twist of F_i", TWIST, "6", "F_i", STATE),
+    (r"\boldsymbol{\nu}_i", "twist and modal rates", TWIST, "6 + r_i", "F_i", STATE),
+    (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", WRENCH, "6", "F_i", STATE),
+    (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", WRENCH, "6", "F_i", STATE),
+    (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i", "-", STATE),
+    (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", WRENCH, "6", "F_i", STATE),
+    (r"\mathbf{M}_i", "inertia of twist and modes together", "kg, kg*m, kg*m^2", ALL, "F_i", STATE),
+    (r"\mathbf{h}_i", "bias of twist and modal rows together", WRENCH, "6 + r_i", "F_i", STATE),
+    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist", "1, m, 1/m", "6 × (6 + r_i)", "tip", STATE),
+    (r"\boldsymbol{\mathcal{W}}_{ext,i}", "external wrench on the tip section", WRENCH, "6", "tip", STATE),
+    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}", "-", STATE),
+    (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6", "tip", STATE),
+    (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point", "1, m", "6 × 6", "F_i", STATE),
+    (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "1, m", "6 × 6", "F_i", PARAMETER),
+    (r"\mathbf{r}_B", "joint point", "m", "3", "F_i", PARAMETER),
+    (r"\mathbf{r}_m", "joint point from the parent's tip point", "m", "3", "parent's tip", PARAMETER),
+    (r"\boldsymbol{\beta}_i", "joint's rate of the twist due to velocities", "rad/s^2, m/s^2", "6", "F_i", STATE),
+    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6", "F_i", STATE),
+    (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
+    (r"\mathbf{M}_T", "inertia of the bodies at the tip", "kg, kg*m, kg*m^2", "6 × 6", "tip", PARAMETER),
+    (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),
+    (r"\mathbf{J}_m", "armature, rotor inertias seen at the axes", "kg*m^2", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\boldsymbol{\Lambda}", "inertia that the tip section carries", "kg, kg*m, kg*m^2", "6 × 6", "tip", STATE),
+    (r"\mathbf{p}", "bias of what the tip section carries", WRENCH, "6", "tip", STATE),
+    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "wrenches with rates of twists, or of Z", "mixed", "12 n", "F_i", STATE),
+    (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "mixed", DYNAMIC, "F_i", STATE),
+    (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, bias", "mixed", DYNAMIC, "F_i", STATE),
+    (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "mixed", "12 n", "F_i", STATE),
+    (r"\mathbf{x}_c", "state of the Cauchy form", "mixed", r"n_c = 12 n + 2 \sum r_i", "F_i", STATE),
+    (r"\mathbf{A}_c,\ \mathbf{g}_c", "matrix, free term of the Cauchy form", "mixed", "n_c × n_c, n_c", "F_i", STATE),
+    (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
 )
-"""The symbols of the text: LaTeX, meaning, unit, shape."""
+"""The symbols of the text: LaTeX, meaning, unit, shape, frame, binding."""
+
+
+TIMES = r"\times"
 
 
 @dataclass(frozen=True)
@@ -83,13 +93,13 @@ class Entry:
 
 
 def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
-    """The symbols of the text, then those of the steps: fields, parameters and constants, state."""
+    """The symbols of the text, then those of the steps: constants, parameters, state."""
     found: dict[str, list[tuple[str, Signal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
-    steps.sort(key=lambda e: -1 if e.binding is None else int(e.binding))
+    steps.sort(key=lambda e: e.binding)
     return [*(e for e in _system() if e.display not in found), *steps]
 
 
@@ -99,8 +109,8 @@ def written(signal: Signal) -> str:
 
 
 def _system() -> Iterator[Entry]:
-    for display, meaning, unit_, shape in SYSTEM:
-        yield Entry(display, words(meaning), unit(unit_), "", _shape_text(shape), None)
+    for display, meaning, unit_, shape, frame_, binding in SYSTEM:
+        yield Entry(display, words(meaning), unit(unit_), frame(frame_), _shape_text(shape), binding)
 
 
 def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
@@ -111,9 +121,9 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
         if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
             yield block.signal(used.name)
         elif (key := field_key(used.name)) is not None:
-            meaning, unit_ = FIELDS[key]
+            meaning, unit_, binding = FIELDS[key]
             frame_ = "F_i" if used.shape[0] == 3 and key != "ones" else "-"
-            yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding=None)
+            yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding)
 
 
 def field_key(name: str) -> str | None:
@@ -125,23 +135,20 @@ def field_key(name: str) -> str | None:
 def _entry(display: str, signals: list[Signal]) -> Entry:
     first = signals[0]
     shape = _shape([s.shape for s in signals], first.name)
-    binding = None if first.binding is None else max(s.binding for s in signals)
+    binding = max(s.binding for s in signals)
     return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, binding)
 
 
 def _shape(shapes: list[tuple[int, int]], name: str) -> str:
     """The shape, with a letter where links differ."""
     letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
-    if set(shapes) == {(1, 1)}:
-        return ""
     sizes = [{s[d] for s in shapes} for d in (0, 1)]
     rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)
-    return _shape_text(rows if cols == "1" else rf"{rows} × {cols}")
+    return _shape_text(rows if cols == "1" else f"{rows} × {cols}")
 
 
 def _shape_text(shape: str) -> str:
-    formula = shape.replace("×", r"\times").replace(", square", "")
-    return f"${formula}$" if shape else ""
+    return "" if shape == "-" else ", ".join(f"${part.replace('×', TIMES)}$" for part in shape.split(", "))
 
 
 def displays(table: Mapping[str, Entry] | Iterable[Entry]) -> set[str]:

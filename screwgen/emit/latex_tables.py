@@ -19,6 +19,9 @@ from .latex_symbols import Entry
 DIRECTION = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
 KNOWN = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
 
+NONE = "–"
+"""What stands in a cell where there is nothing to say."""
+
 
 def decimal(value: float) -> str:
     """A number as a formula."""
@@ -114,4 +117,4 @@ def symbols(entries: Iterable[Entry]) -> Table:
     """Every symbol with what it means, and when it is known."""
     head = ("symbol", "meaning", "unit", "frame", "shape", "follows from")
     rows = ((f"${e.display}$", e.meaning, e.unit, e.frame, e.shape, KNOWN.get(e.binding, "")) for e in entries)
-    return Table(head, (0.13, 0.35, 0.16, 0.13, 0.1, 0.13), tuple(rows))
+    return Table(head, (0.13, 0.31, 0.15, 0.12, 0.16, 0.13), tuple(tuple(c or NONE for c in row) for row in rows))

@@ -26,7 +26,7 @@ METHOD = (
     "notation if it does so once a symbol is read as stated. Where it fails, the derived formula, which does agree, "
     "is given, and the difference of the two as a formula."
 )
-LIST_WIDTHS = (0.14, 0.44, 0.28, 0.14)
+LIST_WIDTHS = (0.16, 0.42, 0.26, 0.16)
 FIGURE_WIDTHS = (0.52, 0.16, 0.16, 0.16)
 
 
@@ -127,14 +127,20 @@ def erratum_items(e: Erratum) -> list[Item]:
         Heading(f"{e.number}: {e.title}"),
         Paragraph(f"In {where(e)}. Printed: {e.printed}."),
         Paragraph(f"What holds: {e.holds}."),
-        Table(("figure", "printed", "derived", "must be"), FIGURE_WIDTHS, tuple(map(_figure, e.evidence()))),
+        Table(("figure", "printed", "derived", "must be"), FIGURE_WIDTHS, tuple(map(_figure, e.figures))),
     ]
 
 
 def _figure(f: Figure) -> tuple[str, str, str, str]:
     unit = "" if f.unit == "-" else f" {f.unit}"
-    cells = [number(f, x) for x in (f.printed, f.derived, f.truth)]
+    cells = [_set(number(f, x)) for x in (f.printed, f.derived, f.truth)]
     return (f.what, *(cell + (unit if cell != "0" else "") for cell in cells))
+
+
+def _set(text: str) -> str:
+    """A number as it is set: with a minus sign, and a power of ten as a formula."""
+    mantissa, _, exponent = text.partition("e")
+    return rf"${mantissa}\times 10^{{{int(exponent)}}}$" if exponent else mantissa.replace("-", "−")
 
 
 def errata_page(errata: Sequence[Erratum]) -> str:
@@ -154,7 +160,7 @@ def errata_page(errata: Sequence[Erratum]) -> str:
 
 
 def _chapter(e: Erratum) -> list[str]:
-    rows = [" | ".join(cell.replace("|", r"\|") for cell in _figure(f)) for f in e.evidence()]
+    rows = [" | ".join(cell.replace("|", r"\|") for cell in _figure(f)) for f in e.figures]
     return [
         "",
         f"## {e.number}",

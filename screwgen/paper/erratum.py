@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 WRONG, RIGHT = 1e-3, 1e-9
 """Relative to the figure's scale: a printed figure is wrong beyond the first, a derived one right within the second."""
@@ -51,6 +52,11 @@ class Erratum:
     printed: str
     holds: str
     evidence: Callable[[], tuple[Figure, ...]]
+
+    @cached_property
+    def figures(self) -> tuple[Figure, ...]:
+        """The evidence, computed once."""
+        return self.evidence()
 
 
 def misfit(equations, label: str, seed: int = 1) -> Figure:

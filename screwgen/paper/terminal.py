@@ -129,7 +129,7 @@ def erratum_text(e: Erratum) -> str:
     """An erratum: what is printed, what holds, and the figures."""
     lines = [f"{e.number}  {letters_in(e.title)}", f"in {where(e)}", ""]
     lines += [*_wrapped(f"printed: {letters_in(e.printed)}"), "", *_wrapped(f"holds: {letters_in(e.holds)}"), ""]
-    figures = e.evidence()
+    figures = e.figures
     wide = min(max(len(f.what) for f in figures), 64)
     lines.append(f"  {'':<{wide}}  {'printed':>12} {'derived':>12} {'must be':>12}")
     for f in figures:
@@ -169,7 +169,7 @@ def _wrapped(text: str) -> list[str]:
 def record(e: Equation | Erratum) -> dict:
     """An equation or an erratum as plain data, its formulas in LaTeX."""
     if isinstance(e, Erratum):
-        figures = [{"what": f.what, "unit": f.unit, **_numbers(f)} for f in e.evidence()]
+        figures = [{"what": f.what, "unit": f.unit, **_numbers(f)} for f in e.figures]
         return {"number": e.number, "where": e.where, "printed": e.printed, "holds": e.holds, "figures": figures}
     return {
         "label": e.label,

@@ -26,6 +26,8 @@ FENCED = re.compile(r"(^```.*?^```$)", re.DOTALL | re.MULTILINE)
 MATH = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
 PICTURES = (".png", ".svg")
 LEXERS = {".py": "python", ".c": "c", ".h": "c", ".toml": "toml", ".ld": "text"}
+BEHIND = "---\nsearch: {boost: 0.2}\n---\n"
+"""Head of a page with a file's lines: a search finds the guides before it."""
 SITEMAP = "sitemap.xml"
 NAVIGATION = ("NOTATION.md", "DESIGN.md", "firmware/README.md")
 """Pages of the repository that the navigation names."""
@@ -64,7 +66,7 @@ def brought(path: str, config: MkDocsConfig) -> File:
         return File.generated(config, site_uri(path), content=source.read_bytes())
     text = source.read_text(encoding="utf-8")
     if not path.endswith(".md"):
-        text = f"# {posixpath.basename(path)}\n\n```{LEXERS.get(source.suffix, 'text')}\n{text}```\n"
+        text = f"{BEHIND}# {posixpath.basename(path)}\n\n```{LEXERS.get(source.suffix, 'text')}\n{text}```\n"
     level = InclusionLevel.INCLUDED if path in NAVIGATION else InclusionLevel.NOT_IN_NAV
     return File.generated(config, site_uri(path), content=text, inclusion=level)
 

@@ -66,7 +66,7 @@ SYSTEM = (
     (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\boldsymbol{\Lambda}", "inertia that the tip section carries", "kg, kg*m, kg*m^2", "6 × 6", "tip", STATE),
     (r"\mathbf{p}", "bias of what the tip section carries", WRENCH, "6", "tip", STATE),
-    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "wrenches with rates of twists, or of Z", "mixed", "12 n", "F_i", STATE),
+    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "wrenches, rates of twists or of Z", "mixed", "12 n", "F_i", STATE),
     (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "mixed", DYNAMIC, "F_i", STATE),
     (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, bias", "mixed", DYNAMIC, "F_i", STATE),
     (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "mixed", "12 n", "F_i", STATE),

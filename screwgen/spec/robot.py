@@ -44,12 +44,12 @@ class Modes(Part):
     directions have the link's natural modes, `clamped_free`, as shapes.
     """
 
-    basis: Basis = DEFAULT
-    axial: Count = 0
-    bending_y: Count = 0
-    bending_z: Count = 0
-    torsion: Count = 0
-    frequencies: Frequencies | None = None
+    basis: Basis = Field(DEFAULT, description=f"the shapes' family, {' or '.join(map(quoted, BASES))}")
+    axial: Count = Field(0, description="number of modes of stretching; needs EA")
+    bending_y: Count = Field(0, description="number of modes of bending that deflect in y; needs EIz")
+    bending_z: Count = Field(0, description="number of modes of bending that deflect in z; needs EIy")
+    torsion: Count = Field(0, description="number of modes of twisting; needs GJ and rhoIp")
+    frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
 
     @model_validator(mode="before")
     @classmethod
@@ -114,8 +114,8 @@ class Mount(Part):
     `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
     """
 
-    xyz: Vector | None = None
-    rpy: Vector | None = None
+    xyz: Vector | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
+    rpy: Vector | None = Field(None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF")
 
 
 class Joint(Part):
@@ -126,10 +126,10 @@ class Joint(Part):
     """
 
     axes: Axes = Field(description='the axes of rotation in order, as ["y", "z"]; [] welds the link')
-    mount: Mount | None = None
-    armature: PerAxis | None = None
-    damping: PerAxis | None = None
-    stiffness: PerAxis | None = None
+    mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
+    armature: PerAxis | None = Field(None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared)")
+    damping: PerAxis | None = Field(None, description="viscous damping of each axis, N·m·s/rad")
+    stiffness: PerAxis | None = Field(None, description="spring of each axis, N·m/rad, relaxed where its angle is 0")
 
     @model_validator(mode="after")
     def _one_number_per_axis(self) -> Self:
@@ -151,8 +151,10 @@ class Body(Part):
 
     at: End = Field(description='where the body sits, "base" or "tip"')
     mass: NonNegative = Field(description="the mass, kg")
-    com: Vector | None = None
-    inertia: Inertia | None = None
+    com: Vector | None = Field(None, description="the centre of mass from the point where the body sits, m")
+    inertia: Inertia | None = Field(
+        None, description="about the centre of mass, kg·m²: [xx, yy, zz, xy, xz, yz], with xy = −∫ x y dm"
+    )
 
 
 class Link(Part):
@@ -164,12 +166,14 @@ class Link(Part):
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
     length: Positive = Field(description="the length of the centreline, m")
-    frame_at: NonNegative | None = None
+    frame_at: NonNegative | None = Field(
+        None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
+    )
     section: Section = Field(description="the section, at least { rhoA = … } or { density = …, area = … }")
-    modes: Modes = Modes()
-    damping: Damping | None = None
+    modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
+    damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
-    bodies: tuple[Body, ...] = ()
+    bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
 
     @model_validator(mode="after")
     def _frame_on_centreline(self) -> Self:
@@ -204,7 +208,9 @@ class Robot(Part):
 
     name: Annotated[str, PlainValidator(robot_name)] = Field(description="the robot's name, a C identifier")
     gravity: Vector = Field(description="the acceleration of free fall, m/s², as [0.0, 0.0, -9.81]")
-    section_rotation: Annotated[bool, PlainValidator(boolean)] = True
+    section_rotation: Annotated[bool, PlainValidator(boolean)] = Field(
+        True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
+    )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
 
     @model_validator(mode="after")

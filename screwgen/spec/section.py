@@ -37,7 +37,15 @@ class Section(Part):
     into line properties at once, so that both spellings give equal sections. What is said in both is refused.
     """
 
-    other_keys: ClassVar = tuple(MATERIAL)
+    other_keys: ClassVar = {
+        "density": "density, kg/m³; with area it gives rhoA, with Iy and Iz also rhoIp",
+        "area": "area of the section, m²",
+        "E": "Young's modulus, Pa; with area it gives EA, with Iy EIy, with Iz EIz",
+        "Iy": "second moment of area about y, m⁴",
+        "Iz": "second moment of area about z, m⁴",
+        "G": "shear modulus, Pa; with J it gives GJ",
+        "J": "torsion constant, m⁴",
+    }
 
     rhoA: Positive = Field(description="mass per length, kg/m (or density and area)")
     EA: NonNegative | None = Field(None, description="axial stiffness, N")

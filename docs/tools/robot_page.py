@@ -1,0 +1,68 @@
+"""The tables of docs/robot.md: every key of a robot file with its unit and default, from the classes that read it.
+
+    python docs/tools/robot_page.py      # writes the tables anew; a test compares them
+
+A table stands below its mark, `<!-- keys of Link -->`; all else in the page is written by hand.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from pydantic.fields import FieldInfo
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from screwgen.spec import robot as spec  # noqa: E402
+from screwgen.spec.part import Part  # noqa: E402
+
+PAGE = ROOT / "docs" / "robot.md"
+TABLE = re.compile(r"<!-- keys of (\w+) -->\n+(?:\|.*\n)*\n*")
+HEAD = "| key | unit | default | what |\n|---|---|---|---|\n"
+CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|GJ|rhoA|rhoIp|I[yz]|J)\b)")
+"""What a file holds, within a description."""
+ATOM = r"(?:kg|rad|Hz|Pa|N|m|s)[²³⁴]?"
+UNIT = re.compile(rf", ({ATOM}(?:[·/]{ATOM})*)(?=$|[ ,;:)])")
+PARTS = (
+    *(spec.Robot, spec.Link, spec.Section, spec.Modes, spec.Frequencies, spec.Damping),
+    *(spec.Joint, spec.Mount, spec.Body),
+)
+
+
+def tables(text: str) -> str:
+    """The page with its tables as the classes have them."""
+    parts = {part.__name__: part for part in PARTS}
+    return TABLE.sub(lambda m: f"<!-- keys of {m[1]} -->\n\n{HEAD}{''.join(_rows(parts[m[1]]))}\n", text)
+
+
+def _rows(part: type[Part]) -> list[str]:
+    fields = [_row(name, field.description, _default(field)) for name, field in part.model_fields.items()]
+    others = [_row(name, text, "–") for name, text in getattr(part, "other_keys", {}).items()]
+    return fields + others
+
+
+def _row(name: str, description: str, default: str) -> str:
+    """A line of the table; the unit moves out of the description into a column of its own."""
+    unit = UNIT.search(description)
+    what = CODE.sub(r"`\1`", UNIT.sub("", description, count=1))
+    return f"| `{name}` | {unit[1] if unit else '–'} | {default} | {what} |\n"
+
+
+def _default(field: FieldInfo) -> str:
+    if field.is_required():
+        return "required"
+    match field.default:
+        case None | () | Part():
+            return "–"
+        case bool():
+            return f"`{str(field.default).lower()}`"
+        case str():
+            return f'`"{field.default}"`'
+    return f"`{field.default}`"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(tables(PAGE.read_text(encoding="utf-8")), encoding="utf-8")

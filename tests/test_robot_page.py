@@ -1,0 +1,64 @@
+"""docs/robot.md: its tables are those of the classes that read a robot file, and its example has every key."""
+
+import importlib.util
+import re
+import sys
+import tomllib
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+spec = importlib.util.spec_from_file_location("robot_page", DOCS / "tools" / "robot_page.py")
+robot_page = sys.modules["robot_page"] = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(robot_page)
+
+PAGE = robot_page.PAGE.read_text(encoding="utf-8")
+WITHOUT_UNIT = set(
+    """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
+    frequencies ratio axes mount at""".split()
+)
+"""Keys that are no physical quantity in some table."""
+
+
+def keys(part) -> list[str]:
+    return [*part.model_fields, *getattr(part, "other_keys", ())]
+
+
+def test_the_tables_are_current():
+    """`python docs/tools/robot_page.py` writes them."""
+    assert robot_page.tables(PAGE) == PAGE
+
+
+@pytest.mark.parametrize("part", robot_page.PARTS, ids=lambda part: part.__name__)
+def test_every_key_is_explained_with_unit_and_default(part):
+    table = PAGE.split(f"<!-- keys of {part.__name__} -->\n")[1].strip().split("\n\n")[0].splitlines()[2:]
+    rows = [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in table]
+    assert [row[0] for row in rows] == [f"`{key}`" for key in keys(part)]
+    for key, unit, default, what in rows:
+        assert default and len(what) > 5, key
+        assert (unit != "–") or key.strip("`") in WITHOUT_UNIT, f"{key} has no unit"
+
+
+def test_the_example_has_every_key():
+    example = tomllib.loads(re.search(r'```toml title="every_key.toml"\n(.*?)```', PAGE, re.DOTALL)[1])
+    assert set(_keys(example)) == {key for part in robot_page.PARTS for key in keys(part)}
+
+
+def _keys(value):
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield key
+            yield from _keys(inner)
+    elif isinstance(value, list):
+        for entry in value:
+            yield from _keys(entry)
+
+
+def test_the_drawing_of_the_frames_is_an_image_of_its_own_for_light_and_dark():
+    text = (DOCS / "frames.svg").read_text(encoding="utf-8")
+    names = " ".join(t.strip() for t in ElementTree.fromstring(text).itertext() if t.strip())
+    assert all(word in names for word in ("joint point", "frame_at", "mount.xyz", "length", "tip frame", "gravity"))
+    assert "prefers-color-scheme: dark" in text and "http" not in text.replace("http://www.w3.org/2000/svg", "")
+    assert "](frames.svg)" in PAGE

@@ -111,7 +111,7 @@ def on_page_content(content: str, page: Page, config: MkDocsConfig, files: Files
         tex = html.unescape(match[3]).strip()
         if match[2] == "(":
             return inline(tex)
-        lines = (inline(line).replace("<math>", '<math display="block">', 1) for line in tex.splitlines())
+        lines = (inline(line).replace("<math>", '<math displaystyle="true">', 1) for line in tex.splitlines())
         return "".join(f'<div class="formula">{line}</div>' for line in lines)
 
     return MATH.sub(formula, content)

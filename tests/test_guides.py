@@ -1,10 +1,13 @@
 """The guides in docs/: blocks do what they say; the site builds without a warning and loads nothing from outside."""
 
 import importlib.util
+import io
+import json
 import os
 import re
 import subprocess
 import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 
 import pytest
@@ -15,9 +18,17 @@ DOCS = ROOT / "docs"
 GENERATED = {"errata.md", "misra.md"}
 """Pages with tests of their own: test_paper.py, test_static_analysis.py."""
 
-spec = importlib.util.spec_from_file_location("pages", DOCS / "tools" / "pages.py")
-pages = sys.modules["pages"] = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(pages)
+
+
+def tool(name: str):
+    """A script of docs/tools as a module."""
+    spec = importlib.util.spec_from_file_location(name, DOCS / "tools" / f"{name}.py")
+    module = sys.modules[name] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+pages = tool("pages")
 
 
 def run(path: Path, folder: Path) -> subprocess.CompletedProcess:
@@ -39,6 +50,31 @@ def test_every_block_of_a_page_does_what_it_says(path, tmp_path):
     named = re.findall(rf"\]\(\.\./build/guides/{path.stem}/([^)]+)\)", path.read_text())
     drawn = {f.name for f in (tmp_path / "pages" / path.stem).glob("*.png")}
     assert drawn == set(named), "a page shows the pictures that its blocks draw, and no others"
+
+
+# ------------------------------------------------------------------------------ the notebook
+
+NOTEBOOK = DOCS / "notebook.ipynb"
+
+
+def test_the_notebook_is_its_page():
+    """`python docs/tools/notebook.py` writes it."""
+    assert NOTEBOOK.read_text() == tool("notebook").notebook(DOCS / "notebook.md")
+
+
+def test_a_model_at_the_end_of_a_cell_shows_its_equations():
+    """As a kernel runs cells: in one namespace, up to the model; the other cells are the page's blocks, which are run."""
+    content = json.loads(NOTEBOOK.read_text())
+    assert (content["nbformat"], content["nbformat_minor"]) == (4, 4)
+    cells = ["".join(c["source"]) for c in content["cells"] if c["cell_type"] == "code"]
+    assert cells == [b.text.rstrip("\n") for b in pages.blocks(DOCS / "notebook.md") if b.language == "python"]
+    namespace: dict = {}
+    with redirect_stdout(io.StringIO()):
+        exec(cells[0], namespace)
+    *_, last = cells[1].splitlines()
+    exec(cells[1], namespace)
+    shown = eval(last, namespace)._repr_html_()
+    assert "<math" in shown and "boom" in shown
 
 
 # ------------------------------------------------------------------------------ what the runner refuses

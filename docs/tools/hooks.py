@@ -79,8 +79,9 @@ def place(path: str, config: MkDocsConfig) -> Path:
 
 def site_uri(path: str) -> str:
     """Where a path of the repository is in the site."""
-    uri = path.removeprefix("docs/")
-    uri = f"pictures/{uri.removeprefix('build/')}" if uri.startswith("build/") else uri
+    if path.startswith("docs/"):
+        return path.removeprefix("docs/")
+    uri = f"pictures/{path.removeprefix('build/')}" if path.startswith("build/") else path
     return uri if uri.endswith((".md", *PICTURES)) else f"{uri}.md"
 
 

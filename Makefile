@@ -25,9 +25,10 @@ mpc: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider $(ARGS)
 
-# The guides: runs every block of them, then builds build/docs. What the examples draw takes some minutes, once.
+# The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
 docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html
 	$(BIN)/python docs/tools/pages.py build/guides
+	$(BIN)/python docs/tools/pictures.py
 	$(BIN)/mkdocs build --quiet
 	@echo "build/docs/index.html"
 

@@ -126,6 +126,17 @@ def test_what_cannot_be_done_is_one_line(arguments, message, capsys, tmp_path, m
     assert not list(tmp_path.iterdir())
 
 
+def test_the_readme_cites_the_paper():
+    text = " ".join(README.read_text(encoding="utf-8").replace("*", "").replace("[", "").split())
+    assert document.CITATION in text
+    assert " ".join(ERRATA_PAGE.read_text(encoding="utf-8").split()).count(f"The paper is {document.CITATION}.") == 1
+
+
+def test_the_readme_says_where_the_command_is_before_its_first_use():
+    text = README.read_text(encoding="utf-8")
+    assert text.index('export PATH="$PWD/.venv/bin:$PATH"') < text.index("$ screwgen")
+
+
 def test_the_readme_shows_what_is_printed(capsys):
     block = re.search(r"\$ screwgen paper 34\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)[1]
     text = output(capsys, "34")

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
 from contextlib import redirect_stdout
@@ -29,6 +30,12 @@ def tool(name: str):
 
 
 pages = tool("pages")
+pictures = tool("pictures")
+
+
+def pixels(file: Path) -> tuple[int, int]:
+    """Width and height of a PNG, from its header."""
+    return struct.unpack(">II", file.read_bytes()[16:24])
 
 
 def run(path: Path, folder: Path) -> subprocess.CompletedProcess:
@@ -47,9 +54,11 @@ def test_every_block_of_a_page_does_what_it_says(path, tmp_path):
     done = run(path, tmp_path / "pages")
     assert done.returncode == 0, done.stderr
     assert f"{len(pages.blocks(path))} blocks" in done.stdout
-    named = re.findall(rf"\]\(\.\./build/guides/{path.stem}/([^)]+)\)", path.read_text())
-    drawn = {f.name for f in (tmp_path / "pages" / path.stem).glob("*.png")}
-    assert drawn == set(named), "a page shows the pictures that its blocks draw, and no others"
+    named = re.findall(rf"\]\(pictures/guides/{path.stem}/([^)]+)\)", path.read_text())
+    drawn = {f.name: pixels(f) for f in (tmp_path / "pages" / path.stem).glob("*.png")}
+    assert set(drawn) == set(named), "a page shows the pictures that its blocks draw, and no others"
+    committed = {name: pixels(pictures.PICTURES / "guides" / path.stem / name) for name in named}
+    assert drawn == committed, "`make docs` draws the pictures anew"
 
 
 # ------------------------------------------------------------------------------ the notebook
@@ -63,7 +72,7 @@ def test_the_notebook_is_its_page():
 
 
 def test_a_model_at_the_end_of_a_cell_shows_its_equations():
-    """As a kernel runs cells: in one namespace, up to the model; the other cells are the page's blocks, which are run."""
+    """As a kernel runs cells, up to the model; all cells are the page's blocks, which are run above."""
     content = json.loads(NOTEBOOK.read_text())
     assert (content["nbformat"], content["nbformat_minor"]) == (4, 4)
     cells = ["".join(c["source"]) for c in content["cells"] if c["cell_type"] == "code"]
@@ -184,28 +193,12 @@ def test_lines_agree_to_a_unit_of_the_last_digit(expected, actual, agree):
 
 # ------------------------------------------------------------------------------ the site
 
-DOT = bytes.fromhex(
-    "89504e470d0a1a0a0000000d49484452000000010000000108000000003a7e9b550000000a49444154789c63600000000200014898"
-    "7f490000000049454e44ae426082"
-)
-"""A picture of one pixel, in the place of what pages and examples draw."""
-
-
-def pictures() -> set[str]:
-    """The pictures that the guides show, below build/."""
-    texts = (p.read_text() for p in pages.GUIDES)
-    return {name for text in texts for name in re.findall(r"!\[[^\]]+\]\(\.\./build/([^)]+)\)", text)}
-
-
 @pytest.fixture(scope="module")
 def site(tmp_path_factory) -> tuple[Path, str]:
     """The site, and all that building it said."""
-    build, folder = tmp_path_factory.mktemp("build"), tmp_path_factory.mktemp("site")
-    for name in pictures():
-        (build / name).parent.mkdir(parents=True, exist_ok=True)
-        (build / name).write_bytes(DOT)
+    folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(folder)]
-    env = os.environ | {"SCREWGEN_DOCS_BUILD": str(build), "PYTHONPATH": str(ROOT)}
+    env = os.environ | {"PYTHONPATH": str(ROOT)}
     done = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return folder, done.stdout + done.stderr
@@ -272,9 +265,30 @@ def test_links_lead_somewhere(site):
                 assert place in ids[found.resolve().relative_to(folder.resolve()).as_posix()], (name, target)
 
 
+def test_search_needs_no_server_and_finds_all_pages(site):
+    """The index comes as a script, and what stands in for a worker from the site itself: browsers fetch no files."""
+    folder, _ = site
+    index = json.loads((folder / "search" / "search_index.js").read_text().removeprefix("var __index = "))
+    found = {entry["location"].partition("#")[0] for entry in index["docs"]}
+    assert {"index.html", "robot.html", "firmware.html", "NOTATION.html", "DESIGN.html", "errata.html"} <= found
+    assert any("gravity" in entry["text"] for entry in index["docs"])
+    for name, text in html(folder).items():
+        scripts = re.findall(r'<script[^>]*\bsrc="([^"]+)"', text)
+        assert any(s.endswith("iframe-worker.js") for s in scripts), name
+        assert name == "404.html" or all(((folder / name).parent / s).is_file() for s in scripts), name
+
+
+def test_pictures_are_committed_and_are_those_that_are_shown():
+    """So that they show wherever the repository is read; none is left of what no page shows."""
+    there = {f.relative_to(pictures.PICTURES).as_posix() for f in pictures.PICTURES.rglob("*") if f.is_file()}
+    assert there == pictures.shown() and len(there) > 8
+    assert all(min(pixels(pictures.PICTURES / name)) > 300 for name in there)
+    assert not [p.name for p in pages.GUIDES if "](../build/" in p.read_text()]
+
+
 def test_pictures_of_examples_are_what_examples_write():
     scripts = "".join(p.read_text() for p in sorted((ROOT / "examples").rglob("*.py")))
-    for name in pictures():
+    for name in pictures.shown():
         first, _, rest = name.partition("/")
         if first != "guides":
             assert f'"{rest or first}"' in scripts, name
@@ -283,6 +297,6 @@ def test_pictures_of_examples_are_what_examples_write():
 def test_make_docs_draws_the_pictures_of_examples():
     makefile = (ROOT / "Makefile").read_text()
     made = re.search(r"^docs: (.*)$", makefile, re.MULTILINE)[1]
-    for name in pictures():
+    for name in pictures.shown():
         folder = name.partition("/")[0]
         assert folder == "guides" or f"build/{folder}" in made, name

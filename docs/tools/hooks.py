@@ -1,7 +1,7 @@
 """What the site needs beyond Markdown: formulas as MathML, and files of the repository that pages link to.
 
 A link out of docs/ works where the repository is read. In the site it leads to the same file: Markdown becomes a page,
-a picture of build/ is copied, any other text a page with its lines. So nothing is written twice.
+any other text a page with its lines. So nothing is written twice.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from screwgen.emit.latex_mathml import inline  # noqa: E402
 LINK = re.compile(r"(\]\()([^)\s:#]+)(#[^)\s]*)?(\))")
 FENCED = re.compile(r"(^```.*?^```$)", re.DOTALL | re.MULTILINE)
 MATH = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
-PICTURES = (".png", ".svg")
 LEXERS = {".py": "python", ".c": "c", ".h": "c", ".toml": "toml", ".ld": "text"}
 BEHIND = "---\nsearch: {boost: 0.2}\n---\n"
 """Head of a page with a file's lines: a search finds the guides before it."""
@@ -58,12 +57,9 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 def brought(path: str, config: MkDocsConfig) -> File:
     """A file of the repository in the site."""
-    source = place(path, config)
+    source = ROOT / path
     if not source.is_file():
-        what = "`make docs` draws it" if path.startswith("build/") else "it is no file of the repository"
-        raise SystemExit(f"docs: a page links to {path}: {what}")
-    if path.endswith(PICTURES):
-        return File.generated(config, site_uri(path), content=source.read_bytes())
+        raise SystemExit(f"docs: a page links to {path}: it is no file of the repository")
     text = source.read_text(encoding="utf-8")
     if not path.endswith(".md"):
         text = f"{BEHIND}# {posixpath.basename(path)}\n\n```{LEXERS.get(source.suffix, 'text')}\n{text}```\n"
@@ -71,18 +67,11 @@ def brought(path: str, config: MkDocsConfig) -> File:
     return File.generated(config, site_uri(path), content=text, inclusion=level)
 
 
-def place(path: str, config: MkDocsConfig) -> Path:
-    """Where a path of the repository is on disk; what is built may lie elsewhere."""
-    first, _, rest = path.partition("/")
-    return ROOT / config.extra["build"] / rest if first == "build" else ROOT / path
-
-
 def site_uri(path: str) -> str:
     """Where a path of the repository is in the site."""
     if path.startswith("docs/"):
         return path.removeprefix("docs/")
-    uri = f"pictures/{path.removeprefix('build/')}" if path.startswith("build/") else path
-    return uri if uri.endswith((".md", *PICTURES)) else f"{uri}.md"
+    return path if path.endswith(".md") else f"{path}.md"
 
 
 def targets(text: str, path: str) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 
 from ..algebra.expression import Block, Expression, Sum, is_zero
@@ -19,6 +20,11 @@ from .register import SECTIONS
 from .terminal import counted, judgement, number, where
 
 TITLE = "The paper, checked"
+CITATION = (
+    "S. Yaqubi, A. Kitzinger, A. Müller, H. Gattringer, J. Mattila: Screw-Theoretic PDE-Based Synthesis for Unified "
+    "Representation of Multibody Flexible Manipulator Dynamics, arXiv:2601.16242v3"
+)
+"""The paper."""
 METHOD = (
     "Every printed equation is evaluated on random motions of a two-link arm whose velocities, accelerations, momenta "
     "and wrenches are computed from their definitions, without any formula of the paper or of the derivation. An "
@@ -59,7 +65,7 @@ def _overview(equations: Sequence[Equation]) -> Section:
     """How the paper was checked, and a table of what became of each equation."""
     rows = [(f"({e.label})", e.title, e.standing.value, ", ".join(e.errata)) for e in equations]
     table = Table(("equation", "what", "standing", "errata"), LIST_WIDTHS, tuple(rows))
-    return Section("What holds", [Paragraph(METHOD), Paragraph(counted(equations)), table])
+    return Section("What holds", [Paragraph(f"{CITATION}."), Paragraph(METHOD), Paragraph(counted(equations)), table])
 
 
 # ----------------------------------------------------------------------------------------- equations
@@ -147,6 +153,8 @@ def errata_page(errata: Sequence[Erratum]) -> str:
     """``docs/errata.md``: every erratum with the numbers that show it."""
     lines = [
         "# Errata of the paper",
+        "",
+        *textwrap.wrap(f"The paper is {CITATION}.", 110, break_on_hyphens=False),
         "",
         "Each entry says what is printed, what holds instead, and shows both with numbers: what the printed formula",
         "gives, what the derived one gives, and what must be by a judge that shares nothing with either. The page is",

@@ -241,7 +241,8 @@ def test_every_block_of_a_guide_in_the_site_is_one_that_was_run(site):
 def test_formulas_are_set(site):
     folder, _ = site
     pages_with = {name: text.count("<math") for name, text in html(folder).items() if "<math" in text}
-    assert pages_with["research.html"] > 8 and pages_with["errata.html"] > 100
+    assert pages_with["research.html"] > 8 and pages_with["errata.html"] > 100 and pages_with["NOTATION.html"] > 60
+    assert not re.search(r"[φψωηΣΛ]_|_\{|\$", html(folder)["NOTATION.html"].split("<article")[1].split("</article>")[0])
     assert not [name for name, text in html(folder).items() if "arithmatex" in text or "<merror" in text]
     assert "<mi>\U0001d400</mi><mi>\U0001d41d</mi>" in html(folder)["errata.html"], "the Adjoint's letters are bold"
 

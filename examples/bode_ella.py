@@ -15,14 +15,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
 import screwgen
 from screwgen import Damping, Modes, ScrewgenError, UsageError
-from screwgen.plot import GREY, LOOK, PALETTE
+from screwgen.look import PALETTE, canvas, png, styled
 from screwgen.runs import check_output, outputs
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -69,8 +67,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         mass = dict(zip(model.parameter_names, model.parameter_values, strict=True))[PAYLOAD]
         found = [response(model, m, QUICK if given.quick else FULL) for m in (mass, 0.0)]
         check(found)
-        with outputs(given.output) as (stream,), rc_context(LOOK):
-            draw(found).savefig(stream, format="png", dpi=150, metadata={"Software": None})
+        with outputs(given.output) as (stream,):
+            stream.write(png(draw(found)))
     except ScrewgenError as error:
         print(f"bode_ella: error: {error}", file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
@@ -158,26 +156,23 @@ def table(found: list[Response]) -> str:
     return "\n".join(lines)
 
 
+@styled
 def draw(found: list[Response]) -> Figure:
-    with rc_context(LOOK):
-        out = Figure(figsize=(10.5, 6.4), layout="constrained")
-        FigureCanvasAgg(out)
-        axes = out.subplots(2, len(CHANNELS), sharex=True, sharey="row", squeeze=False)
-        for k, (_, _, motor, seen) in enumerate(CHANNELS):
-            for r, shade in zip(found, PALETTE, strict=False):
-                label = f"payload {r.payload:g} kg" if r.payload else "without payload"
-                axes[0, k].semilogx(r.f, 20 * np.log10(np.abs(r.gain[:, k])), color=shade, label=label)
-                axes[1, k].semilogx(r.f, np.degrees(np.unwrap(np.angle(r.gain[:, k]))), color=shade)
-            axes[0, k].set_title(f"{motor} → acceleration along {seen}")
-            axes[1, k].set_xlabel("f (Hz)")
-            axes[1, k].yaxis.set_major_locator(MultipleLocator(180))
-            axes[1, k].set_xlim(*BAND)
-        axes[0, 0].set_ylabel("gain (dB re 1 m/s² per N·m)")
-        axes[1, 0].set_ylabel("phase (°)")
-        axes[0, 1].legend(loc="upper left")
-        out.suptitle("ELLA at the set points: motor torque to tip acceleration", fontsize=12, fontweight="bold")
-        out.text(0.995, 0.995, "modal damping 1 %", ha="right", va="top", fontsize=8, color=GREY)
-        return out
+    out = canvas(10.5, 6.4, "ELLA at the set points: motor torque to tip acceleration, modal damping 1 %")
+    axes = out.subplots(2, len(CHANNELS), sharex=True, sharey="row", squeeze=False)
+    for k, (_, _, motor, seen) in enumerate(CHANNELS):
+        for r, shade in zip(found, PALETTE, strict=False):
+            label = f"payload {r.payload:g} kg" if r.payload else "without payload"
+            axes[0, k].semilogx(r.f, 20 * np.log10(np.abs(r.gain[:, k])), color=shade, label=label)
+            axes[1, k].semilogx(r.f, np.degrees(np.unwrap(np.angle(r.gain[:, k]))), color=shade)
+        axes[0, k].set_title(f"{motor} → acceleration along {seen}")
+        axes[1, k].set_xlabel("f (Hz)")
+        axes[1, k].yaxis.set_major_locator(MultipleLocator(180))
+        axes[1, k].set_xlim(*BAND)
+    axes[0, 0].set_ylabel("gain (dB re 1 m/s² per N·m)")
+    axes[1, 0].set_ylabel("phase (°)")
+    out.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=len(found))
+    return out
 
 
 if __name__ == "__main__":

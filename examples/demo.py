@@ -22,6 +22,7 @@ from screwgen.simulation import FORMS, simulate
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
+LAW = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), SET_POINTS, duration=1.7, q_start=(0.0,) * 3)
 PLOT = ROOT / "build" / "ella.png"
 DURATION, STEP = 2.0, 1e-3
 
@@ -41,7 +42,7 @@ def main() -> None:
     run = simulate(model, DURATION, STEP, controller=controller(model), form="compiled", integrator="modal_midpoint")
     print(f"stepped {DURATION:g} s of motion    {time.perf_counter() - clock:6.2f} s  controller in Python, arm in C")
     summary(model, compiled, run)
-    plot.save(run, PLOT)
+    plot.save(run, PLOT, model, LAW)
     print(f"plot                    {short(PLOT)}")
 
 
@@ -63,12 +64,11 @@ def make(folder: Path) -> str:
 
 def controller(model):
     """PD about a minimum-jerk path of 1.7 s, plus the torque that holds the arm in its posture."""
-    law = PD(kp=(400.0, 400.0, 120.0), kd=(28.0, 28.0, 12.0), q_des=SET_POINTS, duration=1.7, q_start=(0.0,) * 3)
     bias, p = model.casadi()["bias"], model.parameter_values
     rest, free = np.zeros(model.nq), np.zeros((6, model.n_links))
 
     def torque(t, q, v):
-        return law(t, q, v) + np.array(bias(q, rest, free, p))[:3, 0]
+        return LAW(t, q, v) + np.array(bias(q, rest, free, p))[:3, 0]
 
     return torque
 

@@ -18,6 +18,7 @@ import casadi as ca
 import numpy as np
 
 import screwgen
+from screwgen import look
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # do-mpc says which of its optional packages are missing
@@ -132,24 +133,22 @@ def settled(error: np.ndarray) -> float:
     return first * SAMPLE if first < len(error) else np.inf
 
 
+@look.styled
 def save_plot(run: dict[str, np.ndarray], error: np.ndarray) -> None:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    t = SAMPLE * np.arange(len(error))
-    figure, (top, bottom) = pyplot.subplots(2, sharex=True, figsize=(7, 5), layout="constrained")
+    t, figure = SAMPLE * np.arange(len(error)), look.canvas(7, 5, "Model-predictive control of ELLA with do-mpc")
+    top, bottom = figure.subplots(2, sharex=True)
     top.semilogy(t, 1e3 * error)
-    top.axhline(1e3 * BAND, color="0.6", linestyle=":")
-    top.set_ylabel("tip to goal, mm")
-    for j, limit in enumerate(LIMITS):
-        (line,) = bottom.step(t[:-1], run["tau"][:, j], where="post", label=("base y", "base z", "elbow z")[j])
-        bottom.hlines([-limit, limit], 0.0, t[-1], linestyles=":", colors=line.get_color(), linewidth=0.8)
-    bottom.set(ylim=(-170.0, 210.0), xlabel="t, s", ylabel="torque, N·m")
-    bottom.legend(loc="upper right", ncols=3)
+    top.axhline(1e3 * BAND, label=f"{1e3 * BAND:g} mm", **look.LIMITS)
+    top.set(title="distance of the tip from its goal", ylabel="distance (mm)")
+    for j, (limit, shade) in enumerate(zip(LIMITS, look.PALETTE, strict=False)):
+        bottom.step(t[:-1], run["tau"][:, j], where="post", color=shade, label=("base y", "base z", "elbow z")[j])
+        bottom.hlines([-limit, limit], 0.0, t[-1], linestyles=":", colors=shade, linewidth=0.8)
+    bottom.set(title="torques and their limits", xlabel="t (s)", ylabel="τ (N·m)")
+    for axes in (top, bottom):
+        axes.set_xlim(0, t[-1])
+        look.legend_above(axes)
     PLOT.parent.mkdir(exist_ok=True)
-    figure.savefig(PLOT, dpi=120)
+    PLOT.write_bytes(look.png(figure))
 
 
 def main() -> None:

@@ -13,12 +13,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from ella.sheet import Sheet
 
 import screwgen
 from screwgen import PD, Model, Robot
 from screwgen.chain.gauges import gauges
 from screwgen.estimator import CompiledEstimator, Noise
 from screwgen.integrate import JointStepper
+from screwgen.look import INK, PALETTE, legend_above, name_ends
 from screwgen.motion import tip_deformation
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,6 +35,8 @@ ENCODER, STRAIN, ACCELERATION = 1e-4, 2e-6, 0.1
 BELIEVED = 5.0
 """m/s²: what the filter is told of the accelerometer; its own stiffness error moves the acceleration by so much."""
 LAW = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), (-0.4928, 0.6922, 0.4270), duration=1.7, q_start=(0.0,) * 3)
+WINDOW = 51
+"""Samples: what the picture averages noise over."""
 LIMIT = 0.1
 """The filter's error over the open-loop model's, at most."""
 
@@ -193,29 +197,35 @@ def report(truth, curves, errors) -> None:
 
 
 def draw(truth, curves) -> None:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    t = STEP * np.arange(1, len(truth) + 1)
-    figure, (above, below) = plt.subplots(2, 1, figsize=(9, 6.5), sharex=True, constrained_layout=True)
-    colours = dict(zip(curves, ("tab:red", "tab:orange", "tab:purple", "tab:blue", "tab:green"), strict=True))
-    above.plot(t, 1e3 * truth[:, 2], "k", lw=2.5, label="plant")
-    for name in ("open-loop model", "encoders", "encoders, base strain"):
-        above.plot(t, 1e3 * curves[name][:, 2], color=colours[name], lw=1, label=name)
+    """The plant as a broad band with the smoothed estimates on it, their noise pale behind; below, the errors."""
+    t, above = STEP * np.arange(1, len(truth) + 1), ("open-loop model", "encoders", "encoders, base strain")
+    colors = dict(zip(curves, (PALETTE[3], PALETTE[1], PALETTE[4], PALETTE[0], PALETTE[2]), strict=True))
+    out = Sheet(2, 1, f"Tip deflection of ELLA, the plant with {SOFTER:.0%} of the model's stiffness", (9.0, 3.4))
+    panel = out.axes("vertical deflection of the tip", ylabel="deflection (mm)")
+    panel.plot(t, 1e3 * truth[:, 2], color=INK, linewidth=6, alpha=0.25, label="plant")
+    for name in above:
+        noisy, smooth = 1e3 * curves[name][:, 2], 1e3 * smoothed(curves[name][:, 2])
+        panel.plot(t, noisy, color=colors[name], linewidth=0.5, alpha=0.25)
+        panel.plot(t, smooth, color=colors[name], label=name)
+    panel.set_xlim(0, t[-1])
+    legend_above(panel)
+    panel = out.axes(f"error of the deflection, RMS over {1e3 * WINDOW * STEP:.0f} ms", ylabel="error (mm)")
+    lines = []
     for name, d in curves.items():
-        below.semilogy(t, 1e3 * np.linalg.norm(d - truth, axis=1), color=colours[name], lw=0.9, label=name)
-    above.set_ylabel("vertical deflection of the tip, mm")
-    below.set_ylabel("error of the deflection, mm")
-    below.set_xlabel("time, s")
-    below.set_ylim(1e-3, 100)
-    for axes in (above, below):
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=8, ncols=2)
+        error = 1e3 * np.sqrt(smoothed(np.sum(np.square(d - truth), axis=1)))
+        lines += panel.semilogy(t, error, color=colors[name], label=name)
+    panel.set_xlim(0, t[-1])
+    panel.set_ylim(1e-2, 1e2)
+    name_ends(panel, lines)
     PLOT.parent.mkdir(exist_ok=True)
-    figure.savefig(PLOT, dpi=110)
+    PLOT.write_bytes(out.png(150))
     print(f"\nplot: {PLOT.relative_to(ROOT)}")
+
+
+def smoothed(x: np.ndarray) -> np.ndarray:
+    """The mean (N,) over `WINDOW` samples about each; over fewer at the ends."""
+    ones = np.ones(min(WINDOW, len(x)))
+    return np.convolve(x, ones, "same") / np.convolve(np.ones(len(x)), ones, "same")
 
 
 if __name__ == "__main__":

@@ -102,7 +102,7 @@ def run_simulate(
             with busy("drawing", quiet):
                 from .plot import png
 
-                streams[-1].write(png(run))
+                streams[-1].write(png(run, model, torque))
     say("\n".join(filter(None, (output, plot))), quiet)
 
 

@@ -1,98 +1,119 @@
-"""Mode shapes of an arm in its posture as a picture: a view in space per mode, the arm at rest behind it."""
+"""Mode shapes of an arm in its posture as a picture: a view in space per mode, the arm at rest behind it.
+
+Links with torsion modes carry cross-sections, which turn as the sections do.
+"""
 
 from __future__ import annotations
 
-import io
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from scipy.spatial.transform import Rotation
 
+from . import look
 from .errors import UsageError
+from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
 from .modes import ModeShapes, stiffness
-from .motion import displacements
-from .plot import GREY, LOOK, PALETTE, equal_scales
+from .motion import centrelines, modal_columns, twist
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .build import Model
 
-MOST, COLUMNS, PANEL = 6, 3, (4.2, 3.9)
+MOST, COLUMNS, GRID, PANEL = 6, 3, 6, (4.4, 3.8)
 STATIONS = np.linspace(0.0, 1.0, 25)
 """Places along a link at which it is drawn, base to tip."""
-AMPLITUDE = 0.15
-"""The largest displacement drawn, over the size of the arm."""
+SPARSE, DENSE = 12, 4
+"""Stations from one cross-section to the next, where many links have them, and where at most two have."""
+AMPLITUDE, TURN = 0.15, 0.7
+"""The largest displacement drawn, over the size of the arm, or the largest turn of a section, rad."""
+WIDTH = 0.025
+"""Half a side of a cross-section, over the size of the arm."""
 STEP = 1e-6
 """m: the displacement from which the linear one is taken."""
-VIEWS = ((22.0, -58.0), (22.0, 32.0), (55.0, -58.0), (55.0, 32.0))
-REST, MOVED, OTHER = "#a0aec0", PALETTE[0], "#90cdf4"
+REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
 WORDS = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+
+
+class Shape(NamedTuple):
+    """How the arm moves in a mode: of the centrelines and, where links have torsion modes, of their sections."""
+
+    motion: np.ndarray
+    """(n, stations, 3) m."""
+    turns: dict[int, np.ndarray]
+    """Of each link with torsion modes (stations,) rad: about its centreline."""
+
+    def scaled(self, factor: float) -> Shape:
+        """The shape, larger."""
+        return Shape(factor * self.motion, {i: factor * turn for i, turn in self.turns.items()})
 
 
 def png(model: Model, q: np.ndarray, found: ModeShapes) -> bytes:
     """The picture as PNG, the same bytes every time, without date or version."""
-    stream = io.BytesIO()
-    with rc_context(LOOK):
-        figure(model, q, found).savefig(stream, format="png", dpi=150, metadata={"Software": None})
-    return stream.getvalue()
+    return look.png(figure(model, q, found))
 
 
+@styled
 def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
     """The lowest modes, up to six of them; raises UsageError where there are none."""
     count = min(len(found.frequencies), MOST)
     if not count:
         raise UsageError("there are no modes to draw: every link is rigid and no joint has a spring; leave out --plot")
-    rest = centrelines(model, q)
-    rows, columns = -(-count // COLUMNS), min(count, COLUMNS)
-    with rc_context(LOOK):
-        out = Figure(figsize=(columns * PANEL[0] + 0.2, rows * PANEL[1] + 0.9))
-        FigureCanvasAgg(out)
-        for k in range(count):
-            axes = out.add_subplot(rows, columns, k + 1, projection="3d")
-            _panel(axes, rest, amplified(rest, field(model, q, found.shapes[:, k])))
-            place = dict(transform=axes.transAxes, ha="center")
-            axes.text2D(0.5, 1.05, f"{k + 1}: {found.frequencies[k]:.4g} Hz", weight="bold", size=10, **place)
-            axes.text2D(0.5, 0.99, meaning(model, found.shapes[:, k]), color=GREY, **place)
-        sides = dict(left=0.02, right=0.95, wspace=0.08, hspace=0.16)
-        out.subplots_adjust(bottom=0.16 / rows, top=1 - 0.2 / rows, **sides)
-        more = f", the lowest {count} of {len(found.frequencies)} modes" if count < len(found.frequencies) else ""
-        out.suptitle(f"Mode shapes of {model.robot.name}{more}", fontsize=12, fontweight="bold")
-        out.text(0.99, 0.99, "each mode from the side that shows it", ha="right", va="top", color=GREY, fontsize=8)
-        _legend(out)
+    rest, frames = centrelines(model, q, STATIONS), model.numpy().link_pose(q)[0]
+    rows = -(-count // COLUMNS)
+    more = f", the lowest {count} of {len(found.frequencies)} modes" if count < len(found.frequencies) else ""
+    out = canvas(-(-count // rows) * PANEL[0], rows * PANEL[1] + 0.8, f"Mode shapes of {model.robot.name}{more}")
+    spaces = rooms(out, filled(out.add_gridspec(rows, GRID), count, COLUMNS))
+    _legend(out, any(modal_columns(model, i, "torsion") for i in range(model.n_links)))
+    for k, axes in enumerate(into_space(out, spaces)):
+        shape, title = found.shapes[:, k], f"{k + 1}: {found.frequencies[k]:.4g} Hz"
+        points = _draw(axes, rest, frames, amplified(rest, field(model, q, shape)))
+        fit(axes, points, title, meaning(model, shape))
     return out
 
 
 # ------------------------------------------------------------------------------ what moves
 
 
-def centrelines(model: Model, q: np.ndarray) -> np.ndarray:
-    """The centrelines (n, stations, 3) of all links in the inertial frame, m."""
-    R, r = model.numpy().link_pose(q)
-    lines = []
-    for i, link in enumerate(model.robot.links):
-        place = displacements(model, q[None], i, STATIONS)[0]
-        place[:, 0] += link.length * STATIONS - (link.frame_at or 0.0)
-        lines.append(r[i] + place @ R[i].T)
-    return np.array(lines)
+def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
+    """The motion of the arm, linear in the mode, of arbitrary size."""
+    size = np.max(np.abs(shape))
+    there, back = (q + sign * STEP / size * shape for sign in (1, -1))
+    motion = (centrelines(model, there, STATIONS) - centrelines(model, back, STATIONS)) / (2 * STEP)
+    R, (R_there, R_back) = (model.numpy().link_pose(q)[0], (model.numpy().link_pose(x)[0] for x in (there, back)))
+    turns = {}
+    for i in range(model.n_links):
+        if modal_columns(model, i, "torsion"):
+            rolls = R[i].T @ (R_there[i] - R_back[i]) / (2 * STEP)
+            turns[i] = rolls[2, 1] + twist(model, shape[None] / size, i, STATIONS)[0]
+    return Shape(motion, turns)
 
 
-def field(model: Model, q: np.ndarray, shape: np.ndarray) -> np.ndarray:
-    """The displacements (n, stations, 3) of the centrelines, m, linear in the mode, of arbitrary size."""
-    small = STEP / np.max(np.abs(shape))
-    there, back = centrelines(model, q + small * shape), centrelines(model, q - small * shape)
-    return (there - back) / (2 * STEP)
-
-
-def amplified(rest: np.ndarray, motion: np.ndarray) -> np.ndarray:
-    """`motion` with its largest displacement in proportion to the arm; its greatest component positive."""
+def amplified(rest: np.ndarray, shape: Shape) -> Shape:
+    """The shape in proportion to the arm, by what moves most, section or centreline; its greatest part positive."""
     size = np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
-    largest = motion.reshape(-1, 3)[np.argmax(np.linalg.norm(motion, axis=2))]
-    length = np.linalg.norm(largest)
-    if length < 1e-9:
-        return np.zeros_like(motion)
-    return motion * np.copysign(AMPLITUDE * size / length, largest[np.argmax(np.abs(largest))])
+    largest = shape.motion.reshape(-1, 3)[np.argmax(np.linalg.norm(shape.motion, axis=2))]
+    turns = np.concatenate([*shape.turns.values(), [0.0]])
+    parts = np.array([largest[np.argmax(np.abs(largest))], turns[np.argmax(np.abs(turns))]])
+    reach = np.array([np.linalg.norm(largest) / (AMPLITUDE * size), abs(parts[1]) / TURN])
+    return shape.scaled(np.copysign(1 / reach.max(), parts[reach.argmax()]) if reach.max() > 1e-9 else 0.0)
+
+
+def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float) -> np.ndarray:
+    """The corners (stations, 5, 3), m, of square sections across a centreline; the first corner closes the square.
+
+    `line` (stations, 3), m; `frame` (3, 3): the link's axes at rest; `turn` (stations,) rad: about the centreline.
+    """
+    tangent = np.gradient(line, axis=0)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    up = Rotation.from_rotvec(turn[:, None] * frame[:, 0]).apply(frame[:, 1])
+    up -= np.sum(up * tangent, axis=1, keepdims=True) * tangent
+    up /= np.linalg.norm(up, axis=1, keepdims=True)
+    side = np.cross(tangent, up)
+    return np.stack([line + width * (a * up + b * side) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))], 1)
 
 
 def meaning(model: Model, shape: np.ndarray) -> str:
@@ -109,40 +130,41 @@ def meaning(model: Model, shape: np.ndarray) -> str:
 # ------------------------------------------------------------------------------ how it is drawn
 
 
-def _panel(axes, rest: np.ndarray, motion: np.ndarray) -> None:
-    for share, color, width in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):
-        line = rest + share * motion
-        axes.plot(*line.reshape(-1, 3).T, color=color, linewidth=width)
+def _draw(axes: Axes, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
+    """The arm at rest and at both ends of the vibration; what to frame, (N, 3) m."""
+    points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
+    for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):
+        now = shape.scaled(share)
+        line = rest + now.motion
+        points.append(line)
+        axes.plot(*line.reshape(-1, 3).T, color=color, linewidth=weight)
         if share >= 0:
             axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
             axes.plot(*line[-1, -1], "D", color=color, markersize=5)
-    points = np.concatenate([rest + motion, rest - motion]).reshape(-1, 3)
-    equal_scales(axes, points, label_pad=-4, tick_pad=-2, size=7, zoom=0.9)
-    elevation, azimuth = view(rest, motion)
+            for i, turn in now.turns.items():
+                corners = sections(line[i], frames[i], turn, width)
+                _sections(axes, corners, DENSE if len(now.turns) <= 2 else SPARSE, color)
+                points.append(corners)
+    elevation, azimuth = view(np.diff(rest, axis=1), shape.motion[:, 1:])
     axes.view_init(elev=elevation, azim=azimuth)
+    return np.concatenate([x.reshape(-1, 3) for x in points])
 
 
-def view(rest: np.ndarray, motion: np.ndarray) -> tuple[float, float]:
-    """Elevation and azimuth, degrees, of those in `VIEWS` from which the motion covers the largest area."""
-    along, moved = np.diff(rest, axis=1), motion[:, 1:]
-
-    def area(angles: tuple[float, float]) -> float:
-        up, round_ = np.radians(angles)
-        eye = [np.cos(up) * np.cos(round_), np.cos(up) * np.sin(round_), np.sin(up)]
-        return float(np.abs(np.cross(along, moved) @ eye).sum())
-
-    areas = [area(angles) for angles in VIEWS]
-    first_good = next(k for k, a in enumerate(areas) if a >= 0.8 * max(areas))
-    return VIEWS[first_good]
+def _sections(axes: Axes, corners: np.ndarray, step: int, color: str) -> None:
+    """The edges along a link, and the squares across it."""
+    for edge in range(4):
+        axes.plot(*corners[:, edge].T, color=color, linewidth=0.6)
+    for square in corners[::step]:
+        axes.plot(*square.T, color=color, linewidth=0.9)
 
 
-def _legend(out: Figure) -> None:
-    mark = lambda marker: dict(marker=marker, linestyle="none", color=GREY, markersize=5)  # noqa: E731
+def _legend(out: Figure, torsion: bool) -> None:
+    marks = (("o", "joint"), ("D", "tip"), *((("s", "cross-section"),) if torsion else ()))
     handles = [
         Line2D([], [], color=REST, linewidth=1.6, label="at rest"),
         Line2D([], [], color=MOVED, linewidth=1.8, label="mode, enlarged"),
         Line2D([], [], color=OTHER, linewidth=0.9, label="half a period later"),
-        Line2D([], [], label="joint", **mark("o")),
-        Line2D([], [], label="tip", **mark("D")),
+        *(Line2D([], [], marker=m, linestyle="none", color=GREY, markersize=5, label=label) for m, label in marks),
     ]
-    out.legend(handles=handles, loc="lower center", ncols=5, bbox_to_anchor=(0.5, 0.005))
+    title = "each mode from the side that shows it"
+    fitted_legend(out, handles, 0.95 * out.bbox.width, loc="outside lower center", title=title, title_fontsize=8)

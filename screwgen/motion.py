@@ -6,6 +6,7 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from .errors import UsageError
 from .spec.parameters import coordinate_names
-from .spec.robot import DIRECTIONS
+from .spec.robot import DIRECTIONS, Modes
 
 if TYPE_CHECKING:
     from .build import Model
@@ -56,8 +57,30 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Sequence[float
     out = np.zeros((len(q), len(points), 3))
     for k, direction in enumerate(LATERAL):
         if columns := modal_columns(model, link, direction):
-            out[:, :, k] = q[:, columns] @ np.array(modes.shapes(direction).evaluate(points))
+            out[:, :, k] = q[:, columns] @ _shapes(modes, direction, tuple(map(float, points)))
     return out
+
+
+def twist(model: Model, q: np.ndarray, link: int, points: Sequence[float]) -> np.ndarray:
+    """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`."""
+    q, columns = _samples(model, q, "q"), modal_columns(model, link, "torsion")
+    return q[:, columns] @ _shapes(model.robot.links[link].modes, "torsion", tuple(map(float, points)))
+
+
+def centrelines(model: Model, q: np.ndarray, points: Sequence[float]) -> np.ndarray:
+    """The centrelines (n, points, 3) of all links at the coordinates `q` (nq,), inertial frame, m."""
+    (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
+    for i, link in enumerate(model.robot.links):
+        place = displacements(model, q[None], i, points)[0]
+        place[:, 0] += link.length * points - (link.frame_at or 0.0)
+        lines.append(r[i] + place @ R[i].T)
+    return np.array(lines)
+
+
+@lru_cache(maxsize=64)
+def _shapes(modes: Modes, direction: str, points: tuple[float, ...]) -> np.ndarray:
+    """The mode shapes of a direction at points (count, points)."""
+    return np.array(modes.shapes(direction).evaluate(points)).reshape(getattr(modes, direction), len(points))
 
 
 def modal_columns(model: Model, link: int, direction: str) -> list[int]:

@@ -1,67 +1,54 @@
-"""A run at a glance: one figure with its angles, modes, torques, wrenches, energy and tip path."""
+"""A run at a glance: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
 
 from __future__ import annotations
 
-import io
 import os
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from matplotlib import colormaps, rc_context
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.lines import Line2D
 
+from . import look
+from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
+from .inputs import started
+from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
+from .motion import centrelines
 from .runs import Run, check_output, outputs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PALETTE = ("#2b6cb0", "#dd6b20", "#2f855a", "#b83280", "#6b46c1", "#0987a0", "#744210", "#718096")
-STYLES = ("-", "--", ":", "-.")
-GREY = "#4a5568"
-COLUMNS, PANEL = 3, (4.6, 3.1)
-NOTHING = 1e-12
-"""What never exceeds this, in SI units, counts as zero throughout."""
-MOST_IN_LEGEND = 8
-MOST_POINTS = 4000
-LOOK = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9,
-    "axes.titlesize": 10,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "axes.edgecolor": "#a0aec0",
-    "axes.labelcolor": GREY,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.formatter.useoffset": False,
-    "axes.formatter.limits": (-3, 4),
-    "grid.color": "#e2e8f0",
-    "grid.linewidth": 0.7,
-    "xtick.color": GREY,
-    "ytick.color": GREY,
-    "legend.frameon": True,
-    "legend.framealpha": 0.8,
-    "legend.edgecolor": "none",
-    "legend.fontsize": 7.5,
-    "lines.linewidth": 1.3,
-    "path.simplify": True,
-}
+    from .build import Model
+
+COLUMNS, GRID = 3, 6
+"""Panels in a row, and columns of the grid below them, which hold one to three panels without a gap."""
+PANEL = (4.6, 2.9)
+SPACE = (2, 4)
+"""Rows and columns of the grid for the arm in space; the first panels stand beside it."""
+POSTURES, STATIONS = 5, np.linspace(0.0, 1.0, 17)
+"""In how many postures the arm is drawn, and at which places along each link."""
+GOAL = dict(linewidth=4.5, alpha=0.28, solid_capstyle="butt")
+BOUND = dict(linewidth=0.9, linestyle=(0, (7, 2, 1, 2)))
+PATH = dict(color=INK, linewidth=0.9)
+EARLIER = dict(color=PALE, linewidth=1.6)
+MARK = dict(marker="o", linestyle="none", markersize=6)
+START, END = PALETTE[2], PALETTE[3]
 
 
 class Line(NamedTuple):
-    """A curve over time: what it is called, the link it belongs to and which of the link's it is."""
+    """A curve over time: its label where it has one of its own, colour and style, and what it is to follow and keep."""
 
-    label: str
     values: np.ndarray
-    link: int
-    member: int = 0
+    color: Any
+    style: str = "-"
+    label: str | None = None
+    goal: np.ndarray | None = None
+    bound: float | None = None
 
 
 class Panel(NamedTuple):
@@ -78,58 +65,66 @@ class Panel(NamedTuple):
         return max(float(np.abs(line.values).max()) for line in self.lines)
 
 
-def figure(run: Run) -> Figure:
-    """The figure of a run; what is zero throughout is said, not drawn. Views of the tip's path fill the grid."""
-    with rc_context(LOOK):
-        shown, silent = sift(panels(run))
-        n = run.wrench.shape[1]
-        plots = [partial(_curves, panel=panel, run=run) for panel in shown]
-        plots += [partial(_energy, run=run), partial(_tip, run=run)]
-        views = (_path, *(partial(_view, across=x, up=y) for x, y in ("xy", "xz")))[: COLUMNS - len(plots) % COLUMNS]
-        rows = (len(plots) + len(views)) // COLUMNS
-        out = Figure(figsize=(COLUMNS * PANEL[0], rows * PANEL[1] + 0.6), layout="constrained")
-        FigureCanvasAgg(out)
-        for k, paint in enumerate(plots):
-            paint(out.add_subplot(rows, COLUMNS, k + 1))
-        for k, paint in enumerate(views, len(plots) + 1):
-            paint(out.add_subplot(rows, COLUMNS, k, projection=None if k > len(plots) + 1 else "3d"), run=run)
-        _headline(out, run, silent)
-        if n > len(PALETTE):
-            _scale(out, n)
-        return out
+@styled
+def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
+    """The figure of a run; what is zero throughout is said, not drawn.
+
+    `model`: that of the run, to draw the arm. `controller`: its set points (`reference(t)`) and torque limits
+    (`tau_max`) are drawn where it states them.
+    """
+    shown, silent = sift(panels(run, controller))
+    below = max(len(shown) - SPACE[0], 0)
+    rows = SPACE[0] + -(-below // COLUMNS)
+    out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run, silent))
+    grid = out.add_gridspec(rows, GRID)
+    cells = [grid[row, SPACE[1] :] for row in range(SPACE[0])] + filled(grid, below, COLUMNS, SPACE[0])
+    for panel, cell in zip(shown, cells, strict=False):
+        _curves(out.add_subplot(cell), panel, run.t)
+    space = grid[: SPACE[0], : SPACE[1] if shown else GRID].subgridspec(2, 1, height_ratios=(8, 1))
+    room = look.rooms(out, [space[0]])
+    _key(out.add_subplot(space[1]), run, shown, model is not None)
+    if run.wrench.shape[1] > len(PALETTE):
+        _links(out, run.wrench.shape[1])
+    for axes in look.into_space(out, room):
+        _space(axes, run, model)
+    return out
 
 
-def save(run: Run, path: str | os.PathLike[str]) -> None:
-    """Write the figure as a .png file, the same bytes every time; raises UsageError."""
+def save(run: Run, path: str | os.PathLike[str], model: Model | None = None, controller: Any = None) -> None:
+    """Write the figure as a .png file, the same bytes every time; arguments as of `figure`. Raises UsageError."""
     check_output(path, (".png",))
     with outputs(path) as (stream,):
-        stream.write(png(run))
+        stream.write(png(run, model, controller))
 
 
-def png(run: Run) -> bytes:
-    """The figure as PNG, without date or version."""
-    stream = io.BytesIO()
-    with rc_context(LOOK):
-        figure(run).savefig(stream, format="png", dpi=150, metadata={"Software": None})
-    return stream.getvalue()
+def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
+    """The figure as PNG, without date or version; arguments as of `figure`."""
+    return look.png(figure(run, model, controller))
 
 
 # ------------------------------------------------------------------------------ what is shown
 
 
-def panels(run: Run) -> list[Panel]:
-    """The panels over time, link by link within each; a label lacks its unit, which depends on the size."""
-    links = link_names(run)
-    q, tau = partial(_lines, run.q, run.q_names, links), partial(_lines, run.tau, run.tau_names, links)
+def panels(run: Run, controller: Any = None) -> list[Panel]:
+    """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
+    q, norms = partial(_lines, run, run.q, run.q_names), partial(_norms, run)
+    kinetic, potential = run.energy.T
+    energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
+    energy.append(Line(kinetic + potential, INK, "--", "total"))
+    angles = _with(q(".joint["), "goal", _goals(run, controller))
+    torques = _with(_lines(run, run.tau, run.tau_names, ".torque["), "bound", _bounds(controller))
+    place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
-        Panel("Joint angles", "q", "rad", q(".joint[")),
-        Panel("Joint torques", "τ", "N·m", tau(".torque[")),
+        Panel("Joint angles", "q", "rad", angles),
+        Panel("Joint torques", "τ", "N·m", torques),
         Panel("Bending in y", "η", "m", q(".eta.bending_y[")),
         Panel("Bending in z", "η", "m", q(".eta.bending_z[")),
         Panel("Axial modes", "η", "m", q(".eta.axial[")),
         Panel("Torsion modes", "η", "rad", q(".eta.torsion[")),
-        Panel("Joint forces", "|F|", "N", _norms(run.wrench[:, :, 3:], links)),
-        Panel("Joint moments", "|τ|", "N·m", _norms(run.wrench[:, :, :3], links)),
+        Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
+        Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
+        Panel("Energy", "E", "J", energy),
+        Panel("Tip position, inertial frame", "r", "m", place),
     ]
 
 
@@ -144,135 +139,128 @@ def link_names(run: Run) -> list[str]:
     return [name.rpartition(".")[0] for name in run.wrench_names[::6]]
 
 
-def _lines(values: np.ndarray, names: tuple[str, ...], links: list[str], part: str) -> list[Line]:
-    """The columns whose name has `part` after the link's; a number where a link has several."""
-    found = [
-        (k, links.index(name[: name.index(part)]), int(name[name.rindex("[") + 1 : -1]))
-        for k, name in enumerate(names)
-        if part in name
-    ]
-    several = {link for _, link, member in found if member}
-    return [
-        Line(f"{links[link]} {member + 1}" if link in several else links[link], values[:, k], link, member)
-        for k, link, member in found
-    ]
-
-
-def _norms(vectors: np.ndarray, links: list[str]) -> list[Line]:
-    return [Line(name, np.linalg.norm(vectors[:, i], axis=1), i) for i, name in enumerate(links)]
-
-
-# ------------------------------------------------------------------------------ how it is drawn
-
-
-def _headline(out: Figure, run: Run, silent: list[str]) -> None:
-    note = f"   (zero throughout: {', '.join(silent)})" if silent else ""
-    out.suptitle(f"{run.name}: {run.t[-1]:g} s in {len(run.t) - 1} steps{note}", fontsize=12, fontweight="bold")
-
-
-def _curves(axes: Axes, panel: Panel, run: Run) -> None:
-    scale, unit = prefixed(panel.largest, panel.unit)
-    for line in panel.lines:
-        style, shade = STYLES[line.member % len(STYLES)], color(line.link, run.wrench.shape[1])
-        axes.plot(thin(run.t), scale * thin(line.values), style, color=shade, label=line.label)
-    _finish(axes, panel.title, f"{panel.symbol} ({unit})")
-    if run.wrench.shape[1] <= len(PALETTE):
-        _legend(axes)
-
-
-def prefixed(size: float, unit: str) -> tuple[float, str]:
-    """The factor and the unit in which a small quantity is written: mm, µm, mrad."""
-    power = 0 if size >= 0.05 else 3 if size >= 5e-5 else 6
-    return (1.0, unit) if unit not in ("m", "rad") else (10.0**power, {0: "", 3: "m", 6: "µ"}[power] + unit)
-
-
 def color(link: int, n: int) -> tuple | str:
     """The colour of a link: by name while there are few, on a scale from base to tip when there are many."""
     return PALETTE[link % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * link / (n - 1))
 
 
-def thin(values: np.ndarray) -> np.ndarray:
-    """At most `MOST_POINTS` of the samples, evenly, the last one among them."""
-    count = min(len(values), MOST_POINTS)
-    return values[np.linspace(0, len(values) - 1, count).round().astype(int)]
+def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
+    """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link."""
+    links = link_names(run)
+    found = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
+    return [
+        Line(values[:, k], color(links.index(link), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
+        for k, link, member in found
+    ]
 
 
-def _finish(axes: Axes, title: str, label: str) -> None:
-    axes.set_title(title)
-    axes.set_xlabel("t (s)")
-    axes.set_ylabel(label)
-    axes.margins(x=0)
+def _norms(run: Run, part: slice) -> list[Line]:
+    n = run.wrench.shape[1]
+    return [Line(np.linalg.norm(run.wrench[:, i, part], axis=1), color(i, n)) for i in range(n)]
 
 
-def _legend(axes: Axes) -> None:
-    """A legend; of many lines, one entry a link."""
-    handles, labels = axes.get_legend_handles_labels()
-    if len(labels) > MOST_IN_LEGEND:
-        entries = {label.rpartition(" ")[0] or label: handle for handle, label in zip(handles, labels, strict=True)}
-        handles, labels = list(entries.values()), list(entries)
-    columns = 1 if len(labels) <= 4 else 2
-    axes.legend(handles, labels, loc="best", ncols=columns, handlelength=1.8, borderpad=0.3, labelspacing=0.3)
+def _with(lines: list[Line], field: str, values: np.ndarray | None) -> list[Line]:
+    """The lines with a field each from `values`, where there are any."""
+    if values is None or len(values) != len(lines):
+        return lines
+    return [line._replace(**{field: value}) for line, value in zip(lines, values, strict=True)]
 
 
-def _scale(out: Figure, n: int) -> None:
+def _goals(run: Run, controller: Any) -> np.ndarray | None:
+    """The set points (n_joints, N), rad, of a controller that states them."""
+    law = started(controller, run.q[0])
+    if not hasattr(law, "reference"):
+        return None
+    times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
+    return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
+
+
+def _bounds(controller: Any) -> np.ndarray | None:
+    """The torque limits (n_joints,), N·m, of a controller that states them."""
+    bounds = getattr(controller, "tau_max", None)
+    return None if bounds is None else np.array(bounds, float)
+
+
+# ------------------------------------------------------------------------------ how it is drawn
+
+
+def _headline(run: Run, silent: list[str]) -> str:
+    note = f"   (zero throughout: {', '.join(silent)})" if silent else ""
+    return f"{run.name}: {run.t[-1]:g} s in {len(run.t) - 1} steps{note}"
+
+
+def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
+    goals = [line.goal for line in panel.lines if line.goal is not None]
+    bounds = [line.bound for line in panel.lines if line.bound is not None]
+    fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds)
+    for line in panel.lines:
+        for values, options in ((line.goal, GOAL), (line.values, {"linestyle": line.style, "label": line.label})):
+            if values is not None:
+                x, y = thin(t, values)
+                axes.plot(x, fitted.factor * y, color=line.color, **options)
+        if line.bound is not None:
+            for sign in (-1, 1):
+                axes.axhline(sign * fitted.factor * line.bound, color=line.color, **BOUND)
+    over_time(axes, t, panel.title, f"{panel.symbol} ({fitted.unit})", fitted)
+    legend_above(axes)
+
+
+def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
+    """What colours and styles mean, for all panels, in a strip of its own."""
+    links, lines = link_names(run), [line for panel in shown for line in panel.lines if line.label is None]
+    n, every = len(links), (run.t[-1] - run.t[0]) / (POSTURES - 1)
+    entries = [(name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)]
+    for style, word in zip(STYLES[1:], ("second", "third", "fourth"), strict=True):
+        if any(line.style == style for line in lines):
+            entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
+    if any(line.goal is not None for line in lines):
+        entries.append(("set point", GOAL))
+    if any(line.bound is not None for line in lines):
+        entries.append(("torque limit", BOUND))
+    entries.append(("path of the tip", PATH))
+    entries += [(name, MARK | dict(color=shade)) for name, shade in (("its start", START), ("its end", END))]
+    if arm:
+        entries.append((f"the arm before, every {every:.3g} s", EARLIER))
+    handles = [Line2D([], [], label=name, **{"color": GREY} | style) for name, style in entries]
+    axes.axis("off")
+    fitted_legend(axes, handles, 0.95 * SPACE[1] / GRID * axes.figure.bbox.width, loc="center")
+
+
+def _links(out: Figure, n: int) -> None:
     """The link's number as a colour bar."""
     shades = ScalarMappable(Normalize(1, n), colormaps["viridis"])
-    out.colorbar(shades, ax=out.axes, label="link, from base to tip", ticks=_ticks(n), pad=0.01, aspect=60)
+    ticks = sorted({round(x) for x in np.linspace(1, n, 6)})
+    out.colorbar(shades, ax=out.axes, label="link, from base to tip", ticks=ticks, pad=0.01, aspect=60)
 
 
-def _ticks(n: int) -> list[int]:
-    return sorted({round(x) for x in np.linspace(1, n, 6)})
+def _space(axes: Axes, run: Run, model: Model | None) -> None:
+    """The arm in some postures and the path of its tip, true to scale; without a model the path alone."""
+    path = run.tip_position[np.linspace(0, len(run.t) - 1, min(len(run.t), 2000)).round().astype(int)]
+    axes.plot(*path.T, **PATH)
+    for place, shade in ((path[:1], START), (path[-1:], END)):
+        axes.plot(*place.T, color=shade, zorder=5, **MARK)
+    points = [path]
+    if model is not None:
+        rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
+        postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
+        _arm(axes, postures)
+        points.append(postures.reshape(-1, 3))
+    points = np.concatenate(points)
+    _, size, direction = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])
+    axes.view_init(elev=elevation, azim=azimuth)
+    what = "The path of the tip" if model is None else "The arm and the path of its tip"
+    look.fit(axes, points, f"{what}, true to scale")
 
 
-def _energy(axes: Axes, run: Run) -> None:
-    kinetic, potential = run.energy.T
-    for label, values, shade, style in (
-        ("kinetic", kinetic, PALETTE[0], "-"),
-        ("potential", potential, PALETTE[1], "-"),
-        ("total", kinetic + potential, "#1a202c", "--"),
-    ):
-        axes.plot(thin(run.t), thin(values), style, color=shade, label=label)
-    _finish(axes, "Energy", "E (J)")
-    _legend(axes)
-
-
-def _tip(axes: Axes, run: Run) -> None:
-    for name, values, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False):
-        axes.plot(thin(run.t), thin(values), color=shade, label=name)
-    _finish(axes, "Tip position, inertial frame", "r (m)")
-    _legend(axes)
-
-
-def equal_scales(axes: Axes, points: np.ndarray, label_pad: float, tick_pad: float, size: float, zoom: float) -> None:
-    """Axes in space about points (N, 3), m, with the same scale in all directions; pads and size in points."""
-    reach = max(float(np.ptp(points, axis=0).max()) / 2, 1e-3)
-    for name, centre in zip("xyz", (points.max(0) + points.min(0)) / 2, strict=True):
-        getattr(axes, f"set_{name}lim")(centre - reach, centre + reach)
-        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=label_pad)
-        getattr(axes, f"{name}axis").set_major_locator(MaxNLocator(4))
-        getattr(axes, f"{name}axis").set_pane_color("#f7fafc")
-    axes.tick_params(pad=tick_pad, labelsize=size)
-    axes.set_box_aspect((1, 1, 1), zoom=zoom)
-
-
-def _path(axes: Axes, run: Run) -> None:
-    """The tip's path in space, its start marked, equal scales on all axes."""
-    place = thin(run.tip_position)
-    axes.plot(*place.T, color=PALETTE[0])
-    axes.scatter(*place[0], color=PALETTE[2], s=22, label="start", depthshade=False)
-    axes.scatter(*place[-1], color=PALETTE[3], s=22, label="end", depthshade=False)
-    equal_scales(axes, place, label_pad=-2, tick_pad=-1, size=7.5, zoom=0.92)
-    axes.set_title("Tip path")
-    axes.legend(loc="upper right", borderpad=0.3)
-
-
-def _view(axes: Axes, run: Run, across: str, up: str) -> None:
-    """The tip's path on a plane of the inertial frame, equal scales on both axes."""
-    place = thin(run.tip_position)[:, ["xyz".index(across), "xyz".index(up)]]
-    axes.plot(*place.T, color=PALETTE[0])
-    axes.plot(*place[0], "o", color=PALETTE[2], markersize=5, label="start")
-    axes.plot(*place[-1], "o", color=PALETTE[3], markersize=5, label="end")
-    axes.set(xlabel=f"{across} (m)", ylabel=f"{up} (m)", title=f"Tip path on the {across}-{up} plane")
-    axes.margins(0.12)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.legend(loc="best", borderpad=0.3)
+def _arm(axes: Axes, postures: np.ndarray) -> None:
+    """Postures (K, n, stations, 3): the earlier ones pale, the last one link by link in their colours."""
+    n = postures.shape[1]
+    for links in postures[:-1]:
+        axes.plot(*links.reshape(-1, 3).T, **EARLIER)
+        axes.plot(*links[:, 0].T, "o", color=PALE, markersize=3)
+    for i, link in enumerate(postures[-1]):
+        end = postures[-1, i + 1, :1] if i + 1 < n else link[-1:]
+        axes.plot(*np.concatenate([link, end]).T, color=color(i, n), linewidth=2.4)
+        axes.plot(*link[:1].T, "o", color=color(i, n), markersize=4.5)
+    axes.plot(*postures[0, 0, :1].T, "s", color=INK, markersize=7)

@@ -6,82 +6,93 @@ from collections.abc import Callable
 
 import numpy as np
 
+from screwgen.curves import NOTHING
+from screwgen.look import GREY, PALETTE
 from screwgen.motion import modal_columns, screws, tip_deformation, tip_position
-from screwgen.plot import GREY, PALETTE
 
 from .figures_of_vibration import divergence, fields, spectra
 from .sheet import Sheet, xyz
 from .task import Results, reference
 
 BLUE, ORANGE = PALETTE[:2]
+WIDE = (3.6, 2.9)
+"""Inches: a panel of three in a row."""
 JOINTS = ("θ$_{y1}$", "θ$_{z1}$", "θ$_{z2}$")
 
 
 def coordinates(r: Results) -> Sheet:
-    found, t = screws(r.arm.axial, r.run.q, r.run.v), r.run.t
-    out = Sheet(2, 2, "Coordinates of both links in body-fixed components")
-    for i in range(2):
-        out.curves(f"position of link {i + 1}", t, xyz(found.r[:, i], "r"), f"r$_{i + 1}$ (m)")
-        out.curves(f"exponential coordinates of link {i + 1}", t, xyz(found.theta[:, i], "θ"), f"θ$_{i + 1}$ (rad)")
-    return out
+    found = screws(r.arm.axial, r.run.q, r.run.v)
+    rows = (("position", found.r, "r", "m"), ("exponential coordinates", found.theta, "θ", "rad"))
+    return links("Coordinates of both links in body-fixed components", r.run.t, rows)
 
 
 def twists(r: Results) -> Sheet:
-    found, t = screws(r.arm.axial, r.run.q, r.run.v), r.run.t
-    out = Sheet(2, 2, "Twists of both links in body-fixed components")
-    for i in range(2):
-        out.curves(f"velocity of link {i + 1}", t, xyz(found.v[:, i], "v"), f"v$_{i + 1}$ (m/s)")
-        out.curves(f"angular velocity of link {i + 1}", t, xyz(found.omega[:, i], "ω"), f"ω$_{i + 1}$ (rad/s)")
+    found = screws(r.arm.axial, r.run.q, r.run.v)
+    rows = (("velocity", found.v, "v", "m/s"), ("angular velocity", found.omega, "ω", "rad/s"))
+    return links("Twists of both links in body-fixed components", r.run.t, rows)
+
+
+def links(title: str, t: np.ndarray, rows: tuple) -> Sheet:
+    """Vectors (N, links, 3) link by link, each a name, values, symbol and unit; what is zero throughout is said."""
+    panels = [(f"{name} of link {i + 1}", x[:, i], s, i, unit) for i in range(2) for name, x, s, unit in rows]
+    silent = [name for name, x, *_ in panels if np.abs(x).max() <= NOTHING]
+    shown = [panel for panel in panels if panel[0] not in silent]
+    note = f"   (zero throughout: {', '.join(silent)})" if silent else ""
+    out = Sheet(-(-len(shown) // 2), 2, title + note) if len(shown) > 3 else Sheet(1, len(shown), title + note)
+    for name, x, symbol, i, unit in shown:
+        out.legend(out.curves(name, t, xyz(x, symbol), f"{symbol}$_{i + 1}$", unit))
     return out
 
 
 def joint_angles(r: Results) -> Sheet:
-    out, wanted = Sheet(1, 3, "Joint angles under PD torques", (3.6, 2.9)), reference(r.arm, r.run.t)
+    out, wanted = Sheet(1, 3, "Joint angles under PD torques", WIDE), reference(r.arm, r.run.t)
     for k, name in enumerate(JOINTS):
         curves = [("flexible arm", r.run.q[:, k], BLUE, "-"), ("reference", wanted[:, k], ORANGE, "--")]
-        out.curves(name, r.run.t, curves, f"{name} (rad)")
+        out.curves(name, r.run.t, curves, name, "rad")
+    out.legend()
     return out
 
 
 def end_point(r: Results) -> Sheet:
-    model, out = r.arm.axial, Sheet(1, 3, "End-point position, inertial frame", (3.6, 2.9))
+    model, out = r.arm.axial, Sheet(1, 3, "End-point position, inertial frame", WIDE)
     q = np.zeros_like(r.run.q)
     q[:, :3] = reference(r.arm, r.run.t)
     wanted = tip_position(model, q)
     for k, name in enumerate("xyz"):
         curves = [("flexible arm", r.run.tip_position[:, k], BLUE, "-")]
         curves += [("straight links at the reference", wanted[:, k], ORANGE, "--")]
-        out.curves(f"{name}$_E$", r.run.t, curves, f"{name}$_E$ (m)")
+        out.curves(f"{name}$_E$", r.run.t, curves, f"{name}$_E$", "m")
+    out.legend()
     return out
 
 
 def deformation(r: Results) -> Sheet:
-    out, found = Sheet(1, 3, "End-point deformation, inertial components", (3.6, 2.9)), tip_deformation
-    values = 1e3 * found(r.arm.axial, r.run.q)
+    out, values = Sheet(1, 3, "End-point deformation, inertial components", WIDE), tip_deformation(r.arm.axial, r.run.q)
     for k, name in enumerate("xyz"):
         title = f"{name}$_{{ξE}}$"
-        out.curves(title, r.run.t, [(None, values[:, k], PALETTE[k], "-")], f"{title} (mm)", legend=False)
+        out.curves(title, r.run.t, [(None, values[:, k], PALETTE[k], "-")], title, "m")
     return out
 
 
 def modal(r: Results) -> Sheet:
-    model, out = r.arm.axial, Sheet(1, 3, "Modal coordinates of both links", (3.6, 2.9))
-    scales = {"axial": (1e6, "µm", "x"), "bending_y": (1e3, "mm", "y"), "bending_z": (1e3, "mm", "z")}
-    for direction, (scale, unit, axis) in scales.items():
-        columns = [modal_columns(model, i, direction)[0] for i in range(2)]
+    model, out = r.arm.axial, Sheet(1, 3, "Modal coordinates of both links", WIDE)
+    for direction, axis in (("axial", "x"), ("bending_y", "y"), ("bending_z", "z")):
+        columns = [modal_columns(model, i, direction) for i in range(2)]
         curves = [
-            (f"link {i + 1}", scale * r.run.q[:, c], shade, style)
-            for i, (c, shade, style) in enumerate(zip(columns, (BLUE, ORANGE), ("-", "--"), strict=True))
+            (f"link {i + 1}, mode {j + 1}", r.run.q[:, c], PALETTE[2 * j + i], ("-", "--")[i])
+            for i in range(2)
+            for j, c in enumerate(columns[i])
         ]
-        out.curves(f"η$_{axis}$", r.run.t, curves, f"η$_{axis}$ ({unit})")
+        out.legend(out.curves(f"η$_{axis}$", r.run.t, curves, f"η$_{axis}$", "m"))
     return out
 
 
 def torques(r: Results) -> Sheet:
-    out = Sheet(1, 3, "Joint torques, and those of the rigid arm under the same PD law", (3.6, 2.9))
+    out = Sheet(1, 3, "Joint torques, and those of the rigid arm under the same PD law", WIDE)
     for k, name in enumerate(("τ$_{y1}$", "τ$_{z1}$", "τ$_{z2}$")):
         curves = [("flexible arm", r.run.tau[:, k], BLUE, "-"), ("rigid links", r.rigid.tau[:, k], ORANGE, "--")]
-        out.curves(name, r.run.t, curves, f"{name} (N·m)")
+        out.curves(name, r.run.t, curves, name, "N·m")
+    out.legend()
     return out
 
 
@@ -93,8 +104,8 @@ def wrench(r: Results, joint: int) -> Sheet:
             name, values = f"{symbol}$_{{{joint}{axis}}}$", r.run.wrench[:, joint, start + k]
             curves = [("flexible arm", values, BLUE, "-")]
             curves += [("rigid links", r.rigid.wrench[:, joint, start + k], ORANGE, "--")]
-            panel = out.curves(name, r.run.t, curves, f"{name} ({unit})", legend=start == 3 and k == 0)
-            panel.axhline(0, color=GREY, linewidth=0.6)
+            out.curves(name, r.run.t, curves, name, unit).axhline(0, color=GREY, linewidth=0.6)
+    out.legend()
     return out
 
 

@@ -1,19 +1,16 @@
-"""Sheets: figures of several panels in the look of `screwgen.plot`, the same bytes every time."""
+"""Sheets: figures of several panels in the look of `screwgen.look`, the same bytes every time."""
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterable
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
-from screwgen.plot import GREY, LOOK, PALETTE, thin
+from screwgen import look
+from screwgen.curves import over_time, scale, thin
+from screwgen.look import PALETTE, canvas, legend_above, styled
 
 PANEL = (4.3, 2.7)
-LIMITS = dict(color=GREY, linewidth=0.9, linestyle=":")
 
 
 class Sheet:
@@ -21,40 +18,51 @@ class Sheet:
 
     def __init__(self, rows: int, columns: int, title: str, panel: tuple[float, float] = PANEL):
         self.rows, self.columns, self.count, self.panels = rows, columns, 0, 0
-        with rc_context(LOOK):
-            self.figure = Figure(figsize=(columns * panel[0], rows * panel[1] + 0.45), layout="constrained")
-            FigureCanvasAgg(self.figure)
-            self.figure.suptitle(title, fontsize=12, fontweight="bold")
+        self.figure = canvas(columns * panel[0], rows * panel[1] + 0.45, title)
 
+    @styled
     def axes(self, title: str, xlabel: str = "t (s)", ylabel: str = "", span: int = 1):
         """The next panel, over `span` columns, marked (a), (b), …"""
         first, self.count = self.count + 1, self.count + span
-        with rc_context(LOOK):
-            out = self.figure.add_subplot(self.rows, self.columns, (first, self.count))
-            out.set_title(f"({'abcdefgh'[self.panels]})  {title}")
-            out.set(xlabel=xlabel, ylabel=ylabel)
-            self.panels += 1
+        out = self.figure.add_subplot(self.rows, self.columns, (first, self.count))
+        out.set_title(self.marked(title))
+        out.set(xlabel=xlabel, ylabel=ylabel)
+        self.panels += 1
         return out
 
-    def curves(self, title: str, t: np.ndarray, curves: Iterable, ylabel: str, legend: bool = True, **options):
-        """A panel of curves over time: each a label, values, colour and style; `None` as label: not in the legend."""
-        out = self.axes(title, ylabel=ylabel, **options)
-        with rc_context(LOOK):
-            for label, values, color, style in curves:
-                out.plot(thin(t), thin(values), style, color=color, label=label)
-            out.margins(x=0)
-            if legend:
-                out.legend(loc="best", handlelength=2.0, borderpad=0.3, labelspacing=0.3)
+    def marked(self, title: str) -> str:
+        """The title of the next panel with its letter."""
+        return f"({'abcdefgh'[self.panels]})  {title}"
+
+    @styled
+    def curves(self, title: str, t: np.ndarray, curves: Iterable, ylabel: str, unit: str):
+        """A panel of curves over time: each a label, values in SI units, colour and style; a label of None: no entry.
+
+        `ylabel` and `unit` name the quantity and its SI unit; the panel shows it in the unit that suits its size.
+        """
+        curves, full = list(curves), self.marked(title)
+        fitted = scale(t, [values for _, values, *_ in curves], unit)
+        out = self.axes(title)
+        for label, values, color, style in curves:
+            x, y = thin(t, values)
+            out.plot(x, fitted.factor * y, style, color=color, label=label)
+        over_time(out, t, full, f"{ylabel} ({fitted.unit})", fitted)
         return out
+
+    @styled
+    def legend(self, panel=None) -> None:
+        """The legend of a panel above it; without one, that of the first panel below the figure, for all of them."""
+        if panel is not None:
+            legend_above(panel)
+        else:
+            handles, _ = self.figure.axes[0].get_legend_handles_labels()
+            look.fitted_legend(self.figure, handles, 0.95 * self.figure.bbox.width, loc="outside lower center")
 
     def png(self, dpi: int) -> bytes:
-        stream = io.BytesIO()
-        with rc_context(LOOK):
-            self.figure.savefig(stream, format="png", dpi=dpi, metadata={"Software": None})
-        return stream.getvalue()
+        return look.png(self.figure, dpi)
 
 
-def xyz(values: np.ndarray, names: str, scale: float = 1.0) -> list:
+def xyz(values: np.ndarray, names: str) -> list:
     """Three components as curves."""
     labels = [f"{names}$_{k}$" for k in "xyz"]
-    return [(label, scale * x, shade, "-") for label, x, shade in zip(labels, values.T, PALETTE, strict=False)]
+    return [(label, x, shade, "-") for label, x, shade in zip(labels, values.T, PALETTE, strict=False)]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from ella.sheet import LIMITS, Sheet
+from ella.sheet import Sheet
 
-from screwgen.plot import GREY, PALETTE
+from screwgen.look import GREY, LIMITS, PALETTE, styled
 
 from .arms import LIMIT, STEP
 from .ocp import Form
@@ -39,6 +39,7 @@ def draw(r: Results) -> dict[str, bytes]:
     return {name: sheet.png(r.extent.dpi) for name, sheet in sheets.items()}
 
 
+@styled
 def settling_times(r: Results) -> Sheet:
     """Settling time against band, about the goal and about the own rest."""
     out = Sheet(1, 2, "When the tip has settled within a band, payload 30 % heavier")
@@ -55,11 +56,11 @@ def settling_times(r: Results) -> Sheet:
         panel.set(xscale="log", ylim=(0.0, 2.7), xlim=(1, 40))
         panel.set_xticks([1, 2, 5, 10, 20, 40], labels=["1", "2", "5", "10", "20", "40"])
         panel.minorticks_off()
-        if not own:
-            panel.legend(loc="upper center", fontsize=7, ncol=2)
+    out.legend()
     return out
 
 
+@styled
 def closed_loop(r: Results) -> Sheet:
     out, shown = Sheet(2, 2, "Point to point, payload 30 % heavier than designed for"), ("mpc", "pd", "told", "plan")
     end = len(r.motions["pd"].tip) * STEP
@@ -70,7 +71,7 @@ def closed_loop(r: Results) -> Sheet:
         panel.plot(STEP * np.arange(len(tip)), away, style, color=color, label=SHORT[name], linewidth=1.1)
     panel.axhline(1e3 * BANDS[BAND], **LIMITS)
     panel.set(yscale="log", ylim=(0.3, 3000), xlim=(0, min(end, 1.8)))
-    panel.legend(loc="upper right", fontsize=7)
+    out.legend()
     for k, name in enumerate(("θ$_{y1}$", "θ$_{z1}$", "θ$_{z2}$")):
         panel = out.axes(f"torque of {name}", ylabel="τ (N·m)")
         for which in ("mpc", "told"):
@@ -79,10 +80,10 @@ def closed_loop(r: Results) -> Sheet:
         for limit in (-LIMIT[k], LIMIT[k]):
             panel.axhline(limit, **LIMITS)
         panel.set_xlim(0, min(end, 1.8))
-        panel.legend(loc="upper right", fontsize=7)
     return out
 
 
+@styled
 def solves(r: Results) -> Sheet:
     out, h = Sheet(1, 2, "Solves of the receding horizon"), Form().h
     t = h * np.arange(len(r.solutions))
@@ -96,12 +97,14 @@ def solves(r: Results) -> Sheet:
     return out
 
 
+@styled
 def moment(r: Results) -> Sheet:
     out = Sheet(1, 1, "Bending moment at the elbow in the plant", (6.4, 3.2))
     t = np.arange(len(r.wrench[0][2])) * STEP
     names = ("plan without bound", "plan on the DAE form, moment bounded")
     curves = [(n, m, c, "-") for n, (_, _, m), c in zip(names, r.wrench, (ORANGE, BLUE), strict=True)]
-    panel = out.curves(COMPONENT, t, curves, "N·m")
+    panel = out.curves("", t, curves, COMPONENT, "N·m")
     for bound in (-BOUND, BOUND):
-        panel.axhline(bound, color=GREY, linestyle=":", linewidth=0.9)
+        panel.axhline(bound, **LIMITS)
+    out.legend()
     return out

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib import rc_context
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from ..plot import GREY, LOOK, PALETTE
+from .. import look
+from ..look import GREY, PALETTE, canvas, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,25 +32,21 @@ MOST_LINES = 40
 
 def png(s: Structure, name: str) -> bytes:
     """The picture as PNG, the same bytes every time, without date or version; `name` is the robot's."""
-    stream = io.BytesIO()
-    with rc_context(LOOK):
-        figure(s, name).savefig(stream, format="png", dpi=150, metadata={"Software": None})
-    return stream.getvalue()
+    return look.png(figure(s, name))
 
 
+@styled
 def figure(s: Structure, name: str) -> Figure:
     """The figure: rows downwards, a pixel block per entry."""
-    with rc_context(LOOK | {"axes.grid": False, "axes.spines.top": True, "axes.spines.right": True}):
-        out = Figure(figsize=(SIZE, SIZE + 0.9), layout="constrained")
-        FigureCanvasAgg(out)
+    text = rf"$\mathbf{{M}}_{{sys}}$ of {name}: {s.nonzeros} of {s.size} × {s.size} entries ({100 * s.fill:.1f} %)"
+    out = canvas(SIZE, SIZE + 0.9, text)
+    with rc_context({"axes.grid": False, "axes.spines.top": True, "axes.spines.right": True}):
         axes = out.add_subplot()
-        _entries(axes, s)
-        _frame(axes, s)
-        used = [kind for kind in MEANINGS if kind in s.kinds]
-        handles = [Patch(color=PALETTE[list(MEANINGS).index(kind)], label=MEANINGS[kind]) for kind in used]
-        out.legend(handles=handles, loc="outside lower center", ncols=2, handlelength=1.0, handleheight=1.0)
-        text = f"{name}: {s.nonzeros} of {s.size} × {s.size} entries ({100 * s.fill:.1f} %)"
-        out.suptitle(rf"$\mathbf{{M}}_{{sys}}$ of {text}", fontsize=11)
+    _entries(axes, s)
+    _frame(axes, s)
+    used = [kind for kind in MEANINGS if kind in s.kinds]
+    handles = [Patch(color=PALETTE[list(MEANINGS).index(kind)], label=MEANINGS[kind]) for kind in used]
+    out.legend(handles=handles, loc="outside lower center", ncols=2, handlelength=1.0, handleheight=1.0)
     return out
 
 

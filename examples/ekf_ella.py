@@ -20,7 +20,7 @@ from screwgen import PD, Model, Robot
 from screwgen.chain.gauges import gauges
 from screwgen.estimator import CompiledEstimator, Noise
 from screwgen.integrate import JointStepper
-from screwgen.look import INK, PALETTE, legend_above, name_ends
+from screwgen.look import INK, PALETTE, name_ends, styled
 from screwgen.motion import tip_deformation
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -35,8 +35,8 @@ ENCODER, STRAIN, ACCELERATION = 1e-4, 2e-6, 0.1
 BELIEVED = 5.0
 """m/s²: what the filter is told of the accelerometer; its own stiffness error moves the acceleration by so much."""
 LAW = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), (-0.4928, 0.6922, 0.4270), duration=1.7, q_start=(0.0,) * 3)
-WINDOW = 51
-"""Samples: what the picture averages noise over."""
+FINE, COARSE = 15, 51
+"""Samples that the picture averages estimates and squared errors over."""
 LIMIT = 0.1
 """The filter's error over the open-loop model's, at most."""
 
@@ -196,23 +196,26 @@ def report(truth, curves, errors) -> None:
         print(f"{name:41} {1e3 * errors[name]:8.3f} mm {1e3 * largest:8.3f} mm {part:12.1%}")
 
 
+@styled
 def draw(truth, curves) -> None:
     """The plant as a broad band with the smoothed estimates on it, their noise pale behind; below, the errors."""
     t, above = STEP * np.arange(1, len(truth) + 1), ("open-loop model", "encoders", "encoders, base strain")
     colors = dict(zip(curves, (PALETTE[3], PALETTE[1], PALETTE[4], PALETTE[0], PALETTE[2]), strict=True))
-    out = Sheet(2, 1, f"Tip deflection of ELLA, the plant with {SOFTER:.0%} of the model's stiffness", (9.0, 3.4))
-    panel = out.axes("vertical deflection of the tip", ylabel="deflection (mm)")
-    panel.plot(t, 1e3 * truth[:, 2], color=INK, linewidth=6, alpha=0.25, label="plant")
+    heading = f"Tip deflection of ELLA, the plant with {100 * SOFTER:.0f} % of the model's stiffness"
+    out = Sheet(2, 1, heading, (9.0, 3.4))
+    title = f"vertical deflection of the tip, estimates as means over {1e3 * FINE * STEP:.0f} ms"
+    panel = out.axes(title, ylabel="deflection (mm)")
+    lines = panel.plot(t, 1e3 * truth[:, 2], color=INK, linewidth=6, alpha=0.25, label="plant")
     for name in above:
-        noisy, smooth = 1e3 * curves[name][:, 2], 1e3 * smoothed(curves[name][:, 2])
+        noisy, smooth = 1e3 * curves[name][:, 2], 1e3 * smoothed(curves[name][:, 2], FINE)
         panel.plot(t, noisy, color=colors[name], linewidth=0.5, alpha=0.25)
-        panel.plot(t, smooth, color=colors[name], label=name)
+        lines += panel.plot(t, smooth, color=colors[name], label=name)
     panel.set_xlim(0, t[-1])
-    legend_above(panel)
-    panel = out.axes(f"error of the deflection, RMS over {1e3 * WINDOW * STEP:.0f} ms", ylabel="error (mm)")
+    name_ends(panel, lines)
+    panel = out.axes(f"error of the deflection, RMS over {1e3 * COARSE * STEP:.0f} ms", ylabel="error (mm)")
     lines = []
     for name, d in curves.items():
-        error = 1e3 * np.sqrt(smoothed(np.sum(np.square(d - truth), axis=1)))
+        error = 1e3 * np.sqrt(smoothed(np.sum(np.square(d - truth), axis=1), COARSE))
         lines += panel.semilogy(t, error, color=colors[name], label=name)
     panel.set_xlim(0, t[-1])
     panel.set_ylim(1e-2, 1e2)
@@ -222,9 +225,9 @@ def draw(truth, curves) -> None:
     print(f"\nplot: {PLOT.relative_to(ROOT)}")
 
 
-def smoothed(x: np.ndarray) -> np.ndarray:
-    """The mean (N,) over `WINDOW` samples about each; over fewer at the ends."""
-    ones = np.ones(min(WINDOW, len(x)))
+def smoothed(x: np.ndarray, window: int) -> np.ndarray:
+    """The mean (N,) over `window` samples about each; over fewer at the ends."""
+    ones = np.ones(min(window, len(x)))
     return np.convolve(x, ones, "same") / np.convolve(np.ones(len(x)), ones, "same")
 
 

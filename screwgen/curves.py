@@ -18,7 +18,7 @@ NOTHING = 1e-12
 MOST_POINTS = 4000
 TRANSIENT = 0.05
 """The share of a run that counts as its start."""
-SPOILT = 2.0
+SPOILT = 2.5
 """A start that takes this many times the scale of the rest is cut off."""
 FAINT = 1e-6
 """A rest that varies by less than this share of the whole is no reason to cut the start off."""
@@ -51,7 +51,7 @@ def thin(t: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def prefixed(size: float, unit: str) -> tuple[float, str]:
     """The factor to, and the name of, the unit that suits values up to `size` SI units: mm, kN, mrad."""
     power = 0
-    while power > -12 and size * 10.0**-power < 0.05:
+    while power > -12 and size * 10.0**-power < 0.2:
         power -= 3
     while power < 9 and size * 10.0**-power >= 2e4 and unit != "rad":
         power += 3
@@ -82,7 +82,8 @@ def _extent(t: np.ndarray, curves: Sequence[np.ndarray]) -> tuple[float, float, 
     low, high = ends(t > t[0] + TRANSIENT * (t[-1] - t[0]))
     if not FAINT * (most - least) < high - low < (most - least) / SPOILT:
         return least, most, None
-    low, high = low - 0.2 * (high - low), high + 0.2 * (high - low)
+    room = 0.2 * (high - low)
+    low, high = max(least, low - room), min(most, high + room)
     extremes = [(c[k], t[k]) for c in curves for k in (c.argmin(), c.argmax()) if not low <= c[k] <= high]
     return low, high, max(extremes, key=lambda x: abs(x[0]))
 

@@ -114,10 +114,11 @@ def legend_above(axes: Axes, columns: int | None = None) -> Legend | None:
     return axes.legend(handles, labels, ncols=columns or len(handles), **place)
 
 
-def legend_below(axes: Axes, columns: int) -> Legend:
+def legend_below(axes: Axes, columns: int, handles: Sequence | None = None) -> Legend:
     """The legend of axes under their label, where there is room for long entries."""
+    handles = axes.get_legend_handles_labels()[0] if handles is None else handles
     place = dict(loc="upper center", bbox_to_anchor=(0.5, 0.0), borderaxespad=4.5)
-    return axes.legend(ncols=columns, **place)
+    return axes.legend(handles=handles, ncols=columns, **place)
 
 
 def name_ends(axes: Axes, lines: Sequence[Line2D], gap: float = 0.075) -> None:

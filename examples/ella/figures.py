@@ -40,7 +40,8 @@ def links(title: str, t: np.ndarray, rows: tuple) -> Sheet:
     note = f"   (zero throughout: {', '.join(silent)})" if silent else ""
     out = Sheet(-(-len(shown) // 2), 2, title + note) if len(shown) > 3 else Sheet(1, len(shown), title + note)
     for name, x, symbol, i, unit in shown:
-        out.legend(out.curves(name, t, xyz(x, symbol), f"{symbol}$_{i + 1}$", unit))
+        out.curves(name, t, xyz(x), f"{symbol}$_{i + 1}$", unit)
+    out.legend()
     return out
 
 
@@ -83,7 +84,8 @@ def modal(r: Results) -> Sheet:
             for i in range(2)
             for j, c in enumerate(columns[i])
         ]
-        out.legend(out.curves(f"η$_{axis}$", r.run.t, curves, f"η$_{axis}$", "m"))
+        out.curves(f"η$_{axis}$", r.run.t, curves, f"η$_{axis}$", "m")
+    out.legend()
     return out
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from screwgen.look import GREY, INK, PALETTE, SMALL, legend_below, name_ends, styled
+from screwgen.look import GREY, INK, PALETTE, SMALL, legend_below, styled
 from screwgen.motion import displacements
 
 from .arm import MOVE
@@ -88,7 +88,7 @@ def divergence(r: Results) -> Sheet:
 
 
 def held_and_lost(r: Results, panel) -> None:
-    """The largest distance of the end points up to every instant; the methods are named where they end."""
+    """The largest distance of the end points up to every instant; those that are lost are named where they are."""
     held = []
     for k, (way, motion, distance) in enumerate(r.motions):
         t, away = motion.t[:: round(1e-3 / way.sample)][1:], 1e3 * np.maximum.accumulate(distance[1:])
@@ -102,7 +102,7 @@ def held_and_lost(r: Results, panel) -> None:
             panel.annotate(text, (end, MOST), (6, -4), **place)
     panel.set_xlim(1e-3, r.run.t[-1])
     panel.set_ylim(LEAST, MOST)
-    name_ends(panel, held)
+    legend_below(panel, 3, held)
 
 
 @styled
@@ -118,4 +118,4 @@ def grown(panel, rows, scale: float, until: float) -> None:
         panel.semilogy(scale * t, np.exp(row.predicted * t), "--", color=INK, linewidth=0.8)
     panel.plot([], [], "--", color=INK, linewidth=0.8, label="predicted")
     panel.margins(x=0)
-    legend_below(panel, 3 if len(rows) == 2 else 2)
+    legend_below(panel, 2)

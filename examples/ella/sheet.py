@@ -8,7 +8,7 @@ import numpy as np
 
 from screwgen import look
 from screwgen.curves import over_time, scale, thin
-from screwgen.look import PALETTE, canvas, legend_above, styled
+from screwgen.look import PALETTE, canvas, styled
 
 PANEL = (4.3, 2.7)
 
@@ -50,19 +50,16 @@ class Sheet:
         return out
 
     @styled
-    def legend(self, panel=None) -> None:
-        """The legend of a panel above it; without one, that of the first panel below the figure, for all of them."""
-        if panel is not None:
-            legend_above(panel)
-        else:
-            handles, _ = self.figure.axes[0].get_legend_handles_labels()
-            look.fitted_legend(self.figure, handles, 0.95 * self.figure.bbox.width, loc="outside lower center")
+    def legend(self) -> None:
+        """One legend for all panels, below them: every label once."""
+        found = [zip(*axes.get_legend_handles_labels()[::-1], strict=True) for axes in self.figure.axes]
+        handles = list({label: handle for pairs in found for label, handle in pairs}.values())
+        look.fitted_legend(self.figure, handles, 0.95 * self.figure.bbox.width, loc="outside lower center")
 
     def png(self, dpi: int) -> bytes:
         return look.png(self.figure, dpi)
 
 
-def xyz(values: np.ndarray, names: str) -> list:
+def xyz(values: np.ndarray) -> list:
     """Three components as curves."""
-    labels = [f"{names}$_{k}$" for k in "xyz"]
-    return [(label, x, shade, "-") for label, x, shade in zip(labels, values.T, PALETTE, strict=False)]
+    return [(name, x, shade, "-") for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]

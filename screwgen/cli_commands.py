@@ -145,7 +145,8 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
     M_eta, K, D = functions["modal_properties"](p)
-    force = K * s.q[model.n_joints :] + D * s.v[model.n_joints :]
+    own = slice(model.nq - model.chain.n_given, model.nq)
+    force = K * s.q[own] + D * s.v[own]
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T
 

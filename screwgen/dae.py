@@ -28,23 +28,34 @@ def _functions(model: Model) -> dict:
 
 
 class DaeDynamics:
-    """``xdot`` of the DAE form under held inputs, the modes' inertia and forces chosen by the method."""
+    """``xdot`` of the DAE form under held inputs; methods choose what acts within modes and sprung joints."""
 
     def __init__(self, model: Model, p: Sequence[float]):
         functions = _functions(model)
         self.p, n, r = np.array(p, float), model.n_links, model.nq - model.n_joints
         self.solve, self.projection = Evaluator(functions["dae_dynamics"]), Evaluator(functions["project"])
-        self.M_eta, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+        self.joint_rates = Evaluator(functions["joint_rates"]) if model.chain.sprung else None
+        self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
-        self.etadot = slice(13 * n + r, 13 * n + 2 * r)
+        self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
     def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
-        """``xdot`` at ``x`` with the modal forces that it leads to ``h`` after ``start``."""
-        origin = x if start is None else start
-        eta, etadot = origin[self.eta], origin[self.etadot]
-        inertia = self.M_eta + h * self.D + h**2 * self.K
-        force = self.K * (eta + h * etadot) + self.D * etadot
-        return self.solve(x, tau, w_ext, inertia, force, self.p)[0]
+        """``xdot`` alone of :meth:`solution`."""
+        return self.solution(x, tau, w_ext, h, start)[0]
+
+    def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> list[np.ndarray]:
+        """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
+        own, rate = self.own(x if start is None else start)
+        inertia = self.M + h * self.D + h**2 * self.K
+        force = self.K * (own + h * rate) + self.D * rate
+        return self.solve(x, tau, w_ext, inertia, force, self.p)
+
+    def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The coordinates that have forces of their own, and their rates."""
+        eta, etadot = x[self.eta], x[self.etadot]
+        if self.joint_rates is None:
+            return eta, etadot
+        return np.append(x[self.q], eta), np.append(self.joint_rates(x, self.p)[0], etadot)
 
     def project(self, x: np.ndarray) -> np.ndarray:
         return self.projection(x, self.p)[0]
@@ -93,9 +104,11 @@ def euler(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
 
 
 def _symplectic(d: DaeDynamics, x, tau, w_ext, h: float, modal: float) -> np.ndarray:
-    rates = d.rates(x, tau, w_ext, modal)
+    """Twists and modal rates first, then poses, modal coordinates and joints with the new rates."""
+    rates, vdot, _ = d.solution(x, tau, w_ext, modal)
     new = x + h * rates
     rates[d.eta] = new[d.etadot]
+    rates[d.q] += h * vdot[: len(rates[d.q])]
     return d.move(x, h * d.twists(new), rates, h)
 
 
@@ -105,12 +118,12 @@ def semi_implicit(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
 
 
 def modal_implicit(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """Symplectic Euler with the modes' forces at the step's end, order 1."""
+    """Symplectic Euler with the forces of modes, joint springs and dampers at the step's end, order 1."""
     return _symplectic(d, x, tau, w_ext, h, h)
 
 
 def modal_midpoint(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """The midpoint rule, its modal forces implicit, order 2."""
+    """The midpoint rule with the forces of modes, joint springs and dampers implicit, order 2."""
     middle = _symplectic(d, x, tau, w_ext, h / 2, h / 2)
     rates = d.rates(middle, tau, w_ext, h / 2, x)
     new = x + h * rates

@@ -72,29 +72,38 @@ class Evaluator:
 
 
 class Dynamics:
-    """Accelerations and joint wrenches of the joint form, the modes' inertia and forces chosen by the method."""
+    """Accelerations and joint wrenches of the joint form; methods choose what acts within modes and sprung joints.
+
+    `M`, `K`, `D` (n_given,): inertia, stiffness and damping of the coordinates that have forces of their own, the last
+    of `q`: the modes, and where a joint has a spring or a damper all coordinates.
+    """
 
     def __init__(self, model: Model, p: Sequence[float]):
         functions = modal_functions(model.chain)
-        self.p, self.n_modes, self.n_links = np.array(p, float), model.nq - model.n_joints, model.n_links
+        self.p, self.n_given, self.n_links = np.array(p, float), model.chain.n_given, model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
-        self.M_eta, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+        self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
 
-    def modal(self, x: np.ndarray) -> np.ndarray:
-        """The modal part of `q` or `v`."""
-        return x[len(x) - self.n_modes :]
+    def own(self, x: np.ndarray) -> np.ndarray:
+        """The part of `q` or `v` that has forces of its own."""
+        return x[len(x) - self.n_given :]
+
+    def inertia(self, h: float) -> np.ndarray:
+        """What resists the accelerations of these coordinates where their forces are implicit over `h` seconds."""
+        return self.M + h * self.D + h**2 * self.K
+
+    def force(self, q: np.ndarray, v: np.ndarray, h: float, K: np.ndarray, D: np.ndarray) -> np.ndarray:
+        """Their force `h` after `q`, `v` (nq, ...) but for the accelerations' part; `K` and `D` of matching shape."""
+        return K * (self.own(q) + h * self.own(v)) + D * self.own(v)
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nq,) and the joint wrenches (6 n,)."""
-        force = self.K * self.modal(q) + self.D * self.modal(v)
-        return self.evaluate(q, v, tau, w_ext, self.M_eta, force, self.p)
+        return self.evaluate(q, v, tau, w_ext, self.M, self.force(q, v, 0.0, self.K, self.D), self.p)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
-        """`vdot` (nq,) with the modal forces that it leads to `h` after `q, v`; all else is taken at `there`."""
-        eta, etadot = self.modal(q), self.modal(v)
-        inertia = self.M_eta + h * self.D + h**2 * self.K
-        force = self.K * (eta + h * etadot) + self.D * etadot
-        return self.evaluate(*there, tau, w_ext, inertia, force, self.p)[0]
+        """`vdot` (nq,) with the forces of modes and joints that it leads to `h` after `q, v`; all else at `there`."""
+        force = self.force(q, v, h, self.K, self.D)
+        return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
 
 
 @lru_cache(maxsize=4)
@@ -136,13 +145,22 @@ def semi_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
 
 
 def modal_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """Symplectic Euler with the modes' forces at the step's end, order 1: damps modes, of any stiffness."""
+    """Symplectic Euler with the forces of modes, joint springs and dampers at the step's end, order 1.
+
+    Stable for any stiffness and damping of these; damps what is stiff. The rest is taken at the step's start: where
+    joints turn at a rate r, slow swings gain up to about h r² / 2 per second. Steps should turn joints by some 0.02 rad
+    at most.
+    """
     new = v + h * a.implicit(q, v, h)
     return q + h * new, new
 
 
 def modal_midpoint(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """The midpoint rule, its modal forces implicit, order 2: stable for modes of any stiffness, damps none."""
+    """The midpoint rule with the forces of modes, joint springs and dampers implicit, order 2.
+
+    Stable for any stiffness and damping of these; damps nothing that has no damper. The rest is taken in the middle of
+    the step, as the start predicts it: turning, weight and torques must change little over a step.
+    """
     middle = v + h / 2 * a.implicit(q, v, h / 2)
     new = v + h * a.implicit(q, v, h / 2, (q + h / 2 * middle, middle))
     return q + h / 2 * (v + new), new

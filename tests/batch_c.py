@@ -15,7 +15,8 @@ WIDTHS = (0, 16, 32, 64)
 """Sizes of registers in bytes; what the machine lacks the compiler takes apart."""
 
 SOFT = {"EA": 1e5, "EIy": 60.0, "EIz": 90.0, "GJ": 40.0, "rhoIp": 1e-3}
-STIFF = {"mount": {"xyz": [0.1, 0.0, 0.2], "rpy": [0.3, -0.2, 0.5]}, "armature": [0.05], "damping": [0.2]}
+STIFF = {"mount": {"xyz": [0.1, 0.0, 0.2], "rpy": [0.3, -0.2, 0.5]}, "armature": [0.05]}
+STIFF |= {"damping": [0.2], "stiffness": [40.0]}
 BODY = {"at": "tip", "mass": 0.7, "com": [0.02, 0.01, -0.03], "inertia": [0.01, 0.02, 0.015, 0.001, 0.0, 0.002]}
 ROBOTS = {
     "ella": example_dict("ella"),

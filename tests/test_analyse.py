@@ -168,6 +168,27 @@ def test_an_arm_that_falls_does_not_spoil_the_limits():
     )
 
 
+def test_a_fast_state_is_judged_by_what_is_faster_than_it():
+    """Joints at 15 rad/s: the slow swings gain 0.02 1/s, which a state that changes within them cannot judge."""
+    v = [10.3694, -9.2416, 5.4964, *6 * [0.0]]
+    state = {"q": [-0.256, 0.7035, 0.6334], "v": v}
+    analysis = screwgen.analyse(example("ella"), {"fast": state})
+    assert analysis.states[0].turning == pytest.approx(np.linalg.norm(v))
+    found = {limit.method: limit for limit in analysis.states[0].limits}
+    assert found["modal_implicit"].borne and found["modal_midpoint"].borne
+    assert found["modal_implicit"].limit is None or found["modal_implicit"].limit > 0.05
+    assert not any(found[name].borne for name in ("euler", "semi_implicit", "rk4"))
+    assert "Joints turn at up to 14.9 rad/s, 0.0149 rad in a step" in " ".join(analysis.text().split())
+
+
+def test_dampers_of_joints_bound_explicit_methods_only():
+    robot = arm(link(axes=["z"], joint={"damping": [50.0]}), gravity=(0, 0, 0))
+    found = {limit.method: limit.limit for limit in screwgen.analyse(model_of(robot), [{}]).states[0].limits}
+    for method in ("euler", "semi_implicit"):
+        assert found[method] == pytest.approx(2 / 3 / 50.0, rel=1e-3)
+    assert found["modal_implicit"] is None and found["modal_midpoint"] is None
+
+
 def test_high_gains_bound_the_step_of_implicit_modes_too():
     robot = arm(link(axes=["z"], section={"rhoIp": 1e-3}), gravity=(0, 0, 0))
     law = PD((0.0,), (50.0,), (0.0,))

@@ -84,7 +84,8 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
         singular = str(error)
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
-    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, found, limits)
+    turning = float(np.linalg.norm(state.v[: model.n_joints]))
+    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turning, found, limits)
 
 
 def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:

@@ -17,8 +17,9 @@ class StateAnalysis:
     """What was found at one state.
 
     `system`: M_sys with completed joint rows; `projectors`: with P alone (E17); `blocks`: (Msys_diff), link by link;
-    `acceleration`: the largest entry of dv/dt, SI; `motions`: the spectrum, slowest first; `limits`: one per
-    integrator. `singular`: why there is no unique solution, "" where there is one; then parts are None or empty.
+    `acceleration`: the largest entry of dv/dt, SI; `turning`: the norm of the joints' rates, rad/s; `motions`: the
+    spectrum, slowest first; `limits`: one per integrator. `singular`: why there is no unique solution, "" where there
+    is one; then parts are None or empty.
     """
 
     label: str
@@ -27,6 +28,7 @@ class StateAnalysis:
     projectors: Regularity | None
     blocks: tuple[LinkBlock, ...]
     acceleration: float | None
+    turning: float
     motions: tuple[Motion, ...]
     limits: tuple[StepLimit, ...]
 

@@ -84,7 +84,7 @@ def growth(S: np.ndarray) -> float:
 
 
 class Slopes(NamedTuple):
-    """Derivatives of the accelerations (nq,) by coordinates, rates, torques and modal forces."""
+    """Derivatives of the accelerations (nq,) by coordinates, rates, torques and what acts within modes and joints."""
 
     q: np.ndarray
     v: np.ndarray
@@ -129,6 +129,11 @@ class Linearised:
         out.trim, out._known = trim, {}
         return out
 
+    @property
+    def turning(self) -> float:
+        """How fast the joints turn at the state, rad/s: the norm of their rates."""
+        return float(np.linalg.norm(self.v[: self.model.n_joints]))
+
     @cached_property
     def mass_matrix(self) -> np.ndarray:
         """`M` (nq, nq) at the state."""
@@ -151,25 +156,23 @@ class Linearised:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
-        """The same with the modal forces that the accelerations lead to `h` after `q`, `v`."""
-        a, modal = self.slopes(h), self.dynamics.modal
-        K, D = self.dynamics.K[:, None], self.dynamics.D[:, None]
-        eta, etadot = modal(q), modal(v)
-        force = K * (eta + h * etadot) + D * etadot
+        """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
+        a, d = self.slopes(h), self.dynamics
+        force = d.force(q, v, h, d.K[:, None], d.D[:, None])
         at_q, at_v = there or (q, v)
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
 
     def slopes(self, h: float) -> Slopes:
-        """The derivatives of the accelerations with the modes implicit over `h`."""
+        """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
         if h not in self._known:
             self._known = {0.0: self._known[0.0]} if 0.0 in self._known else {}
             self._known[h] = self._derivatives(h) if self.trim is None or h == 0 else self._heavier(h)
         return self._known[h]
 
     def _heavier(self, h: float) -> Slopes:
-        """Where the accelerations are zero, the modes' inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
+        """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
         d, M = self.dynamics, self.mass_matrix
-        added = np.append(np.zeros(self.model.n_joints), h * d.D + h**2 * d.K)
+        added = np.append(np.zeros(self.model.nq - d.n_given), h * d.D + h**2 * d.K)
         factor = np.linalg.solve(M + np.diag(added), M)
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
@@ -177,16 +180,15 @@ class Linearised:
         if not self.model.nq:
             return Slopes(*4 * [np.zeros((0, 0))])
         d, (nq, m, n) = self.dynamics, (self.model.nq, self.model.n_joints, self.model.n_links)
-        eta, etadot = d.modal(self.q), d.modal(self.v)
-        inertia = d.M_eta + h * d.D + h**2 * d.K
-        force, torque = d.K * (eta + h * etadot) + d.D * etadot, self.tau
+        force, torque = d.force(self.q, self.v, h, d.K, d.D), self.tau
         if self.trim is not None:
-            force, torque = force + d.modal(self.trim), torque - self.trim[:m]
-        parts = np.cumsum([nq, nq, m, d.n_modes])
+            modes = np.append(np.zeros(d.n_given - nq + m), self.trim[m:])
+            force, torque = force + modes, torque - self.trim[:m]
+        parts = np.cumsum([nq, nq, m, d.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
-        still = [np.zeros((parts[-1], k)) for k in (6 * n, d.n_modes, len(self.p))]
+        still = [np.zeros((parts[-1], k)) for k in (6 * n, d.n_given, len(self.p))]
         results = (np.zeros(nq), np.zeros((n, 6)))
-        place = (self.q, self.v, torque, self.w_ext, inertia, force, self.p)
+        place = (self.q, self.v, torque, self.w_ext, d.inertia(h), force, self.p)
         q, v, tau, f = seeds
         columns = self.directional(*place, *results, q, v, tau, still[0], still[1], f, still[2])[0]
         return Slopes(*np.split(columns.reshape(parts[-1], nq).T, parts[:-1], axis=1))
@@ -201,10 +203,10 @@ class Linearised:
 
 @lru_cache(maxsize=4)
 def _directional(chain) -> Evaluator:
-    """The derivatives of `modal_dynamics` in nq + nq + n_joints + n_modes directions at once."""
+    """The derivatives of `modal_dynamics` in nq + nq + n_joints + n_given directions at once."""
     function = modal_functions(chain)["modal_dynamics"]
-    primal = list(range(function.n_in() + function.n_out()))
-    return Evaluator(function.forward(1).map("slopes", "serial", max(1, 3 * chain.nq), primal, []))
+    primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nq + chain.n_joints + chain.n_given
+    return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
 
 
 # ------------------------------------------------------------------------------ motions

@@ -4,6 +4,10 @@ A step map has an eigenvalue `μ` for every motion `exp(λ h)` of the linearised
 oscillation that does not grow by itself grows under the method where `log|μ| > TOLERANCE |log μ|`, by a share of its
 amplitude a radian; one that does where `log|μ| > 2 h Re λ + OWN |log μ|`. The limits are those of the arm held at the
 state by constant forces (`Linearised.trimmed`): where it accelerates, a method's small error looks like slow growth.
+
+Where joints turn at a rate r, oscillations slower than `TURN r` are left out: the arm turns by a radian within their
+period, so frozen coefficients cannot say whether they grow. Methods of order 1 add up to about `h r² / 2` per second
+to them, which is their error, not the end of their stability; `StateAnalysis.turning` says how far a step turns joints.
 """
 
 from __future__ import annotations
@@ -27,6 +31,8 @@ NOISE = 1e-6
 """What an eigenvalue of a step map may be off 1 by rounding, where two of them coincide there."""
 SHORTEST, LONGEST = 1e-3, 1.0
 """The steps tried: from this many radians of the fastest oscillation to this many seconds."""
+TURN = 2 * np.pi
+"""How much faster than the joints turn, both in rad/s, an oscillation must be for frozen coefficients to hold."""
 PER_DECADE = 8
 HALVINGS = 16
 
@@ -35,7 +41,8 @@ HALVINGS = 16
 class StepLimit:
     """What a method bears at a state.
 
-    `limit`: the largest step in s up to which no oscillation grows faster than by itself; 0.0 if there is none, None
+    `limit`: the largest step in s up to which no oscillation (of those that are faster than the joints turn) grows
+    faster than by itself; 0.0 if there is none, None
     if there is no limit up to `tried` seconds. `factor`: the spectral radius of the step map over the asked step;
     `rate`: its logarithm over the step, 1/s; `borne`: whether that step is within the limit.
     """
@@ -79,6 +86,7 @@ class Held:
         self.scale = np.block([[omega * root, zero], [zero, root]])
         """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
         self.vectors = unit(self.scale @ vectors)
+        self.slowest = TURN * motion.turning
 
     @cached_property
     def steps(self) -> np.ndarray:
@@ -97,7 +105,7 @@ class Held:
         alike = np.abs(self.vectors.conj().T @ unit(self.scale @ vectors))
         own = self.eigenvalues[alike.argmax(axis=0)]
         z = exponents(mu)
-        turning = (np.abs(z) > self.noise(h)) & (np.abs(z.imag) > NOISE)
+        turning = (np.abs(z) > self.noise(h)) & (np.abs(z.imag) > NOISE) & (np.abs(own) >= self.slowest)
         allowed = np.where(
             own.real > TOLERANCE * np.abs(own), 2 * h * own.real + OWN * np.abs(z), TOLERANCE * np.abs(z)
         )

@@ -164,10 +164,16 @@ def _limits(a: Findings) -> str:
     rule = (
         f"Largest step: up to it no oscillation grows, by no more than {TOLERANCE:g} of its amplitude a radian, and"
         f" twice its own growth where it has any; each method's amplification matrix about the state, held there by"
-        f" constant forces. {loop} Growth rate: log of the spectral radius over the step, 1/s, frozen coefficients; the"
-        f" motion itself has up to {_number(max(own, 0.0))}/s."
+        f" constant forces. Where joints turn, oscillations that last longer than a turn by a radian are left out: the"
+        f" state does not stay frozen that long. {loop} Growth rate: log of the spectral radius over the step, 1/s,"
+        f" frozen coefficients; the motion itself has up to {_number(max(own, 0.0))}/s."
     )
     lines = ["Steps that the integrators bear, worst of the states", *_table(head, rows), _wrapped(rule)]
+    turning = max(s.turning for s in found)
+    if turning > 0:
+        text = f"Joints turn at up to {_number(turning)} rad/s, {_number(turning * a.step)} rad in a step: no method"
+        text += " takes the turning itself implicitly, so a step should be short against it, some 0.02 rad."
+        lines.append(_wrapped(text))
     if a.paper_bound is not None:
         text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {_time(a.paper_bound)} for this robot."
         lines.append(_wrapped(f"{text} It does not hold, for forward Euler least of all (E19)."))

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 
 from ..lower.program import Value
 from . import dae
 from . import phases as ph
 from . import sensitivity as sy
-from .chain import INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
+from .chain import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 POSES = Phase(ph.poses, OUTWARD)
@@ -50,11 +49,11 @@ class Functions:
     """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    columns ``M_eta``, ``K``, ``D``; ``gravity`` three entries.  ``given_modes``, where it is set, holds the
-    modes' inertia and force instead of ``M_eta`` and ``K eta + D etadot``: an integrator decides what they are.
+    ``COLUMNS``; ``gravity`` three entries.  ``given``, where it is set, holds inertia and force of the last
+    ``chain.n_given`` coordinates instead of ``M`` and ``K x + D xdot``: an integrator decides what they are.
     """
 
-    given_modes: tuple[Sequence, Sequence] | None = None
+    given: tuple[Sequence, Sequence] | None = None
 
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
@@ -70,18 +69,21 @@ class Functions:
     def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
         state = [a | b for a, b in zip(position, velocity, strict=True)]
-        return [x | y for x, y in zip(state, self.modal(state), strict=True)]
+        return self._with_terms(state)
 
-    def modal(self, state: Sequence[Mapping]) -> list[dict[str, list]]:
-        """Modal inertia and force ``K eta + D etadot`` of every link, or what is given in their place."""
-        if self.given_modes is not None:
-            inertia, force = self.given_modes
-            spans = pairwise(self.chain.eta_offset)
-            return [{"m_eta": list(inertia[a:b]), "f_eta": list(force[a:b])} for a, b in spans]
-        out = []
-        for c, x in zip(self.constants, state, strict=True):
-            pairs = zip(c["K"], x["eta"], c["D"], x["etadot"], strict=True)
-            out.append({"m_eta": list(c["M_eta"]), "f_eta": [k * a + d * b for k, a, d, b in pairs]})
+    def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
+        """The state with inertia and force of the modes and of sprung joints, or of the named ``parts`` alone."""
+        return [dict(x) | self._terms(i, x, parts) for i, x in enumerate(state)]
+
+    def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
+        out = {}
+        for part, span in self.chain.given(i).items():
+            if self.given is not None:
+                out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
+            elif not parts or part in parts:
+                M, K, D = (self.constants[i][name] for name in COLUMNS[part])
+                pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
+                out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         return out
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:

@@ -17,6 +17,8 @@ from .modes import COMPLIANCE, FACTOR, WAYS
 from .scope import Layout, Scope, derived
 
 OUTWARD, INWARD = +1, -1
+COLUMNS = {"eta": ("M_eta", "K", "D"), "q": ("M_q", "K_q", "D_q")}
+"""Inertia, stiffness and damping of a link's own modal coordinates, and of its joint's where that is sprung."""
 FEW, MANY = 3, 12
 """With fewer modes than FEW the r x r factor is always the smaller, with more than MANY never."""
 
@@ -65,7 +67,7 @@ def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[Program, ..
 
 @cache
 def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
-    """The parameter slice of the blocks: constants by label, and ``M_eta``, ``K``, ``D`` of every mode."""
+    """The parameter slice of the blocks: constants by label, and the ``COLUMNS`` of modes and sprung joints."""
     tracer = Tracer()
     scope = Scope(key, tracer, {})
     blocks = list(derived(key).values())
@@ -78,6 +80,12 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         scope.write(name, values[name])
     if not key.damping:
         scope.write("D", [0.0] * key.modes)
+    if key.sprung:
+        stated = (key.armature, key.stiffness, key.joint_damping)
+        labels_of_axes = ("armature", "joint_stiffness", "joint_damping")
+        for name, present, label in zip(COLUMNS["q"], stated, labels_of_axes, strict=True):
+            axes = [f"p.{label}_{k + 1}" for k in range(key.joints)]
+            scope.write(name, [scope.read(axis, 1)[0] if present else 0.0 for axis in axes])
     return scope.program("prepare")
 
 
@@ -128,6 +136,22 @@ class Chain:
     @property
     def nq(self) -> int:
         return self.n_joints + self.n_modes
+
+    @cached_property
+    def sprung(self) -> bool:
+        """Whether springs or dampers act in any joint."""
+        return any(key.sprung for key in self.keys)
+
+    @property
+    def n_given(self) -> int:
+        """How many coordinates, the last of q, have inertia and force that an integrator gives."""
+        return self.nq if self.sprung else self.n_modes
+
+    def given(self, i: int) -> dict[str, slice]:
+        """Where columns of these coordinates hold the parts ``eta`` and, if it is sprung, ``q`` of a link."""
+        before = self.n_given - self.n_modes
+        parts = {"eta": slice(*(before + e for e in self.eta_offset[i : i + 2]))}
+        return parts | ({"q": slice(*self.q_offset[i : i + 2])} if self.keys[i].sprung else {})
 
     def labels(self, key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
         """The constants that programs of a class ask for, sorted."""

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from ..lower.program import Value
 from ..spec.parameters import coordinate_names
 from .algorithms import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, Functions
-from .chain import Chain
+from .chain import Algorithm, Chain
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
@@ -81,9 +81,12 @@ class DaeFunctions(Functions):
         gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
         return [*gather("quaternion", "position"), *gather("eta"), *gather("twist"), *gather("etadot"), *gather("q")]
 
-    def _with_modes(self, x: Sequence) -> list[dict[str, list]]:
-        state = self.unpack(x)
-        return [a | b for a, b in zip(state, self.modal(state), strict=True)]
+    def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
+        """The state with what its own inertias and forces are, the joints' rates taken from the twists."""
+        if self.chain.sprung and self.given is None:
+            found, _ = self._run(kinematics, state)
+            state = [dict(x) | {"qdot": link["qdot"]} for x, link in zip(state, found, strict=True)]
+        return self._with_terms(state)
 
     def _gravity(self) -> list[dict[str, list]]:
         return [{"gravity": list(self.gravity)}] * self.chain.n
@@ -94,8 +97,13 @@ class DaeFunctions(Functions):
         return self.pack(links, PLACED)
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
-        parts = (self._with_modes(x), self._torques(tau), self._wrenches(w_ext), self._gravity())
-        return self._run(DAE_FORWARD, *parts)[0]
+        state = self._moving(self.unpack(x), DAE_FORWARD[:1])
+        return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
+
+    def joint_rates(self, x: Sequence) -> list:
+        """The joints' rates that the twists show."""
+        links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
+        return [rate for link in links for rate in link["qdot"]]
 
     def rates(self, x, tau, w_ext) -> tuple[list, list, list]:
         """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
@@ -109,7 +117,7 @@ class DaeFunctions(Functions):
 
     def kinematic_rates(self, x: Sequence, z: Sequence) -> list:
         """``xdot`` when the accelerations are given: the differential equations of the DAE."""
-        links, _ = self._run(DAE_FORWARD[:1], self._with_modes(x))
+        links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         n, o = self.chain.n, self.chain.eta_offset
         given = [
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
@@ -119,13 +127,13 @@ class DaeFunctions(Functions):
 
     def project(self, x: Sequence) -> list:
         """The state taken back onto the joints."""
-        links, _ = self._run(PROJECTION, self._with_modes(x))
+        links, _ = self._run(PROJECTION, self.unpack(x))
         return self.pack(links, PLACED | {"q": "new_q"})
 
     def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""
-        parts = (self._with_modes(x), self._torques(tau), self._wrenches(w_ext), self._gravity())
-        links, _ = self._run(ASSEMBLY, *parts)
+        state = self._with_terms(self.unpack(x), "eta")
+        links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)
 
     def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:

@@ -11,10 +11,10 @@ from ..lower.program import Program, Tracer, Value
 from ..lower.replay import inline, run
 from ..spec.parameters import parameters
 from .algorithms import EVERYTHING, Functions
-from .chain import Algorithm, Chain, preparation
+from .chain import COLUMNS, Algorithm, Chain, preparation
 from .dae_functions import DaeFunctions, state_size, unknown_size
 
-COLUMNS = ("M_eta", "K", "D")
+ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
 DIGITS = 40
 
 Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
@@ -61,7 +61,9 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, _namer(chain, i))), p[:3]
     links = []
     for i, key in enumerate(chain.keys):
-        names = {f"c.{label}": 1 for label in chain.labels(key, EVERYTHING)} | dict.fromkeys(COLUMNS, key.modes)
+        names = {f"c.{label}": 1 for label in chain.labels(key, EVERYTHING)}
+        for part, span in chain.given(i).items():
+            names |= dict.fromkeys(COLUMNS[part], span.stop - span.start)
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
     read["gravity"] = 3
@@ -83,7 +85,7 @@ def prepared(
     for i, key in enumerate(chain.keys):
         program, places = preparation(key, chain.labels(key, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
-        out.append({name if name in COLUMNS else f"c.{name}": values for name, values in outputs.items()})
+        out.append({name if name in ALL_COLUMNS else f"c.{name}": values for name, values in outputs.items()})
     return out
 
 
@@ -121,15 +123,15 @@ def _stumpff(order: int, x):
 # ------------------------------------------------------------------------------ the functions of a robot
 
 
-def _dynamics_inputs(chain: Chain, modes: bool) -> dict[str, int]:
+def _dynamics_inputs(chain: Chain, given: bool) -> dict[str, int]:
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
-    return sizes | ({"m_eta": chain.n_modes, "f_eta": chain.n_modes} if modes else {})
+    return sizes | ({"m_eta": chain.n_given, "f_eta": chain.n_given} if given else {})
 
 
 def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
-    """``vdot`` and ``wrench``, with the modes' inertia and force where they are inputs."""
+    """``vdot`` and ``wrench``, with inertia and force of modes and sprung joints where they are inputs."""
     if "m_eta" in x:
-        f.given_modes = (x["m_eta"], x["f_eta"])
+        f.given = (x["m_eta"], x["f_eta"])
     vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
     return {"vdot": vdot, "wrench": wrench}
 
@@ -142,8 +144,8 @@ def forward_dynamics(chain: Chain, constants="parameters") -> Program:
 def modal_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench)``: the forward dynamics of an integrator.
 
-    ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode; the modal-implicit
-    step gives its own.
+    ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode, before them those of every
+    joint coordinate where a joint is sprung; steps that take them implicitly give their own.
     """
     return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _dynamics, constants)
 
@@ -160,12 +162,18 @@ def complete_dynamics(chain: Chain, constants="constants") -> Program:
 
 
 def modal_properties(chain: Chain, constants="parameters") -> Program:
-    """``() -> (M_eta, K, D)``: inertia, stiffness and damping of every mode, link by link."""
+    """``() -> (M_eta, K, D)``: inertia, stiffness and damping of what :func:`modal_dynamics` is given."""
+    return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
 
-    def body(f: Functions, x):
-        return {name: [v for c in f.constants for v in c[name]] for name in COLUMNS}
 
-    return fuse(chain, "modal_properties", {}, body, constants)
+def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
+    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung."""
+    out = {name: [0.0] * chain.n_given for name in COLUMNS["eta"]}
+    for i, link in enumerate(links):
+        for part, span in chain.given(i).items():
+            for name, own in zip(out, COLUMNS[part], strict=True):
+                out[name][span] = link[own]
+    return out
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
@@ -254,16 +262,25 @@ def dae_dynamics(chain: Chain, constants="parameters") -> Program:
         "x": state_size(chain),
         "tau": chain.n_joints,
         "w_ext": 6 * chain.n,
-        "m_eta": chain.n_modes,
-        "f_eta": chain.n_modes,
+        "m_eta": chain.n_given,
+        "f_eta": chain.n_given,
     }
 
     def body(f: DaeFunctions, x):
-        f.given_modes = (x["m_eta"], x["f_eta"])
+        f.given = (x["m_eta"], x["f_eta"])
         xdot, vdot, wrench = f.rates(x["x"], x["tau"], x["w_ext"])
         return {"xdot": xdot, "vdot": vdot, "wrench": wrench}
 
     return fuse(chain, "dae_dynamics", inputs, body, constants, DaeFunctions)
+
+
+def joint_rates(chain: Chain, constants="parameters") -> Program:
+    """``(x) -> (qdot)``: the joints' rates that the twists of the DAE form show."""
+
+    def body(f: DaeFunctions, x):
+        return {"qdot": f.joint_rates(x["x"])}
+
+    return fuse(chain, "joint_rates", {"x": state_size(chain)}, body, constants, DaeFunctions)
 
 
 def projection(chain: Chain, constants="parameters") -> Program:

@@ -14,11 +14,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..derive.link_class import LinkClass
 from ..lower.program import Array, Node, Program, Value
 from . import matrices as mx
 from . import rows as rw
 from .algorithms import Functions
-from .chain import Chain
+from .chain import COLUMNS, Chain
 from .fuse import fuse
 
 SHAPES = {
@@ -101,22 +102,26 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
     """The block of one link."""
     q, eta = places(f.chain, i)
     constants, key = f.constants[i], f.chain.keys[i]
-    axis = lambda present, label: [constants[f"c.{label}_{k + 1}"][0] if present else 0.0 for k in range(key.joints)]  # noqa: E731
-    out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + _diagonal(axis(key.armature, "armature"))
+    M_q, K_q, D_q = _joint_columns(key, constants)
+    out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
-    out.M[eta, eta] = link["M_eta_eta"] + _diagonal(constants["M_eta"])
+    out.M[eta, eta] = link["M_eta_eta"] + mx.diagonal(constants["M_eta"])
     for J, joint, modal, passive, stress in (
-        (out.f_q, "q", "eta", axis(key.stiffness, "joint_stiffness"), constants["K"]),
-        (out.f_v, "qdot", "etadot", axis(key.joint_damping, "joint_damping"), constants["D"]),
+        (out.f_q, "q", "eta", K_q, constants["K"]),
+        (out.f_v, "qdot", "etadot", D_q, constants["D"]),
     ):
-        J[q, q] = link[f"f_{joint}"] + _diagonal(passive)
+        J[q, q] = link[f"f_{joint}"] + mx.diagonal(passive)
         J[q, eta] = mx.multiply(link["axes"].T, link[f"F_{modal}"])
         J[eta, q] = mx.multiply(link["rows_eta"], link[f"u_{joint}"])
-        J[eta, eta] = link[f"f_{modal}"] + _diagonal(stress)
+        J[eta, eta] = link[f"f_{modal}"] + mx.diagonal(stress)
 
 
-def _diagonal(values: Sequence[Value]) -> Array:
-    return mx.symmetric(len(values), lambda i, j: values[i] if i == j else 0.0)
+def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:
+    """Inertia, stiffness and damping of the joint's own coordinates."""
+    if key.sprung:
+        return [constants[name] for name in COLUMNS["q"]]
+    none = [0.0] * key.joints
+    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.armature else none, none, none]
 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
@@ -175,10 +180,10 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     its guards are part of it, so what both compute is computed once.
     """
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
-    sizes |= {"m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    sizes |= {"m_eta": chain.n_given, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
-        f.given_modes = (x["m_eta"], x["f_eta"])
+        f.given = (x["m_eta"], x["f_eta"])
         vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
         section = tracer.section if tracer else lambda _: nullcontext()

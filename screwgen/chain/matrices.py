@@ -57,6 +57,11 @@ def symmetric(n: int, entry: Callable[[int, int], Value]) -> Array:
     return out
 
 
+def diagonal(values: Sequence[Value]) -> Array:
+    """The matrix with these values on its diagonal."""
+    return symmetric(len(values), lambda i, j: values[i] if i == j else 0.0)
+
+
 def congruence(T: Array, A: Array) -> Array:
     """``T^T A T`` of a symmetric ``A``."""
     half = multiply(A, T)

@@ -131,11 +131,11 @@ def eliminate(s: Scope) -> None:
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
-    """Solve the joint's rows ``A^T w = tau - J_m qddot - b qdot - k q`` for qddot."""
+    """Solve the joint's rows ``A^T w = tau - m_q qddot - f_q`` for qddot: ``f_q = b qdot + k q``, or as given."""
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         A = s.kept("A")
         U = s.name("U", mx.multiply(M, A))
-        inertia = s.name("joint_inertia", mx.multiply(A.T, U) + armature(s))
+        inertia = s.name("joint_inertia", mx.multiply(A.T, U) + mx.diagonal(own_inertia(s)))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
@@ -198,10 +198,7 @@ def inverse_inward(s: Scope) -> None:
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal + h_eta + s.read("f_eta", s.key.modes) + turned + moved)
-    s.write(
-        "force",
-        mx.multiply(s.kept("A").T, total) + mx.multiply(armature(s), qddot) + passive(s, s.read("qdot", s.key.joints)),
-    )
+    s.write("force", mx.multiply(s.kept("A").T, total) + own_inertia(s) * qddot + own_force(s))
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
@@ -258,7 +255,7 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    rotor = mx.dot(qdot, mx.multiply(armature(s), qdot))
+    rotor = mx.dot(qdot, armature(s) * qdot)
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
     R, r, R_T, r_T = s.read("R", 3, 3), s.read("r", 3), s.read("tip.R", 3, 3), s.read("tip.r", 3)
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
@@ -284,26 +281,24 @@ def _per_axis(s: Scope, present: bool, label: str) -> Array:
 
 
 def armature(s: Scope) -> Array:
-    """The rotor inertias seen at the joint, on a diagonal."""
-    values = _per_axis(s, s.key.armature, "armature")
-    return mx.symmetric(s.key.joints, lambda i, j: values[i] if i == j else 0.0)
+    """The rotor inertias seen at the joint."""
+    return _per_axis(s, s.key.armature, "armature")
 
 
 def stiffness(s: Scope) -> Array:
     return _per_axis(s, s.key.stiffness, "joint_stiffness")
 
 
+def own_inertia(s: Scope) -> Array:
+    """The inertia of the joint's own coordinates: the armature, or what is given of a sprung joint."""
+    return s.read("m_q", s.key.joints) if s.key.sprung else armature(s)
+
+
+def own_force(s: Scope) -> Array:
+    """What damper and spring of the joint need."""
+    return s.read("f_q", s.key.joints) if s.key.sprung else mx.zeros(s.key.joints)
+
+
 def drive(s: Scope) -> Array:
-    """``tau - b qdot - k q``: what motor, damper and spring give together."""
-    n = s.key.joints
-    return s.read("tau", n) - passive(s, s.read("qdot", n))
-
-
-def passive(s: Scope, qdot: Array) -> Array:
-    """``b qdot + k q``: what damper and spring need."""
-    total = mx.zeros(s.key.joints)
-    if s.key.joint_damping:
-        total = total + _per_axis(s, True, "joint_damping") * qdot
-    if s.key.stiffness:
-        total = total + stiffness(s) * s.read("q", s.key.joints)
-    return total
+    """What motor, damper and spring give together."""
+    return s.read("tau", s.key.joints) - own_force(s)

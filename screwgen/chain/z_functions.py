@@ -63,21 +63,19 @@ class ZFunctions(DaeFunctions):
             }
             for i in range(c.n)
         ]
-        return [a | b for a, b in zip(state, self.modal(state), strict=True)]
+        return state
 
-    def _links(self, algorithm: Algorithm, x_c, q, tau, w_ext) -> list[dict[str, list]]:
-        return self._run(algorithm, self.unpack_z(x_c, q), self._torques(tau), self._wrenches(w_ext), self._gravity())[
-            0
-        ]
+    def _links(self, algorithm: Algorithm, state: Sequence[Mapping], tau, w_ext) -> list[dict[str, list]]:
+        return self._run(algorithm, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
     def assemble_z(self, x_c, q, tau, w_ext) -> tuple[Entries, list, list, list[dict[str, list]]]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys`` with ``Zdot`` as unknown, and what every link has stored."""
-        links = self._links(Z_ASSEMBLY, x_c, q, tau, w_ext)
+        links = self._links(Z_ASSEMBLY, self._with_terms(self.unpack_z(x_c, q), "eta"), tau, w_ext)
         return *self._stacked(links), links
 
     def cauchy(self, x_c, q, tau, w_ext) -> list[dict[str, list]]:
         """What every link gives to the Cauchy form: ``J_inverse``, ``Zdot``, ``etaddot``, ``qdot``, ``wrench``."""
-        return self._links(Z_FORWARD, x_c, q, tau, w_ext)
+        return self._links(Z_FORWARD, self._moving(self.unpack_z(x_c, q), Z_FORWARD[:2]), tau, w_ext)
 
     def place_z(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         """``new_quaternion``, ``r``, ``eta``, ``Z``, ``etadot`` of every link, on the joints."""

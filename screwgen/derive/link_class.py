@@ -51,6 +51,11 @@ class LinkClass:
         """The number of joint coordinates."""
         return len(self.axes)
 
+    @property
+    def sprung(self) -> bool:
+        """Whether springs or dampers act on the joint's axes."""
+        return self.joint_damping or self.stiffness
+
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""

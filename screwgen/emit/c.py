@@ -18,6 +18,7 @@ from . import c_batch, c_derivatives, c_estimator
 from .c_code import Writer, literal, sizes, trimmed, with_unused
 from .c_fields import (
     body_count,
+    columns,
     constant_fields,
     fused_place,
     node_fields,
@@ -132,6 +133,9 @@ class CProject:
             "n_joints": chain.n_joints,
             "n_modes": chain.n_modes,
             "nq": chain.nq,
+            "sprung": chain.sprung,
+            "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
+            "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -277,12 +281,12 @@ class CProject:
         def place(name: str, k: int) -> str:
             if name.startswith("p."):
                 return f"p->{parameter_member(name[2:])}"
-            return f"{name}[{k}]" if name in fuse.COLUMNS else f"c->{name}"
+            return f"{name}[{k}]" if name in fuse.ALL_COLUMNS else f"c->{name}"
 
         real = f"{self.name}_real"
-        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.COLUMNS}).lines())
-        modal = f", {real} M_eta[], {real} K[], {real} D[]" if self.chain.keys[i].modes else ""
-        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{modal}"
+        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.ALL_COLUMNS}).lines())
+        own = columns(self.chain, i, lambda name, *_: f"{real} {name}[]")
+        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{own}"
         name = self.chain.robot.links[i].name
         written = [place(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
         total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
@@ -294,9 +298,8 @@ class CProject:
         out = []
         for i, key in enumerate(self.chain.keys):
             first = self.chain.robot.links[self.chain.keys.index(key)].name
-            e = self.chain.eta_offset[i]
-            modal = f", c->M_eta + {e}, c->K + {e}, c->D + {e}" if key.modes else ""
-            out.append(f"constants_of_{first}(&p->links[{i}], &c->links[{i}]{modal});")
+            own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
+            out.append(f"constants_of_{first}(&p->links[{i}], &c->links[{i}]{own});")
         return out
 
     @property
@@ -304,8 +307,8 @@ class CProject:
         if self.baked is None:
             return None
         gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
-        columns = {n: [literal(x) for c in self.baked for x in c[n]] or ["0"] for n in fuse.COLUMNS}
-        return {"gravity": gravity} | columns
+        found = fuse.columns(self.chain, self.baked).items()
+        return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
 
     # size and reference -----------------------------------------------------------------------
 
@@ -318,8 +321,9 @@ class CProject:
         )
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
-        work = 2 * length(c.n_modes) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
-        dae = 3 * length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state + chain_reals
+        work = 2 * length(c.n_given) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
+        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state
+        dae += chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
     @cached_property

@@ -89,8 +89,8 @@ def _no_guard(test: str, link: int) -> str:
 
 def _stack(chain: Chain, constants: int, kept: int) -> int:
     """What a group of scenarios takes in bytes: lanes at their widest."""
-    modes, state, joints = max(chain.n_modes, 1), 2 * max(chain.nq, 1), max(chain.n_joints, 1)
-    group = 3 + chain.n * constants + 5 * modes + 3 * state + state // 2 + joints + 6 * chain.n + 3
+    given, state, joints = max(chain.n_given, 1), 2 * max(chain.nq, 1), max(chain.n_joints, 1)
+    group = 3 + chain.n * constants + 5 * given + 3 * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ..chain.chain import Chain
-from ..chain.fuse import COLUMNS
+from ..chain.chain import COLUMNS, Chain
 from ..chain.linearise import linearisation
 from ..errors import UsageError
 from ..lower.program import Program
@@ -41,16 +40,18 @@ class PieceWriter(Writer):
 
 
 def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]], place: Place) -> Place:
-    """Where a piece's signals are: in the array of what earlier pieces have ``kept``, in the modes' columns of the
-    constants, in ``own`` (by name, then by entry), else at ``place``.
+    """Where a piece's signals are: in the array of what earlier pieces have ``kept``, in the columns of the constants,
+    in ``own`` (by name, then by entry), else at ``place``.
     """
 
     def placed(signal: str, k: int) -> str:
         owner, _, what = signal.partition(":")
         if owner == KEPT:
             return f"{kept}[{int(what or 0) + k}]"
-        if what in COLUMNS:
-            return f"c->{what}[{chain.eta_offset[int(owner)] + k}]"
+        for part, names in COLUMNS.items():
+            if what in names:
+                start = chain.given(int(owner))[part].start
+                return f"c->{COLUMNS['eta'][names.index(what)]}[{start + k}]"
         return own[signal](k) if signal in own else place(signal, k)
 
     return placed

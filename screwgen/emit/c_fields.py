@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from ..chain.chain import Chain
+from ..chain.chain import COLUMNS, Chain
 from ..chain.parameters import label
 from ..chain.scope import derived
 from ..derive.link_class import LinkClass
@@ -106,6 +106,19 @@ def _constant_comment(classes: Sequence[LinkClass], name: str) -> str:
                 if any(text == name for _, text in signal.labels()):
                     return f"{signal.unit}: {signal.meaning}"
     return "of the joint, as stated"
+
+
+def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
+    """Arguments for a link's own columns, those of its joint in a line of their own.
+
+    ``text`` of a column's name, of the robot's column that holds it, and of its place there.
+    """
+    out = ""
+    for part, span in chain.given(i).items():
+        arguments = [text(own, name, span.start) for own, name in zip(COLUMNS[part], COLUMNS["eta"], strict=True)]
+        if span.stop > span.start:
+            out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
+    return out
 
 
 NODE = {

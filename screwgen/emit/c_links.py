@@ -12,7 +12,7 @@ from ..chain.structure import Passage, passages
 from ..lower.program import Program
 from .c_code import Writer, trimmed
 
-JOINT = {"q", "qdot", "tau", "qddot", "new_q", "force"}
+JOINT = {"q", "qdot", "tau", "m_q", "f_q", "qddot", "new_q", "force"}
 MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
 STRIDE = {
     "w_ext": 6,
@@ -48,10 +48,14 @@ class Run:
     """Signals that are zero in this run."""
     parts: tuple[tuple[str, int], ...] = ()
     """The C functions that the phases are shared out to, and how many each takes; none: one of the run's name."""
+    parts_if_sprung: tuple[tuple[str, int], ...] = ()
+    """The same where joints are sprung, if that makes a difference."""
 
 
-def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {})
+def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
+    return Run(
+        algorithm, comment, frozenset(results.split()), apart, skipped or {}, parts_if_sprung=parts_if_sprung
+    )
 
 
 RUNS: dict[str, Run] = {
@@ -67,6 +71,7 @@ RUNS: dict[str, Run] = {
         "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
         "qdot qddot etaddot wrench Vdot",
         apart=True,
+        parts_if_sprung=(("dae_motion", 1), ("dae_solution", 3)),
     ),
     "projection": _run(
         alg.PROJECTION,
@@ -86,7 +91,7 @@ RUNS: dict[str, Run] = {
         "Joint form at rest, without weight and springs: the posture, and the forces that accelerations need.",
         frozenset({"force", "force_eta"}),
         False,
-        zero=frozenset("qdot etadot w_ext f_eta gravity".split()) | {f"c.joint_stiffness_{k}" for k in (1, 2, 3)},
+        zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
@@ -151,7 +156,8 @@ class Links:
         """The C functions of a run: name, comment, phases, and whether they start from a base that falls."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out = []
-        for name, count in RUNS[run].parts or ((run, len(phases)),):
+        shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
+        for name, count in shares:
             own, phases = phases[:count], phases[count:]
             falling = not out and any("base.alpha_0" in p.program.inputs for p in first)
             out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "falling": falling})

@@ -129,8 +129,11 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
 
 
 def modal_functions(chain: Chain) -> dict[str, ca.Function]:
-    """What integrators need: ``modal_dynamics``, ``modal_properties``, and ``dae_dynamics``, ``project``."""
-    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_modes, "f_eta": chain.n_modes}
+    """What integrators need: ``modal_dynamics``, ``modal_properties``, and those of the DAE form.
+
+    ``dae_dynamics``, ``joint_rates``, ``project``.  ``m_eta`` and ``f_eta`` belong to the last ``chain.n_given`` of q.
+    """
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_given, "f_eta": chain.n_given}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fuse.parameters(chain.robot)))}
     dynamics = expressions(fuse.modal_dynamics(chain), given)
@@ -140,9 +143,11 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     given["x"] = ca.SX.sym("x", state_size(chain))
     dae, projected = expressions(fuse.dae_dynamics(chain), given), expressions(fuse.projection(chain), given)
     dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
+    rates = expressions(fuse.joint_rates(chain), given)
     dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
     return {
         "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
+        "joint_rates": function("joint_rates", {k: given[k] for k in ("x", "p")}, **rates),
         "project": function("project", {k: given[k] for k in ("x", "p")}, **projected),
         "modal_dynamics": function(
             "modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -31,7 +30,7 @@ from ..spec.parameters import parameters
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)
-SPRING = re.compile(r"K|c\.joint_stiffness_\d")
+SPRINGS = ("K", "K_q")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
 
 _COMPILED: dict[int, tuple] = {}
@@ -54,7 +53,7 @@ class Numeric:
 
     @cached_property
     def constants(self) -> list[dict[str, list[float]]]:
-        """``M_eta``, ``K`` and ``D`` of every link: inertia, stiffness and damping of its modes."""
+        """``M_eta``, ``K``, ``D`` of every link: of its modes; ``M_q``, ``K_q``, ``D_q``: of a sprung joint."""
         return self._prepared(())
 
     def _prepared(self, algorithms: Sequence[Algorithm]) -> list[dict[str, list[float]]]:
@@ -93,7 +92,7 @@ class Numeric:
         """``M`` (nq, nq), column by column from the inverse dynamics."""
         nq, rest = self.chain.nq, (np.zeros(self.chain.nq), np.zeros((self.chain.n, 6)))
         stiff = self._functions(INVERSE).constants
-        soft = [{k: [0.0] * len(x) if SPRING.fullmatch(k) else x for k, x in c.items()} for c in stiff]
+        soft = [c | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
         still = Functions(self.chain, soft, [0.0] * 3, self._apply)
         offset = _inverse(still, q, rest[0], rest[0], rest[1])
         columns = [_inverse(still, q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]

@@ -51,6 +51,14 @@ lint: $(READY)
 bench: $(BENCH)/.ready
 	$(BENCH)/bin/python bench/bench.py $(ARGS)
 
+# ELLA's modes under PD against Exudyn's geometrically exact beams. Some minutes.
+exact-beams: $(BENCH)/.ready
+	$(BENCH)/bin/python bench/exact_beams.py $(ARGS)
+
+# Which basis, how many modes: errors against finite elements, and operations. Some minutes.
+mode-table: $(READY)
+	$(BIN)/python tests/mode_table.py $(ARGS)
+
 # What ELLA costs on a Cortex-M4F, a Cortex-M7 and a RISC-V: cross-compiled, run under QEMU, held against the budgets.
 firmware: $(READY)
 	$(BIN)/python firmware/firmware.py --workers $(WORKERS) $(ARGS)
@@ -88,4 +96,4 @@ $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 clean:
 	rm -rf $(VENV) $(BENCH) build
 
-.PHONY: demo paper mpc docs test lint bench analyse-c long-run firmware generated clean
+.PHONY: demo paper mpc docs test lint bench exact-beams mode-table analyse-c long-run firmware generated clean

@@ -1,7 +1,6 @@
 """ELLA under PD against Exudyn's geometrically exact beams: how far tip and joint moments of its modes are off.
 
-    python bench/exact_beams.py [--elements 8,16,32] [--modes polynomial:2,polynomial:3,clamped_free:1]
-                                [--step MS] [--record FILE]
+    python bench/exact_beams.py [--elements 8,16,32] [--modes polynomial:2,clamped_free:1] [--step MS] [--record FILE]
 
 The arm of examples/ella.toml, torsion rigid on both sides, rests under gravity and PD with its reference at zero; then
 the reference moves to the set points of `MOTION` by minimum jerk. --record writes the finest mesh's motion, against
@@ -37,7 +36,7 @@ END, SAMPLE, RECORDED = 2.5, 0.01, 0.1
 EA = 4.38e7
 """Axial stiffness in N, which ella.toml leaves out: stretching is rigid there."""
 SHEAR, TWIST = 1e9, 1e8
-"""Stiffness in N and N·m² where the modes have none to give way: doubling them moves nothing by a micrometre."""
+"""Stiffness in N and N·m² where the modes have none to give way: at the tip they give less than a micrometre."""
 
 
 class Samples(NamedTuple):
@@ -212,7 +211,7 @@ class ExactArm:
         s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = END, round(END / step)
         s.timeIntegration.verboseMode = 0
         s.timeIntegration.newton.useModifiedNewton = True
-        s.timeIntegration.newton.relativeTolerance, s.timeIntegration.newton.absoluteTolerance = 1e-7, 1e-6
+        s.timeIntegration.newton.relativeTolerance, s.timeIntegration.newton.absoluteTolerance = 1e-7, 1e-4
         s.timeIntegration.generalizedAlpha.spectralRadius = 0.8
         s.timeIntegration.generalizedAlpha.computeInitialAccelerations = False
         s.solutionSettings.sensorsWritePeriod = SAMPLE

@@ -1,19 +1,21 @@
 """Natural frequencies against finite beam elements; and the elements against what is known in closed form."""
 
 import copy
+from pathlib import Path
 
+import mode_table
 import numpy as np
 import pytest
 import scipy.optimize
 from beam_arms import random_arm, welded_corner, with_modes
 from beam_elements import LOWEST, frequencies
-from helpers import model_of
+from helpers import example, example_dict, model_of
 from oracle_robots import beam
 from scipy.spatial.transform import Rotation
 
 from screwgen.modes import natural_frequencies
 
-ARMS = (2, 3, 5)
+ARMS, COUNTS = (2, 3, 5), (1, 2, 3, 4, 6)
 
 
 @pytest.fixture(scope="module", params=ARMS)
@@ -100,11 +102,40 @@ def test_elements_have_converged(arm, joints):
 # -------- screwgen's modes
 
 
-@pytest.mark.parametrize("bending, other, bound", [(2, 1, 2e-2), (3, 1, 1e-4)])
-def test_polynomials_converge(arm, bending, other, bound):
-    robot, q = arm
-    assert error(with_modes(robot, bending, other), q) < bound
+@pytest.mark.parametrize(
+    "links, bending, bound", [(2, 2, 1e-4), (3, 2, 2e-2), (3, 3, 1e-4), (5, 2, 2e-2), (5, 3, 1e-4)]
+)
+def test_polynomials_converge(links, bending, bound):
+    """With so many bending modes per plane, one in stretching and one in torsion."""
+    robot, q = random_arm(links)
+    assert error(with_modes(robot, bending, 1), q) < bound
 
 
 def test_corner_of_two_welded_links():
     assert error(with_modes(welded_corner(), 6, 4), []) < 1e-4
+
+
+@pytest.mark.parametrize("joints, count", [("locked", 7), ("free", 5)])
+def test_ella_is_converged(joints, count):
+    """What examples/ella.toml says of itself, at the paper's set points; stretching is flexible in the elements."""
+    model, robot, q = example("converged"), example_dict("converged"), [-0.4928, 0.6922, 0.4270]
+    values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
+    for link in robot["links"]:
+        link["section"] = {key: values[f"{link['name']}.{key}"] for key in ("rhoA", "EIy", "EIz", "GJ", "rhoIp")}
+        link["section"]["EA"] = 4.38e7
+        link["modes"]["axial"] = 1
+    found = natural_frequencies(model, q, joints)
+    assert found[found > 0][:count] == pytest.approx(frequencies(robot, q, joints)[:count], rel=3e-3)
+
+
+def test_the_guide_shows_the_table():
+    """All rows, in order; the cells of the smallest arm are computed again."""
+    guide = (Path(__file__).resolve().parents[1] / "docs" / "modes.md").read_text(encoding="utf-8")
+    assert mode_table.HEAD in guide
+    shown = [[cell.strip() for cell in line.split("|")[1:-1]] for line in guide.splitlines() if line.startswith("| `")]
+    assert [row[:2] for row in shown] == [[f"`{basis}`", str(n)] for basis in mode_table.BASES for n in COUNTS]
+    robot, q = random_arm(ARMS[0])
+    robot = with_modes(robot, 2, 1)
+    row = shown[len(COUNTS) + COUNTS.index(2)]
+    assert row[2] == " / ".join(map(mode_table.percent, mode_table.errors(robot, q)))
+    assert row[6] == mode_table.grouped(mode_table.operations(robot))

@@ -35,7 +35,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in ("index", "robot", "notebook", "firmware", "mpc", "research"))
+PAGES = ("index", "robot", "notebook", "firmware", "mpc", "research", "modes")
+GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES)
 
 FILES = ("toml", "json", "c")
 LANGUAGES = (*FILES, "bash", "python", "text", "math")

@@ -60,33 +60,27 @@ class Samples(NamedTuple):
 
 
 def arm(basis: str, bending: int) -> screwgen.Robot:
-    """ELLA with so many bending modes per plane, axially and in torsion rigid."""
-    robot = screwgen.load(ELLA)
+    """ELLA with so many bending modes per plane, else rigid; PD's gains `kp` are springs of its joints."""
+    robot, links, gains = screwgen.load(ELLA), [], list(MOTION["kp"])
     modes = screwgen.Modes(basis=basis, bending_y=bending, bending_z=bending)
-    return robot.model_copy(update={"links": tuple(k.model_copy(update={"modes": modes}) for k in robot.links)})
-
-
-def rest(robot: screwgen.Robot) -> np.ndarray:
-    """Where PD holds the arm under gravity with its reference at zero: its gains are springs of the joints there."""
-    links, gains = [], list(MOTION["kp"])
     for link in robot.links:
         springs = tuple(gains.pop(0) for _ in link.joint.axes)
-        links.append(link.model_copy(update={"joint": link.joint.model_copy(update={"stiffness": springs})}))
-    return screwgen.equilibrium(screwgen.derive(robot.model_copy(update={"links": tuple(links)}))).q
+        joint = link.joint.model_copy(update={"stiffness": springs})
+        links.append(link.model_copy(update={"modes": modes, "joint": joint}))
+    return robot.model_copy(update={"links": tuple(links)})
 
 
 def modes_run(basis: str, bending: int, sample: float = SAMPLE) -> Samples:
     """The motion by modes: CasADi's forward dynamics under PD, by CVODES, so that no step spoils the comparison."""
-    robot = arm(basis, bending)
-    model = screwgen.derive(robot)
+    model = screwgen.derive(arm(basis, bending))
     functions, p, n = model.casadi(), model.parameter_values, model.n_joints
     q, v, t = ca.SX.sym("q", model.nq), ca.SX.sym("v", model.nq), ca.SX.sym("t")
     angles, rates = zip(*(reference(t, k) for k in range(n)), strict=True)
-    tau = ca.DM(MOTION["kp"]) * (ca.vertcat(*angles) - q[:n]) + ca.DM(MOTION["kd"]) * (ca.vertcat(*rates) - v[:n])
+    tau = ca.DM(MOTION["kp"]) * ca.vertcat(*angles) + ca.DM(MOTION["kd"]) * (ca.vertcat(*rates) - v[:n])
     vdot, wrench = functions["forward_dynamics"](q, v, tau, 0, p)
     x, times = ca.vertcat(q, v), np.linspace(0.0, END, round(END / sample) + 1)
     system = {"x": x, "t": t, "ode": ca.vertcat(v, vdot)}
-    start = np.append(rest(robot), np.zeros(model.nq))
+    start = np.append(screwgen.equilibrium(model).q, np.zeros(model.nq))
     solver = ca.integrator("motion", "cvodes", system, 0.0, times[1:], {"reltol": 1e-8, "abstol": 1e-10})
     states = np.column_stack([start, solver(x0=start)["xf"].full()])
     watch = ca.Function("watch", [t, x], [wrench[:3, :], functions["tip_pose"](q, p)[1]])
@@ -105,8 +99,10 @@ def reference(t, axis: int):
 
 def exact_run(elements: int, step: float) -> Samples:
     """The motion by so many elements per link. The generalised-α method; moments are those of the joints."""
-    import exudyn as exu
-
+    try:
+        import exudyn as exu
+    except ImportError as error:
+        raise SystemExit(f"exact_beams: the Python package 'exudyn' is not installed ({error})") from None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         model = ExactArm(exu, elements)

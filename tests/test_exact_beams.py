@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import screwgen
+
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "bench"))
 
@@ -41,10 +43,9 @@ def test_one_clamped_free_mode_does_not(judge):
     assert np.all(moments > 2)
 
 
-def test_the_arm_starts_where_pd_holds_it(judge):
+def test_the_arm_starts_where_pd_holds_it():
     """The spring at the base carries the weights, at their levers along the nearly straight arm."""
-    robot = exact_beams.arm("polynomial", 2)
-    start = exact_beams.rest(robot)
+    start = screwgen.equilibrium(screwgen.derive(exact_beams.arm("polynomial", 2))).q
     assert start[1:3] == pytest.approx(0, abs=1e-12)
     weight = 9.81 * (1.6302 * (0.95**2 / 2 + 0.93 * (0.95 + 0.93 / 2)) + 3.3 * 0.95 + 2.1 * 1.88)
     assert exact_beams.MOTION["kp"][0] * start[0] == pytest.approx(weight, rel=2e-3)

@@ -15,7 +15,7 @@ def random_arm(count: int, seed: int | None = None) -> tuple[dict, list[float]]:
     """An arm of `count` links in space and a posture of its joints; the seed is the count where none is given.
 
     Links are box sections with offset and turned mounts, skew axes, and bodies off the centreline at base and tip;
-    those at the tips, motors and payload, are heavier than the links. All directions are flexible.
+    those at the tips, motors and payload, are heavier than most links. All directions are flexible.
     """
     rng = np.random.default_rng(count if seed is None else seed)
     arm = {"name": f"arm_{count}", "gravity": [0.0, 0.0, -9.81], "links": [_link(rng, i) for i in range(count)]}

@@ -17,7 +17,7 @@ PENDULUM = {"lengths": (0.95, 0.93), "rhoA": 1.6302, "EA": 4.38e7, "EI": 2.12e3}
 
 def example(name: str) -> screwgen.Robot:
     """A robot as it was from the start, so that figures compare: the paper's ``ella``, ``six_link`` with one
-    bending mode per plane, or ``three_link``: ELLA with a third link like its forearm, its joint the other way round."""
+    bending mode per plane, or ``three_link``: ELLA with a third link like its forearm that turns the other way."""
     if name == "six_link":
         return _few_modes(screwgen.load(EXAMPLES / "six_link.toml"))
     ella = screwgen.load(EXAMPLES / "ella_paper.toml")

@@ -181,7 +181,7 @@ def modes(
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
     ] = None,
 ) -> None:
-    """Print the natural frequencies in Hz, at rest in a posture, without gravity; and what one more mode would change."""
+    """Print the natural frequencies in Hz at rest, without gravity, and how far one more mode would move them."""
     from .cli_linear import run_modes
 
     run_modes(robot, posture, joints, json, plot)

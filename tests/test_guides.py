@@ -20,7 +20,6 @@ GENERATED = {"errata.md", "misra.md"}
 """Pages with tests of their own: test_paper.py, test_static_analysis.py."""
 
 
-
 def tool(name: str):
     """A script of docs/tools as a module."""
     spec = importlib.util.spec_from_file_location(name, DOCS / "tools" / f"{name}.py")
@@ -192,6 +191,7 @@ def test_lines_agree_to_a_unit_of_the_last_digit(expected, actual, agree):
 
 
 # ------------------------------------------------------------------------------ the site
+
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory) -> tuple[Path, str]:

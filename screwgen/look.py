@@ -59,6 +59,8 @@ FLATTEST = 0.3
 """The least extent of axes in space, over the largest."""
 LABEL_PAD, TICK_PAD, OFFSETS = 27.0, 10.0, (21.0, 8.0)
 """How far names and numbers stand off the edges of a cube, and how much of that matplotlib adds by itself."""
+MARGIN = 8
+"""Pixels left free at either side of a view in space."""
 VIEWS = ((22.0, -58.0), (22.0, 32.0), (55.0, -58.0), (55.0, 32.0))
 """Elevations and azimuths, degrees, to look from."""
 
@@ -180,7 +182,7 @@ def fit(axes: Axes, points: np.ndarray, title: str, subtitle: str = "") -> None:
             line = figure.text(middle, top, text, ha="center", va="top", **options)
             top -= 1.25 * line.get_window_extent().height / figure.bbox.height
     _frame(axes, points)
-    room = Bbox([[place.x0, place.y0], [place.x1, top]]).transformed(figure.transFigure)
+    room = Bbox([[place.x0, place.y0], [place.x1, top]]).transformed(figure.transFigure).padded(-MARGIN, 0)
     side, centre = min(room.width, room.height), _centre(room)
     for turn in range(5):
         square = Bbox([centre - side / 2, centre + side / 2])

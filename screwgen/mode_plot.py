@@ -159,12 +159,14 @@ def _sections(axes: Axes, corners: np.ndarray, step: int, color: str) -> None:
 
 
 def _legend(out: Figure, torsion: bool) -> None:
-    marks = (("o", "joint"), ("D", "tip"), *((("s", "cross-section"),) if torsion else ()))
+    marks = [dict(marker="o", label="joint"), dict(marker="D", label="tip")]
+    if torsion:
+        marks.append(dict(marker="s", label="cross-section", fillstyle="none"))
     handles = [
         Line2D([], [], color=REST, linewidth=1.6, label="at rest"),
         Line2D([], [], color=MOVED, linewidth=1.8, label="mode, enlarged"),
         Line2D([], [], color=OTHER, linewidth=0.9, label="half a period later"),
-        *(Line2D([], [], marker=m, linestyle="none", color=GREY, markersize=5, label=label) for m, label in marks),
+        *(Line2D([], [], linestyle="none", color=GREY, markersize=5, **mark) for mark in marks),
     ]
     title = "each mode from the side that shows it"
     fitted_legend(out, handles, 0.95 * out.bbox.width, loc="outside lower center", title=title, title_fontsize=8)

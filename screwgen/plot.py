@@ -75,10 +75,14 @@ def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figu
     shown, silent = sift(panels(run, controller))
     below = max(len(shown) - SPACE[0], 0)
     rows = SPACE[0] + -(-below // COLUMNS)
-    out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run, silent))
+    out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run))
+    if silent:
+        out.supxlabel(f"zero throughout: {', '.join(silent)}", fontsize=look.SMALL, color=GREY)
     grid = out.add_gridspec(rows, GRID)
-    cells = [grid[row, SPACE[1] :] for row in range(SPACE[0])] + filled(grid, below, COLUMNS, SPACE[0])
-    for panel, cell in zip(shown, cells, strict=False):
+    beside = min(len(shown), SPACE[0])
+    cells = [grid[k * SPACE[0] // beside : (k + 1) * SPACE[0] // beside, SPACE[1] :] for k in range(beside)]
+    cells += filled(grid, below, COLUMNS, SPACE[0])
+    for panel, cell in zip(shown, cells, strict=True):
         _curves(out.add_subplot(cell), panel, run.t)
     space = grid[: SPACE[0], : SPACE[1] if shown else GRID].subgridspec(2, 1, height_ratios=(8, 1))
     room = look.rooms(out, [space[0]])
@@ -124,7 +128,7 @@ def panels(run: Run, controller: Any = None) -> list[Panel]:
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
         Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
         Panel("Energy", "E", "J", energy),
-        Panel("Tip position, inertial frame", "r", "m", place),
+        Panel("Tip, inertial frame", "r", "m", place),
     ]
 
 
@@ -184,9 +188,9 @@ def _bounds(controller: Any) -> np.ndarray | None:
 # ------------------------------------------------------------------------------ how it is drawn
 
 
-def _headline(run: Run, silent: list[str]) -> str:
-    note = f"   (zero throughout: {', '.join(silent)})" if silent else ""
-    return f"{run.name}: {run.t[-1]:g} s in {len(run.t) - 1} steps{note}"
+def _headline(run: Run) -> str:
+    steps = len(run.t) - 1
+    return f"{run.name}: {run.t[-1]:g} s in {steps} step{'s' if steps != 1 else ''}"
 
 
 def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:

@@ -137,7 +137,7 @@ def test_picture(joints):
 
 def test_command_draws_and_prints(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "rod.toml").write_text(rr.to_toml(arm(link("rod", modes={"bending_y": 1}))))
+    (tmp_path / "rod.toml").write_text(rr.to_toml(arm(link("rod", modes={"basis": "clamped_free", "bending_y": 1}))))
     assert main(["modes", "rod.toml", "--plot", "rod.png"]) == 0
     out = capsys.readouterr()
     assert out.err == "" and out.out.count(" Hz") == 1 and (tmp_path / "rod.png").read_bytes().startswith(b"\x89PNG")

@@ -38,9 +38,9 @@ def chain(count: int):
 
 MODELS = {
     "ella": lambda: example("ella"),
-    "six": lambda: example("six_link"),
     "rigid": lambda: model_of(arm(link("rod", axes="z"))),
     "eight": lambda: chain(8),
+    "nine": lambda: chain(9),
 }
 
 
@@ -119,14 +119,14 @@ def key(figure):
 def test_what_is_zero_is_said_and_runs_of_one_step_are_drawn():
     model = example("ella")
     figure = laid_out(plot.figure(swing(model, samples=2, size=0.0), model))
-    assert "zero throughout: joint angles, joint torques" in figure.get_suptitle()
+    assert "zero throughout: joint angles, joint torques" in figure.get_supxlabel()
     assert not collisions(figure) and not outside(figure)
     drawn = [axes for axes in figure.axes if axes.get_title(loc="left")]
     assert drawn and all(max(np.abs(line.get_ydata()).max() for line in axes.lines) > 0 for axes in drawn)
 
 
 def test_colors_of_the_key_are_those_of_the_curves():
-    figure, names = picture("six"), [link.name for link in example("six_link").robot.links]
+    figure, names = picture("eight"), [f"a_link_with_a_name_{i}" for i in range(8)]
     entries = zip(key(figure).get_texts(), key(figure).legend_handles, strict=True)
     colors = {text.get_text(): handle.get_color() for text, handle in entries}
     assert [line.get_color() for line in panel(figure, "Joint forces").lines] == [colors[name] for name in names]

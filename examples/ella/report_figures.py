@@ -3,7 +3,7 @@
 CAPTIONS = {
     "divergence.png": """Forward Euler beside methods that hold. (a), (b): a small disturbance of the arm held at its
         set points, the share of the fastest motion in it, and the growth predicted from the spectrum. (c): the paper's
-        task, distance of the end point from a run of Runge–Kutta 4 at 20 µs.""",
+        task, the largest distance so far of the end point from a run of Runge–Kutta 4 at 20 µs.""",
     "fig03_joint_angles.png": """Paper's Fig. 3: joint angles against their references. At the start the arm falls,
         as a PD law gives no torque before there is an error; the offsets at the end are the weight over kp.""",
     "fig04_coordinates.png": """Paper's Fig. 4: coordinates of the link frames in body-fixed components, r_i =

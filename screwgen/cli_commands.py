@@ -52,7 +52,7 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
-    with busy("generating", quiet):
+    with busy("generating", quiet), _stoppable():
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
         asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
         files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)

@@ -7,24 +7,18 @@ the commands that need them, so that help is quick.
 
 from __future__ import annotations
 
-import os
-import signal
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
 
-from .errors import ScrewgenError, SingularError, StoppedError
-from .spec.load import one_line
+from .cli_process import guarded, prepare
 
 EPILOG = (
     "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
     "1 a computation that failed, such as a singular posture; 130 interrupted."
 )
-ClickException = typer.BadParameter.__mro__[2]
-"""Whatever is wrong with a command line; typer has it under names that change with its version."""
-
 app = typer.Typer(
     name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
 )
@@ -288,21 +282,14 @@ def paper(
     run_paper(label or (), errata, json, output, quiet or context.obj)
 
 
-# ------------------------------------------------------------------------------ how it ends
+# ------------------------------------------------------------------------------ the process
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command line (default: this process's) and return its exit status."""
     if arguments is None:
-        _tidy_when_told_to_end()
-    return _guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
-
-
-def _tidy_when_told_to_end() -> None:
-    """Let a closed terminal or a plain `kill` end the process as an exception does: temporary files go."""
-    for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), lambda number, _: sys.exit(128 + number))
+        prepare()
+    return guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
 
 
 def _command(arguments: list[str]) -> int:
@@ -312,39 +299,3 @@ def _command(arguments: list[str]) -> int:
         raise KeyboardInterrupt
     sys.stdout.flush()
     return status if isinstance(status, int) else 0
-
-
-def _guarded(work: Callable[[], int]) -> int:
-    """The exit status of `work`; what goes wrong becomes one line on stderr."""
-    try:
-        return work()
-    except ClickException as error:
-        return _fail(_sentence(error))
-    except ScrewgenError as error:
-        from .integrate import DivergedError
-
-        failed = isinstance(error, SingularError | DivergedError)
-        return _fail(str(error), status=130 if isinstance(error, StoppedError) else 1 if failed else 2)
-    except KeyboardInterrupt:
-        return _fail("interrupted; nothing was written", status=130)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
-    except MemoryError:
-        return _fail("the memory is full; take a shorter run, a longer step or a smaller robot", status=1)
-    except OSError as error:
-        return _fail(f"the system refuses: {error.strerror or error}; check files, disk and permissions", status=1)
-
-
-def _sentence(error: ClickException) -> str:
-    """A complaint about the command line, in our form: what is wrong; where help is."""
-    context = getattr(error, "ctx", None)
-    path = context.command_path if context else "screwgen"
-    message = error.format_message()
-    return f"{message[:1].lower()}{message[1:].rstrip('.')}; see '{path} --help'"
-
-
-def _fail(message: str, status: int = 2) -> int:
-    """Say it on stderr, on one line."""
-    typer.echo(f"screwgen: error: {one_line(' '.join(message.split()))}", err=True)
-    return status

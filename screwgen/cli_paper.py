@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as json_format
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -42,7 +43,12 @@ def _json(chosen: list, errata: bool) -> str:
     from .paper import register, terminal
 
     rows = chosen or (register.errata() if errata else register.equations())
-    return json_format.dumps([terminal.record(e) for e in rows], ensure_ascii=False, indent=1)
+    return json_format.dumps([terminal.record(e) for e in rows], ensure_ascii=not _shows_all(), indent=1)
+
+
+def _shows_all() -> bool:
+    """Whether stdout can show every letter."""
+    return "utf" in (getattr(sys.stdout, "encoding", None) or "utf").lower()
 
 
 def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> None:

@@ -2,8 +2,9 @@
 
 The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so
 that one which was cut short is known without loading it; it is built aside and renamed, so that processes which build
-the same at once do not meet. Where the folder cannot be written, a library is built in a temporary one. The folder may
-be deleted at any time.
+the same at once do not meet. Where the folder cannot be written, a library is built in a temporary one, and so it is
+where others than this user and root can write: what lies there would run as this user. The folder may be deleted at
+any time.
 """
 
 from __future__ import annotations
@@ -13,9 +14,11 @@ import hashlib
 import os
 import shlex
 import shutil
+import stat
 import subprocess
 import tempfile
 import time
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -23,6 +26,8 @@ from functools import lru_cache
 from pathlib import Path
 
 from .errors import ScrewgenError
+from .files import open_regular
+from .spec.load import one_line
 
 FLAGS = ("-std=c99", "-fPIC", "-shared")
 PROGRAMS = ("main.c", "check.c")
@@ -33,6 +38,9 @@ MAX_ENTRIES = 256
 
 ABANDONED = 24 * 3600.0
 """A folder in which nothing was built for so many seconds belongs to a process that was killed."""
+
+ROOT = 0
+"""The system's user, who can do anything anyway."""
 
 DIGEST = hashlib.sha256().digest_size
 
@@ -49,7 +57,7 @@ def load(
     command = compiler_command(compiler)
     key = _key(used, tuple(flags), command)
     folder = cache_folder() if cache is True else Path(cache) if cache else None
-    if folder is not None:
+    if folder is not None and _trusted(folder):
         if library := _kept(folder, key):
             return library
         with suppress(OSError):
@@ -73,19 +81,25 @@ def cache_folder() -> Path | None:
 
 def compiler_command(compiler: str | None = None) -> list[str]:
     """The compiler and its leading arguments; raises ScrewgenError where there is none."""
-    text = compiler or os.environ.get("CC") or "cc"
-    command = shlex.split(text)
+    text, command = _named(compiler)
     if not command or shutil.which(command[0]) is None:
         raise ScrewgenError(f"no C compiler '{text}'; install gcc or name one in the environment variable CC")
     return command
 
 
 def has_compiler() -> bool:
-    """Whether C can be compiled here."""
+    """Whether there is a C compiler; raises ScrewgenError where CC is no command at all."""
+    command = _named(None)[1]
+    return bool(command) and shutil.which(command[0]) is not None
+
+
+def _named(compiler: str | None) -> tuple[str, list[str]]:
+    """How the compiler is called, and in words."""
+    text = compiler or os.environ.get("CC") or "cc"
     try:
-        return bool(compiler_command())
-    except ScrewgenError:
-        return False
+        return text, shlex.split(text)
+    except ValueError as error:
+        raise ScrewgenError(f"the C compiler {text!r} is no command ({error}); mend the quotes in CC") from None
 
 
 def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]) -> Path:
@@ -101,11 +115,21 @@ def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], fl
 
 
 def _run(command: list[str], folder: Path) -> None:
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    done = _called(command, folder)
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
         said = next((line for line in lines if "error" in line), lines[0])
         raise ScrewgenError(f"{command[0]} failed on the generated C: {said}")
+
+
+def _called(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """The compiler, called; what it says may be in any encoding. Raises ScrewgenError where it cannot be started."""
+    said = {"capture_output": True, "text": True, "errors": "replace", "stdin": subprocess.DEVNULL}
+    try:
+        return subprocess.run(command, cwd=folder, **said)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ScrewgenError(f"the C compiler {command[0]} cannot be run: {reason}; name another one in CC") from None
 
 
 # ------------------------------------------------------------------------------ entries
@@ -122,16 +146,35 @@ def _key(files: Mapping[str, str], flags: tuple[str, ...], command: Sequence[str
 def _identity(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ...]:
     """What tells a compiler, its version, its target and what flags such as -march=native mean on this machine."""
     asked = ([*command, "--version"], [*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
-    said = [subprocess.run(line, capture_output=True, text=True, stdin=subprocess.DEVNULL).stdout for line in asked]
-    return (*command, *said)
+    return (*command, *(_called(line).stdout for line in asked))
+
+
+def _trusted(folder: Path) -> bool:
+    """Whether the cache, made if it is not there, is one where nobody else can plant a library; says so if not."""
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if _private(folder.stat()):
+            return True
+    except OSError:
+        return False
+    what = f"{one_line(str(folder))} is no cache of compiled models: others can write in it, or own it"
+    warnings.warn(f"{what}; chmod go-w it, or name another folder in SCREWGEN_CACHE", stacklevel=2)
+    return False
+
+
+def _private(status: os.stat_result) -> bool:
+    """Whether a folder or file is this user's or the system's, and writable for no one else."""
+    own = not hasattr(os, "geteuid") or status.st_uid in (ROOT, os.geteuid())
+    return own and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
 
 
 def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
     """The library of an entry; None where there is none, or none that is whole and fits this machine."""
     path = folder / f"{key}.so"
     try:
-        data = path.read_bytes()
-        if hashlib.sha256(data[:-DIGEST]).digest() != data[-DIGEST:]:
+        with open_regular(path) as stream:
+            ours, data = _private(os.fstat(stream.fileno())), stream.read()
+        if not ours or hashlib.sha256(data[:-DIGEST]).digest() != data[-DIGEST:]:
             return None
         library = ctypes.CDLL(str(path))
     except OSError:
@@ -143,11 +186,11 @@ def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
 
 def _build_and_keep(folder: Path, key: str, files, command, flags) -> ctypes.CDLL:
     """Build in a temporary folder inside the cache, put the entry in its place and load it; raises OSError."""
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="building-", dir=folder) as place:
         built = _compiled(Path(place), files, command, flags)
         with built.open("ab") as stream:
             stream.write(hashlib.sha256(built.read_bytes()).digest())
+        built.chmod(0o700)
         os.replace(built, folder / f"{key}.so")
     _prune(folder)
     return ctypes.CDLL(str(folder / f"{key}.so"))

@@ -67,9 +67,9 @@ def instance(model: Model, p: np.ndarray) -> Compiled:
 
 def available(model: Model) -> bool:
     """Whether the model can be had in C; says so where the compiler that is there fails."""
-    if "_compiled" not in vars(model) and not has_compiler():
-        return False
     try:
+        if "_compiled" not in vars(model) and not has_compiler():
+            return False
         return model._compiled is not None
     except ScrewgenError as error:
         warnings.warn(f"the run goes on in NumPy: {error}", stacklevel=4)

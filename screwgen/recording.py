@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, BinaryIO
 import numpy as np
 
 from .errors import ScrewgenError, SingularError, UsageError
+from .files import create
 from .inputs import Inputs
 from .integrate import Dynamics, Evaluator
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
@@ -145,8 +146,9 @@ def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
         yield
         return
     part = part_of(path)
+    stream = _claimed(part, path)
     try:
-        with open(part, "wb") as stream:
+        with stream:
             table.store = Store(table, stream, suffix(path) == ".csv")
             try:
                 yield
@@ -168,6 +170,17 @@ def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
         if table.store is None or not table.store.count:
             with suppress(OSError):
                 part.unlink()
+
+
+def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
+    """The new file of a run that is stored to `path`, as private as what is there; raises UsageError."""
+    try:
+        return create(part, like=path)
+    except FileExistsError:
+        kept = "is there already: it keeps a run that was stopped, or one that still goes on"
+        raise UsageError(f"{one_line(str(part))}: {kept}; move it away, or choose another output") from None
+    except OSError as error:
+        raise unwritable(path, error) from None
 
 
 class Store:

@@ -13,6 +13,7 @@ from typing import BinaryIO
 import numpy as np
 
 from .errors import UsageError
+from .files import create
 from .spec.load import one_line
 
 ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
@@ -131,6 +132,7 @@ def unwritable(path: str | os.PathLike[str], error: Exception) -> UsageError:
 @contextmanager
 def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
     """Streams to temporary files beside `paths`, which take their places together when all went well.
+    A file that is there keeps its mode.
 
     The temporary files are opened at once, so that a folder that cannot be written is refused before the work;
     they are removed when the work fails. Raises UsageError.
@@ -139,7 +141,7 @@ def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
     parts = [t.with_name(f".{t.name[:40]}.{secrets.token_hex(4)}.part") for t in targets]
     try:
         with ExitStack() as stack:
-            yield [stack.enter_context(_opened(part, path)) for part, path in zip(parts, paths, strict=True)]
+            yield [stack.enter_context(_opened(*names)) for names in zip(parts, targets, paths, strict=True)]
         for part, target in zip(parts, targets, strict=True):
             os.replace(part, target)
     except OSError as error:
@@ -150,8 +152,8 @@ def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
                 part.unlink()
 
 
-def _opened(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
+def _opened(part: Path, target: Path, path: str | os.PathLike[str]) -> BinaryIO:
     try:
-        return open(part, "xb")
+        return create(part, like=target)
     except OSError as error:
         raise unwritable(path, error) from None

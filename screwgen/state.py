@@ -14,6 +14,7 @@ import numpy as np
 from pydantic_core import PydanticCustomError
 
 from .errors import UsageError
+from .files import NotRegularError, open_regular
 from .spec.load import one_line
 from .spec.messages import key_path, unknown
 from .spec.values import array, number, refuse, shown
@@ -129,12 +130,14 @@ def read_text(path: str | os.PathLike[str], kind: str) -> str:
     """The UTF-8 text of the file at `path`, which should be `kind`; raises UsageError, one line."""
     file = one_line(os.fsdecode(path))
     try:
-        with open(path, "rb") as stream:
+        with open_regular(path) as stream:
             content = stream.read(MAX_BYTES + 1)
     except FileNotFoundError:
         raise UsageError(f"{file}: there is no such file; check the path") from None
     except IsADirectoryError:
         raise UsageError(f"{file}: is a directory; name {kind} in it") from None
+    except NotRegularError as error:
+        raise UsageError(f"{file}: {error}; name {kind}") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UsageError(f"{file}: cannot be read ({one_line(reason)}); check path and permissions") from None

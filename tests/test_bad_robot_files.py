@@ -78,7 +78,7 @@ def test_file_as_folder(path):
 
 
 def test_forbidden_file(path, monkeypatch):
-    def forbidden(*_):
+    def forbidden(*_, **__):
         raise PermissionError
 
     monkeypatch.setattr("builtins.open", forbidden)

@@ -1,5 +1,6 @@
 """`model.compile`: the C as functions on NumPy arrays, and the cache that it comes from."""
 
+import hashlib
 import os
 import shutil
 import subprocess
@@ -247,6 +248,41 @@ def test_where_the_cache_is(tmp_path, monkeypatch):
     assert library.cache_folder() == tmp_path / ".cache" / "screwgen"
 
 
+def test_a_library_that_others_can_plant_is_not_loaded(tmp_path, monkeypatch):
+    """A cache where others may write, or an entry that they own or may change: built anew, elsewhere, with a line."""
+    folder = tmp_path / "shared"
+    assert answer(folder) == 42 and folder.stat().st_mode & 0o777 == 0o700
+    entry = folder / entries(folder)[0]
+    planted = library._compiled(tmp_path, {"one.c": "int answer(void) { return 666; }\n"}, ["cc"], ()).read_bytes()
+    plant = lambda: entry.unlink() or entry.write_bytes(planted + hashlib.sha256(planted).digest())  # noqa: E731
+    plant()
+    assert answer(folder) == 666  # the digest does not tell who wrote it
+    for place, mode in ((entry, 0o720), (entry, 0o702)):
+        place.chmod(mode)
+        assert answer(folder) == 42 and entry.stat().st_mode & 0o777 == 0o700
+        plant()
+    for mode in (0o777, 0o1777, 0o770):
+        folder.chmod(mode)
+        with pytest.warns(
+            UserWarning, match=r"shared is no cache .*; chmod go-w it, or name another .* SCREWGEN_CACHE"
+        ):
+            assert answer(folder) == 42
+    folder.chmod(0o700)
+    monkeypatch.setattr(library.os, "geteuid", lambda: entry.stat().st_uid + 1)
+    monkeypatch.setattr(library, "ROOT", -1)
+    with pytest.warns(UserWarning, match="or own it"):
+        assert answer(folder) == 42
+    assert entry.read_bytes().startswith(planted)
+
+
+def test_a_pipe_in_the_cache_is_no_entry(tmp_path):
+    answer(tmp_path)
+    entry = tmp_path / entries(tmp_path)[0]
+    entry.unlink()
+    os.mkfifo(entry)
+    assert answer(tmp_path) == 42 and entry.is_file()
+
+
 def test_the_cache_forgets_what_is_old(tmp_path, monkeypatch):
     monkeypatch.setattr(library, "MAX_ENTRIES", 2)
     for number in range(4):
@@ -270,6 +306,25 @@ def test_the_library_follows_the_environment_and_says_what_is_missing(tmp_path, 
     with pytest.raises(ScrewgenError, match=r"^cc failed on the generated C: .*error") as caught:
         answer(tmp_path, {"one.c": "int answer(void) { return x; }\n"})
     assert "\n" not in str(caught.value) and len(entries(tmp_path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (b"#!/bin/sh\nprintf 'error: d\\351faut\\n' >&2\nexit 1\n", "failed on the generated C: error: d\ufffdfaut$"),
+        (b"no program", "cannot be run: Exec format error; name another one in CC$"),
+        (None, "is no command .*; mend the quotes in CC$"),
+    ],
+    ids=["latin-1", "no program", "quotes"],
+)
+def test_a_compiler_that_is_none_is_one_line(tmp_path, text, message):
+    """Nothing of it is blamed on a file that is being written."""
+    compiler = tmp_path / "compiler"
+    compiler.write_bytes(text or b"")
+    compiler.chmod(0o755)
+    with pytest.raises(ScrewgenError, match=message) as caught:
+        library.load(SMALL, (), str(compiler) if text else f"{compiler} 'x", cache=tmp_path / "cache")
+    assert "\n" not in str(caught.value)
 
 
 def test_nothing_is_left_in_the_folder_of_work(tmp_path, monkeypatch):

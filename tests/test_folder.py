@@ -57,7 +57,7 @@ def test_a_pipe_in_the_place_of_a_file_is_refused(tmp_path, name):
     folder.write_folder(out, FILES, ("c",))
     (out / name).unlink()
     os.mkfifo(out / name)
-    with pytest.raises(UsageError, match="was changed|did not write"):
+    with pytest.raises(UsageError, match=r"was changed|did not write"):
         folder.write_folder(out, NEW, ("c",))
 
 

@@ -7,7 +7,7 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 LAYERS = [
-    {"errors", "look", "sympy_cache", "version"},
+    {"errors", "files", "look", "sympy_cache", "version"},
     {"curves"},
     {"bases", "algebra"},
     {"spec"},
@@ -27,7 +27,7 @@ LAYERS = [
     {"paper"},
     {"formulation"},
     {"__init__"},
-    {"cli", "cli_commands", "cli_paper", "cli_linear", "cli_output", "__main__"},
+    {"cli", "cli_commands", "cli_paper", "cli_linear", "cli_output", "cli_process", "__main__"},
 ]
 """From bottom to top; a module imports from lower layers and from its own."""
 

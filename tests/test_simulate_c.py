@@ -123,10 +123,12 @@ def test_c_is_taken_where_it_can_be(monkeypatch):
 
 def test_a_compiler_that_fails_is_said_once_and_done_without(monkeypatch):
     model = derive(Robot.model_validate(soft_dict()))
+    for CC, message in (("false", "false failed"), ("cc 'x", r"is no command \(No closing quotation\); mend")):
+        monkeypatch.setenv("CC", CC)
+        with pytest.warns(UserWarning, match=f"goes on in NumPy: .*{message}"):
+            run = simulate(model, 0.005, 1e-3)
+        assert len(run.t) == 6
     monkeypatch.setenv("CC", "false")
-    with pytest.warns(UserWarning, match="goes on in NumPy: false failed"):
-        run = simulate(model, 0.005, 1e-3)
-    assert len(run.t) == 6
     with pytest.raises(Exception, match="false failed"):
         simulate(model, 0.005, 1e-3, backend="c")
 
@@ -223,8 +225,44 @@ def test_a_run_that_fails_or_is_stopped_keeps_what_it_had(tmp_path, suffix, back
         assert np.array_equal(read(tmp_path, suffix), simulate(soft(), 0.007, **given).table)
         assert sorted(os.listdir(tmp_path)) == sorted([f"run{suffix}", left])
         assert (tmp_path / f"run{suffix}").read_text() == "an older run"
+        with pytest.raises(UsageError, match=f"{left}: is there already: it keeps a run .*; move it away"):
+            simulate(soft(), 0.007, store=tmp_path / f"run{suffix}", step=1e-3, backend=backend)
+        assert np.array_equal(read(tmp_path, suffix), simulate(soft(), 0.007, **given).table)
+        (tmp_path / left).unlink()
     simulate(soft(), 0.007, store=tmp_path / f"run{suffix}", **given)
     assert os.listdir(tmp_path) == [f"run{suffix}"]
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".csv"])
+def test_a_stored_run_follows_no_planted_link(tmp_path, suffix):
+    part = tmp_path / f"run.part{'.npy' if suffix == '.npz' else suffix}"
+    for target in ("precious", "none"):
+        (tmp_path / "precious").write_text("mine")
+        part.symlink_to(target)
+        with pytest.raises(UsageError, match="is there already"):
+            simulate(soft(), 0.005, 1e-3, store=tmp_path / f"run{suffix}")
+        assert (tmp_path / "precious").read_text() == "mine" and part.is_symlink()
+        part.unlink()
+    assert os.listdir(tmp_path) == ["precious"]
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".csv"])
+def test_an_output_keeps_the_mode_of_what_it_replaces(tmp_path, suffix):
+    """Also while it grows, and where it is saved in one go; a new one has that of any new file."""
+    path = tmp_path / f"run{suffix}"
+    (tmp_path / "any").touch()
+    modes = []
+
+    def controller(t, q, v):
+        modes.extend(entry.stat().st_mode & 0o777 for entry in tmp_path.glob("run.part.*"))
+        return (0.0,) * 3
+
+    simulate(soft(), 0.003, 1e-3, store=path, controller=controller)
+    assert {path.stat().st_mode, *((0o100000 | mode) for mode in modes)} == {(tmp_path / "any").stat().st_mode}
+    path.chmod(0o600)
+    modes.clear()
+    simulate(soft(), 0.003, 1e-3, store=path, controller=controller).save(path)
+    assert modes and set(modes) == {0o600} and path.stat().st_mode & 0o777 == 0o600
 
 
 def test_a_run_that_never_began_leaves_nothing(tmp_path):

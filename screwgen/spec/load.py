@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from screwgen.errors import RobotFileError
+from screwgen.files import NotRegularError, open_regular
 from screwgen.spec.messages import explain
 from screwgen.spec.physics import LETTERS
 from screwgen.spec.robot import Robot
@@ -33,12 +34,14 @@ def load(path: str | os.PathLike[str]) -> Robot:
 def read(path: str | os.PathLike[str], file: str) -> bytes:
     """The bytes of the file at `path`."""
     try:
-        with open(path, "rb") as stream:
+        with open_regular(path) as stream:
             content = stream.read(MAX_BYTES + 1)
     except FileNotFoundError:
         raise RobotFileError(f"{file}: there is no such file; check the path") from None
     except IsADirectoryError:
         raise RobotFileError(f"{file}: is a directory; name a TOML file in it") from None
+    except NotRegularError as error:
+        raise RobotFileError(f"{file}: {error}; name a TOML file") from None
     except PermissionError:
         raise RobotFileError(f"{file}: may not be read; check its permissions") from None
     except (OSError, ValueError) as error:

@@ -1,0 +1,91 @@
+"""The process of a command: closed streams, encodings that lack letters, pipes in the place of files, warnings."""
+
+import io
+import json
+import os
+import sys
+import warnings
+from pathlib import Path
+
+import pytest
+
+from screwgen import cli_process
+from screwgen.cli import main
+
+ELLA = str(Path(__file__).resolve().parents[1] / "examples" / "ella.toml")
+
+
+@pytest.fixture
+def process(monkeypatch):
+    """`main` as a process runs it, with an stdout of a kind; the signals stay those of the tests."""
+    monkeypatch.setattr(cli_process, "_tidy_when_told_to_end", lambda: None)
+    monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
+
+    def run(stdout, *arguments: str) -> int:
+        monkeypatch.setattr(sys, "argv", ["screwgen", *arguments])
+        monkeypatch.setattr(sys, "stdout", stdout)
+        return main()
+
+    return run
+
+
+@pytest.mark.parametrize("arguments", [("modes", ELLA), ("--version",), ("paper", "E7")], ids="-".join)
+def test_a_closed_stdout_is_none(process, capsys, arguments):
+    assert process(None, *arguments) == 0
+    sys.stdout.close()
+    assert capsys.readouterr().err == ""
+
+
+def test_all_streams_closed(process, monkeypatch):
+    for name in ("stdin", "stderr"):
+        monkeypatch.setattr(sys, name, None)
+    assert process(None, "modes", "none.toml") == 2
+    for name in ("stdin", "stdout", "stderr"):
+        getattr(sys, name).close()
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "latin-1", "ascii"])
+def test_an_encoding_that_lacks_letters_gets_escapes(process, capsys, encoding):
+    for arguments in (("analyse", ELLA, "--samples", "0"), ("paper", "34")):
+        out = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+        assert process(out, *arguments) == 0 and capsys.readouterr().err == ""
+        assert "\\u03c1" in out.buffer.getvalue().decode(encoding)
+
+
+def test_json_is_json_in_any_encoding(process):
+    found = []
+    for encoding in ("utf-8", "cp1252", "ascii"):
+        out = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+        assert process(out, "paper", "34", "E7", "--json") == 0
+        found.append(json.loads(out.buffer.getvalue().decode(encoding)))
+    assert found[0] == found[1] == found[2] and not json.dumps(found[0], ensure_ascii=False).isascii()
+
+
+def test_warnings_for_users_take_one_line(process, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("CC", "cc 'x")
+    short = ("simulate", ELLA, "--duration", "2e-3", "--step", "1e-3", "-o", "run.npz")
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        assert process(io.TextIOWrapper(io.BytesIO()), *short) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("screwgen: warning: the run goes on in NumPy: the C compiler")
+
+
+@pytest.mark.parametrize("line", ["modes pipe", "modes ELLA --posture pipe", "analyse ELLA --controller pd:pipe"])
+def test_a_pipe_in_the_place_of_a_file_is_refused(capsys, monkeypatch, tmp_path, line):
+    """It would be waited for, for ever."""
+    monkeypatch.chdir(tmp_path)
+    os.mkfifo("pipe")
+    assert main(line.replace("ELLA", ELLA).split()) == 2
+    assert capsys.readouterr().err.startswith("screwgen: error: pipe: is not a regular file; name a")
+
+
+def test_what_the_shell_hands_over_is_read(capsys):
+    """A substituted process, `--posture <(…)`, is a pipe as well."""
+    reader, writer = os.pipe()
+    os.write(writer, b"[0.1, 0.2, 0.3]")
+    os.close(writer)
+    assert main(["modes", ELLA, "--posture", f"/dev/fd/{reader}"]) == 0
+    os.close(reader)
+    assert " Hz" in capsys.readouterr().out

@@ -8,7 +8,7 @@ from . import sympy_cache  # noqa: F401
 # isort: split
 from .analysis import Analysis, analyse
 from .build import Model
-from .controllers import PD
+from .controllers import PD, Holding
 from .convergence import Convergence, convergence
 from .equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
@@ -34,6 +34,7 @@ __all__ = [
     "DivergedError",
     "Equilibrium",
     "Frequencies",
+    "Holding",
     "Joint",
     "LinearModel",
     "Link",

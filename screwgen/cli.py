@@ -19,9 +19,7 @@ EPILOG = (
     "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
     "1 a computation that failed, such as a singular posture; 130 interrupted."
 )
-app = typer.Typer(
-    name="screwgen", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG
-)
+app = typer.Typer(name="screwgen", rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG)
 
 RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
@@ -115,7 +113,7 @@ def simulate(
         str | None,
         typer.Option(
             metavar="KIND:FILE",
-            help="pd:gains.toml, with kp, kd, q_des, and maybe duration, tau_max. Without: the state's tau, held.",
+            help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. Without: the state's tau.",
             show_default=False,
         ),
     ] = None,

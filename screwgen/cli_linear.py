@@ -11,7 +11,8 @@ from .build import Model, derive
 from .cli_output import load_robot
 from .errors import UsageError
 from .spec.load import one_line
-from .state import State, read_state, state_of
+from .spec.ranges import within
+from .state import State, read_state, refusals, state_of
 
 if TYPE_CHECKING:
     from .convergence import Convergence
@@ -86,8 +87,8 @@ def run_equilibrium(robot: str, state: str | None, q: str | None, tau: str | Non
     given = state_in(state, model)
     if given.v.any():
         raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
-    start = given.q if q is None else numbers("--q", q, model.n_joints, "joint angles in rad")
-    torques = given.tau if tau is None else numbers("--tau", tau, model.n_joints, "joint torques in N·m")
+    start = given.q if q is None else numbers("q", q, model.n_joints, "joint angles in rad")
+    torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, "joint torques in N·m")
     if hold and (tau is not None or given.tau.any()):
         option = "--tau" if tau is not None else f"{one_line(str(state))}: tau"
         raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
@@ -95,9 +96,9 @@ def run_equilibrium(robot: str, state: str | None, q: str | None, tau: str | Non
     print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
 
 
-def numbers(option: str, given: str, size: int, what: str) -> np.ndarray:
-    """`size` finite numbers out of an option, by commas or blanks."""
-    words = given.replace(",", " ").split()
+def numbers(quantity: str, given: str, size: int, what: str) -> np.ndarray:
+    """`size` numbers in the range of a quantity out of the option of that name, by commas or blanks."""
+    option, words = f"--{quantity}", given.replace(",", " ").split()
     try:
         out = np.array([float(word) for word in words])
     except ValueError:
@@ -105,7 +106,8 @@ def numbers(option: str, given: str, size: int, what: str) -> np.ndarray:
         raise UsageError(f"{option}: '{one_line(given)}' is no list of numbers; {wanted}") from None
     if len(out) != size or not np.isfinite(out).all():
         raise UsageError(f"{option}: has {len(out)} numbers; it must have {size} finite {what}, separated by commas")
-    return out
+    with refusals(option):
+        return np.array([within(quantity)(x) for x in out.tolist()])
 
 
 def record(e: Equilibrium) -> dict:

@@ -43,7 +43,7 @@ def _shown(default: Callable) -> Callable:
     """How warnings are shown: those for users on one line, as errors are."""
 
     def show(message, category, *place, **more) -> None:
-        if category is UserWarning:
+        if issubclass(category, UserWarning):
             _say("warning", str(message))
         else:
             default(message, category, *place, **more)

@@ -47,6 +47,8 @@ def convergence(
     A direction without modes counts where the section states its stiffness; links without any modes stay rigid. What
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count.
     """
+    if locked_from(model, joints) == model.nq:
+        return Convergence(np.zeros(0), {})
     rich = derive(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Equilibrium", "NoEquilibriumError", "equilibrium"]
 
+MOST = 500
+"""Coordinates: the exact stiffness, differentiated twice, takes memory as their square, 0.8 GB for so many."""
 NEUTRAL = 1e-9
 """Scaled stiffness below which a direction counts as without."""
 
@@ -71,6 +73,8 @@ def equilibrium(
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     m, n = model.n_joints, model.n_links
+    if model.nq > MOST:
+        raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     start = checked(q, "q", m) if np.size(q) == m != model.nq else checked(q, "q", model.nq)
     start = np.append(start, np.zeros(model.nq - len(start)))
     load = np.append(checked(tau, "tau", m), np.zeros(model.nq - m))

@@ -92,7 +92,7 @@ class Loop:
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
         if task.progress:
             task.progress(0, task.steps)
-        if type(task.law) is PD and not task.given.wrenches_vary:
+        if type(task.law) is PD and task.law.plain and not task.given.wrenches_vary:
             self._take_law(task.law)
         asked = self.plan.pd is None and (task.given.torques_vary or task.given.wrenches_vary)
         (self._ask if asked else self._sweep)(task)

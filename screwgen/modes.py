@@ -45,6 +45,8 @@ def mode_shapes(
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     q, first = posture(model, q), locked_from(model, joints)
+    if first == model.nq:
+        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0)
     M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
     free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
     out = np.zeros((model.nq, len(held)))

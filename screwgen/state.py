@@ -17,7 +17,8 @@ from .errors import UsageError
 from .files import NotRegularError, open_regular
 from .spec.load import one_line
 from .spec.messages import key_path, unknown
-from .spec.values import array, number, refuse, shown
+from .spec.ranges import within
+from .spec.values import array, refuse, shown
 
 if TYPE_CHECKING:
     from .build import Model
@@ -60,7 +61,7 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
             if key not in KEYS:
                 raise refuse(unknown(key, KEYS), (key,))
         coordinates = {key: motion(given.get(key, []), key, model) for key in ("q", "v")}
-        tau = sized(given["tau"], ("tau",), model.n_joints, "torques") if "tau" in given else [0.0] * model.n_joints
+        tau = sized(given.get("tau", [0.0] * model.n_joints), ("tau",), model.n_joints, "torques", within("tau"))
         w_ext = wrenches(given["w_ext"], model.n_links) if "w_ext" in given else np.zeros((model.n_links, 6))
         return State(**coordinates, tau=np.array(tau, float), w_ext=w_ext)
 
@@ -72,7 +73,7 @@ def motion(value: Any, key: str, model: Model) -> np.ndarray:
         allowed = f"{model.nq} numbers, or the {model.n_joints} of the joints alone"
         raise refuse(f"has length {len(entries)}; it must have {allowed}", (key,))
     out = np.zeros(model.nq)
-    out[: len(entries)] = [number(x, at=(key, i)) for i, x in enumerate(entries)]
+    out[: len(entries)] = [within(key)(x, at=(key, i)) for i, x in enumerate(entries)]
     return out
 
 
@@ -81,10 +82,11 @@ def wrenches(value: Any, n: int) -> np.ndarray:
     rows = array(value, f"an array of {n} wrenches of 6 numbers", at=("w_ext",))
     if len(rows) != n:
         raise refuse(f"has length {len(rows)}; it must have {n}, a wrench of 6 numbers for each link", ("w_ext",))
-    return np.array([sized(row, ("w_ext", i), 6, "numbers τx, τy, τz, Fx, Fy, Fz") for i, row in enumerate(rows)])
+    what, check = "numbers τx, τy, τz, Fx, Fy, Fz", within("w_ext")
+    return np.array([sized(row, ("w_ext", i), 6, what, check) for i, row in enumerate(rows)])
 
 
-def sized(value: Any, at: tuple, size: int, what: str, check: Callable = number) -> list[float]:
+def sized(value: Any, at: tuple, size: int, what: str, check: Callable) -> list[float]:
     """`size` numbers that pass `check`."""
     entries = array(value, f"an array of {size} {what}", at=at)
     if len(entries) != size:

@@ -11,6 +11,7 @@ from screwgen.cli import main
 EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella_paper.toml"
 RUN = "simulate ella.toml --duration 0.01 --step 1e-3 -o run.npz"
 GAINS = "kp = [1, 1, 1]\nkd = [1, 1, 1]\nq_des = [0, 0, 0]\n"
+WAYS = "kp = [1, 1, 1]\nkd = [1, 1, 1]\n"
 
 LINES = {
     "": "missing command",
@@ -154,6 +155,15 @@ GAIN_FILES = {
     GAINS + "duration = 0": "duration: is 0; it must be > 0",
     GAINS + 'duration = "1 s"': "duration: ",
     GAINS + "tau_max = [1, 1, 0]": "tau_max[2]: is 0; it must be > 0",
+    GAINS + "gravity = 1": "gravity: is 1; it must be true or false",
+    GAINS + "waypoints = []": "q_des: is given beside waypoints",
+    GAINS.replace("q_des", "waypoints"): "waypoints[0]: is 0; it must be a table of t and q",
+    WAYS + "waypoints = []": "waypoints: is empty",
+    WAYS + "waypoints = [{ t = 1, q = [0, 0] }]": "waypoints[0].q: has length 2; it must have 3 numbers",
+    WAYS + "waypoints = [{ t = 0, q = [0, 0, 0] }]": "waypoints[0].t: is 0; it must be > 0",
+    WAYS
+    + "waypoints = [{ t = 1, q = [0, 0, 0] }, { t = 1, q = [0, 0, 0] }]": "waypoints[1].t: is 1.0; it must be later",
+    WAYS + "waypoints = [{ t = 1, q = [0, 0, 0], v = 1 }]": "waypoints[0]: is a table; it must be a table of t and q",
     GAINS + "ki = [1, 1, 1]": "ki: is an unknown key; known here: kp, kd",
     GAINS + "tau_limit = [1, 1, 1]": "tau_limit: is an unknown key",
     GAINS + "start = 2024-02-31": "is not valid TOML|cannot be read",

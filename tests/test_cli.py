@@ -17,6 +17,7 @@ from oracle import Oracle
 from screwgen import __version__, derive, load
 from screwgen.cli import main
 from screwgen.cli_commands import EVALUATIONS
+from screwgen.controllers import PD, Holding
 from screwgen.modes import natural_frequencies
 from screwgen.simulation import FORMS, simulate
 
@@ -168,6 +169,18 @@ def test_simulate_with_a_controller_and_a_method(capsys, folder):
     table = np.loadtxt("run.csv", delimiter=",", skiprows=1)
     assert len(table) == 21 and table[0, names.index("forearm.joint[0]")] == 0.3
     assert table[:, names.index("upper_arm.torque[0]")].any()
+
+
+def test_simulate_with_gravity_compensation_along_way_points(capsys, folder):
+    ways = "waypoints = [{ t = 0.01, q = [0.1, 0, 0] }, { t = 0.02, q = [0, 0, 0] }]\ngravity = true\n"
+    Path("gains.toml").write_text("".join(GAINS.splitlines(True)[:2]) + ways)
+    run(capsys, "simulate", "ella.toml", *SHORT, "-o", "run.npz", "--controller", "pd:gains.toml")
+    model = derive(load("ella.toml"))
+    points = ((0.01, (0.1, 0.0, 0.0)), (0.02, (0.0,) * 3))
+    law = PD((40.0, 40.0, 20.0), (8.0, 8.0, 3.0), points[1][1], 0.02, waypoints=points, gravity=Holding(model))
+    with np.load("run.npz") as stored:
+        assert np.array_equal(stored["tau"], simulate(model, 0.02, 1e-3, controller=law).tau)
+        assert np.allclose(stored["tau"][0], Holding(model)([0.0] * 3), rtol=1e-12)
 
 
 def test_quiet_says_nothing(capsys, folder):

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import sys
 import warnings
 from pathlib import Path
@@ -70,6 +71,26 @@ def test_warnings_for_users_take_one_line(process, capsys, monkeypatch, tmp_path
         assert process(io.TextIOWrapper(io.BytesIO()), *short) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith("screwgen: warning: the run goes on in NumPy: the C compiler")
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        ("screwgen mo", {"modes"}),
+        ("screwgen generate --ba", {"--batch"}),
+        ("screwgen modes --j", {"--joints", "--json"}),
+    ],
+)
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shells_complete_commands_and_options(capsys, monkeypatch, shell, words, wanted):
+    monkeypatch.setenv("_SCREWGEN_COMPLETE", f"complete_{shell}")
+    given = {"COMP_WORDS": words, "COMP_CWORD": len(words.split()) - 1, "_TYPER_COMPLETE_ARGS": words}
+    for name, value in (given | {"_TYPER_COMPLETE_FISH_ACTION": "get-args"}).items():
+        monkeypatch.setenv(name, str(value))
+    with pytest.raises(SystemExit) as end:
+        main([])
+    assert end.value.code == 0
+    assert wanted <= set(re.findall(r"[-\w]+", capsys.readouterr().out))
 
 
 @pytest.mark.parametrize("line", ["modes pipe", "modes ELLA --posture pipe", "analyse ELLA --controller pd:pipe"])

@@ -1,6 +1,7 @@
 """Simulation: physics against the oracle, orders of the methods, what a run keeps and how it is stored."""
 
 import os
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -9,7 +10,8 @@ import random_robots as rr
 from scipy.integrate import solve_ivp
 
 from screwgen import Robot, ScrewgenError, SingularError, UsageError, derive, load, plot
-from screwgen.controllers import PD
+from screwgen.controllers import PD, Holding
+from screwgen.equilibrium import equilibrium
 from screwgen.integrate import METHODS, DivergedError
 from screwgen.runs import ARRAYS
 from screwgen.simulation import simulate, time_grid
@@ -222,6 +224,45 @@ def test_minimum_jerk_reference_starts_and_ends_at_rest():
     for t in (0.0, 0.1, 0.37, 0.5):
         slope = (law.reference(t + h)[0] - law.reference(max(t - h, 0.0))[0]) / (t + h - max(t - h, 0.0))
         assert law.reference(t)[1] == pytest.approx(slope, abs=1e-4)
+
+
+def test_way_points_are_reached_at_rest_one_after_the_other():
+    points = ((0.5, (1.0, -1.0)), (2.0, (0.2, 0.0)))
+    law = PD((1.0, 1.0), (1.0, 1.0), points[-1][1], points[-1][0], waypoints=points).starting_at([0.3, 0.1, 9.0])
+    assert law.set_points == ((0.0, (0.3, 0.1)), *points)
+    for t, q in (*law.set_points, (9.0, points[-1][1]), (1.25, (0.6, -0.5))):
+        assert law.reference(t)[0] == pytest.approx(q)
+    h = 1e-6
+    for t in (0.1, 0.49, 0.5, 0.51, 1.9, 2.0, 3.0):
+        slope = (law.reference(t + h)[0] - law.reference(t - h)[0]) / (2 * h)
+        assert law.reference(t)[1] == pytest.approx(slope, abs=1e-4)
+    with pytest.raises(UsageError, match="last of the waypoints"):
+        PD((1.0, 1.0), (1.0, 1.0), (0.0, 0.0), 2.0, waypoints=points)
+
+
+def test_torques_that_hold_are_those_of_the_equilibrium():
+    """Also beside joint springs; one computation goes down the potential energy, the other solves for the modes."""
+    robot = soft_dict()
+    robot["links"][1]["joint"]["stiffness"] = [3.0] * len(robot["links"][1]["joint"]["axes"])
+    model = derive(Robot.model_validate(robot))
+    for q in ([0.0] * 3, [0.3, -0.5, 1.1]):
+        assert Holding(model)(q) == pytest.approx(equilibrium(model, q, hold=True).tau, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_gravity_compensation_leaves_no_error_at_rest(backend):
+    """PD alone sags under the weight; with the torques that hold the arm it rests at its set point."""
+    robot = soft_dict()
+    for link in robot["links"]:
+        link["damping"] = {"ratio": 0.1}
+    model, goal = derive(Robot.model_validate(robot)), (0.3, -0.2, 0.4)
+    rest = equilibrium(model, goal, hold=True)
+    law = PD((40.0, 40.0, 20.0), (15.0, 15.0, 4.0), goal)
+    sag, held = (
+        np.abs(simulate(model, 0.2, 1e-3, rest.q, controller=x, backend=backend).q[-1, :3] - goal).max()
+        for x in (law, replace(law, gravity=Holding(model)))
+    )
+    assert sag > 1e-2 and held < 1e-9
 
 
 def test_pd_of_unequal_lengths_is_refused():

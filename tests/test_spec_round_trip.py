@@ -21,7 +21,7 @@ from screwgen.spec import (
 )
 
 numbers = st.floats(-1e6, 1e6)
-amounts = st.floats(0, 1e6)
+amounts = st.just(0.0) | st.floats(1e-12, 1e6)
 vectors = st.tuples(numbers, numbers, numbers)
 maybe = st.none
 
@@ -58,7 +58,7 @@ def flexible(draw):
     basis = "clamped_free" if any(measured.values()) else basis
     frequencies = draw(maybe() | st.just(Frequencies())) if not measured else Frequencies(**measured)
     names = ["rhoA", "rhoIp", *(STIFFNESS_OF[d] for d in counts if not measured.get(d))]
-    section = Section(**{name: draw(st.floats(1e-3, 1e12)) for name in names})
+    section = Section(**{name: draw(st.floats(1e-3, 1e9)) for name in names})
     return {"section": section, "modes": Modes(basis=basis, frequencies=frequencies, **counts)}
 
 

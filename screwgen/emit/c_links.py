@@ -53,9 +53,7 @@ class Run:
 
 
 def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
-    return Run(
-        algorithm, comment, frozenset(results.split()), apart, skipped or {}, parts_if_sprung=parts_if_sprung
-    )
+    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, parts_if_sprung=parts_if_sprung)
 
 
 RUNS: dict[str, Run] = {

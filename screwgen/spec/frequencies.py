@@ -1,26 +1,18 @@
 """Measured natural frequencies of a link, in place of the stiffness of its section."""
 
-import math
 from typing import Annotated, Any
 
 from pydantic import Field, PlainValidator
 
 from screwgen.spec.part import Part
-from screwgen.spec.values import Path, array, positive, refuse, shown
-
-
-def frequency(value: Any, *, at: Path) -> float:
-    """A finite number > 0 whose square, to which the stiffness is proportional, is one as well."""
-    result = positive(value, at=at)
-    if not 0.0 < result * result < math.inf:
-        raise refuse(f"is {shown(value)}; its square must be a finite number > 0", at)
-    return result
+from screwgen.spec.ranges import within
+from screwgen.spec.values import array, refuse, shown
 
 
 def ascending(value: Any) -> tuple[float, ...]:
-    """Any number of finite numbers > 0, each greater than the one before it."""
+    """Any number of frequencies > 0, each greater than the one before it."""
     entries = array(value, "an array of numbers, one for each mode")
-    numbers = tuple(frequency(entry, at=(k,)) for k, entry in enumerate(entries))
+    numbers = tuple(within("frequency")(entry, at=(k,)) for k, entry in enumerate(entries))
     for k in range(1, len(numbers)):
         if numbers[k] <= numbers[k - 1]:
             what = f"is {shown(entries[k])}; it must be greater than the frequency before it, {numbers[k - 1]}"

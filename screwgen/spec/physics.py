@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from screwgen.spec.ranges import several
 from screwgen.spec.values import Path, array, numbers, refuse, shown
 
 Vector = tuple[float, float, float]
@@ -55,7 +56,7 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 def inertia(value: Any) -> tuple[float, ...]:
     """[xx, yy, zz, xy, xz, yz] of a tensor that some body has (kg·m²); products are the tensor's entries."""
-    entries = numbers(value, 6)
+    entries = several("inertia", 6)(value)
     if not some_body_has(entries):
         raise refuse(
             "is an inertia that no body has; no principal moment may be negative, nor exceed the sum of the other two"

@@ -5,6 +5,7 @@ stated 0.0 is a runtime parameter that happens to be zero. SI units and radians 
 those of NOTATION.md.
 """
 
+from numbers import Real
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
@@ -14,17 +15,20 @@ from screwgen.spec.frequencies import Frequencies
 from screwgen.spec.names import distinct, link_name, robot_name
 from screwgen.spec.part import Part
 from screwgen.spec.physics import axes, inertia
-from screwgen.spec.section import PRODUCTS, NonNegative, Positive, Section
-from screwgen.spec.values import boolean, choice, count, non_negatives, quoted, refuse, vector
+from screwgen.spec.ranges import several, within
+from screwgen.spec.section import PRODUCTS, Section
+from screwgen.spec.values import boolean, choice, count, quoted, refuse
 
-Vector = Annotated[tuple[float, float, float], PlainValidator(vector)]
+Vector = tuple[float, float, float]
+Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
 Axes = Annotated[tuple[tuple[float, float, float], ...], PlainValidator(axes)]
-PerAxis = Annotated[tuple[float, ...], PlainValidator(non_negatives)]
+PerAxis = tuple[float, ...]
 Count = Annotated[int, PlainValidator(count)]
 Basis = Annotated[str, PlainValidator(choice(*BASES))]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
+PER_AXIS = ("armature", "damping", "stiffness")
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
 NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
@@ -105,7 +109,9 @@ class Modes(Part):
 class Damping(Part):
     """Modal damping: `ratio` ζ >= 0 of each of the link's own base-clamped, unloaded modes (1: critical)."""
 
-    ratio: NonNegative = Field(description="the damping ratio of each mode")
+    ratio: Annotated[float, PlainValidator(within("damping ratio"))] = Field(
+        description="the damping ratio of each mode"
+    )
 
 
 class Mount(Part):
@@ -114,26 +120,44 @@ class Mount(Part):
     `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
     """
 
-    xyz: Vector | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
-    rpy: Vector | None = Field(None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF")
+    xyz: Position | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
+    rpy: Annotated[Vector, PlainValidator(several("turn", 3))] | None = Field(
+        None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF"
+    )
 
 
 class Joint(Part):
     """Rotations about `axes`, in order: R_rel = R_mount exp(a1 q1) exp(a2 q2) …; no axes: welded.
 
-    An axis is "x", "y", "z" or a vector, held as a unit vector. One number >= 0 per axis, if stated:
-    `armature` (kg·m², rotor inertia seen at the joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
+    An axis is "x", "y", "z" or a vector, held as a unit vector. One number >= 0 per axis, if stated (one axis: without
+    brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
     """
 
     axes: Axes = Field(description='the axes of rotation in order, as ["y", "z"]; [] welds the link')
     mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
-    armature: PerAxis | None = Field(None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared)")
-    damping: PerAxis | None = Field(None, description="viscous damping of each axis, N·m·s/rad")
-    stiffness: PerAxis | None = Field(None, description="spring of each axis, N·m/rad, relaxed where its angle is 0")
+    armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
+        None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared)"
+    )
+    damping: Annotated[PerAxis, PlainValidator(several("damping"))] | None = Field(
+        None, description="viscous damping of each axis, N·m·s/rad"
+    )
+    stiffness: Annotated[PerAxis, PlainValidator(several("stiffness"))] | None = Field(
+        None, description="spring of each axis, N·m/rad, relaxed where its angle is 0"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_number_for_one_axis(cls, given: Any) -> Any:
+        """On one axis `damping = 2.0` says what `damping = [2.0]` does."""
+        axes = given.get("axes") if isinstance(given, dict) else None
+        if not (isinstance(axes, list | tuple) and len(axes) == 1):
+            return given
+        alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
+        return given | alone
 
     @model_validator(mode="after")
     def _one_number_per_axis(self) -> Self:
-        for name in ("armature", "damping", "stiffness"):
+        for name in PER_AXIS:
             values = getattr(self, name)
             if values is not None and len(values) != len(self.axes):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
@@ -150,8 +174,8 @@ class Body(Part):
     """
 
     at: End = Field(description='where the body sits, "base" or "tip"')
-    mass: NonNegative = Field(description="the mass, kg")
-    com: Vector | None = Field(None, description="the centre of mass from the point where the body sits, m")
+    mass: Annotated[float, PlainValidator(within("mass"))] = Field(description="the mass, kg")
+    com: Position | None = Field(None, description="the centre of mass from the point where the body sits, m")
     inertia: Inertia | None = Field(
         None, description="about the centre of mass, kg·m²: [xx, yy, zz, xy, xz, yz], with xy = −∫ x y dm"
     )
@@ -165,8 +189,8 @@ class Link(Part):
     """
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
-    length: Positive = Field(description="the length of the centreline, m")
-    frame_at: NonNegative | None = Field(
+    length: Annotated[float, PlainValidator(within("length"))] = Field(description="the length of the centreline, m")
+    frame_at: Annotated[float, PlainValidator(within("frame_at"))] | None = Field(
         None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
     )
     section: Section = Field(description="the section, at least { rhoA = … } or { density = …, area = … }")
@@ -207,7 +231,9 @@ class Robot(Part):
     """
 
     name: Annotated[str, PlainValidator(robot_name)] = Field(description="the robot's name, a C identifier")
-    gravity: Vector = Field(description="the acceleration of free fall, m/s², as [0.0, 0.0, -9.81]")
+    gravity: Annotated[Vector, PlainValidator(several("gravity", 3))] = Field(
+        description="the acceleration of free fall, m/s², as [0.0, 0.0, -9.81]"
+    )
     section_rotation: Annotated[bool, PlainValidator(boolean)] = Field(
         True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
     )

@@ -1,15 +1,12 @@
 """The cross-section of a link, said either by line properties or by material and geometry."""
 
-import math
 from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, PlainValidator, model_validator
 
 from screwgen.spec.part import Part
-from screwgen.spec.values import non_negative, positive, quoted, refuse
-
-Positive = Annotated[float, PlainValidator(positive)]
-NonNegative = Annotated[float, PlainValidator(non_negative)]
+from screwgen.spec.ranges import within
+from screwgen.spec.values import quoted, refuse
 
 PRODUCTS = {  # line property: the two keys of the material spelling whose product it is
     "rhoA": ("density", "area"),
@@ -19,15 +16,7 @@ PRODUCTS = {  # line property: the two keys of the material spelling whose produ
     "GJ": ("G", "J"),
 }
 SPIN = ("density", "Iy", "Iz")  # rhoIp = density (Iy + Iz), where it is not stated
-MATERIAL = {  # the keys of the material spelling, and what is asked of each
-    "density": positive,
-    "area": positive,
-    "E": positive,
-    "Iy": non_negative,
-    "Iz": non_negative,
-    "G": positive,
-    "J": non_negative,
-}
+MATERIAL = ("density", "area", "E", "Iy", "Iz", "G", "J")  # the keys of the material spelling
 
 
 class Section(Part):
@@ -47,12 +36,20 @@ class Section(Part):
         "J": "torsion constant, m⁴",
     }
 
-    rhoA: Positive = Field(description="mass per length, kg/m (or density and area)")
-    EA: NonNegative | None = Field(None, description="axial stiffness, N")
-    EIy: NonNegative | None = Field(None, description="bending stiffness about y, for modes in z, N·m²")
-    EIz: NonNegative | None = Field(None, description="bending stiffness about z, for modes in y, N·m²")
-    GJ: NonNegative | None = Field(None, description="torsional stiffness, N·m²")
-    rhoIp: NonNegative | None = Field(None, description="spin inertia per length about the centreline, kg·m")
+    rhoA: Annotated[float, PlainValidator(within("rhoA"))] = Field(
+        description="mass per length, kg/m (or density and area)"
+    )
+    EA: Annotated[float, PlainValidator(within("EA"))] | None = Field(None, description="axial stiffness, N")
+    EIy: Annotated[float, PlainValidator(within("EIy"))] | None = Field(
+        None, description="bending stiffness about y, for modes in z, N·m²"
+    )
+    EIz: Annotated[float, PlainValidator(within("EIz"))] | None = Field(
+        None, description="bending stiffness about z, for modes in y, N·m²"
+    )
+    GJ: Annotated[float, PlainValidator(within("GJ"))] | None = Field(None, description="torsional stiffness, N·m²")
+    rhoIp: Annotated[float, PlainValidator(within("rhoIp"))] | None = Field(
+        None, description="spin inertia per length about the centreline, kg·m"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -60,7 +57,7 @@ class Section(Part):
         if not isinstance(data, dict):
             return data
         stated = {key: value for key, value in data.items() if value is not None}
-        material = {key: MATERIAL[key](stated.pop(key), at=(key,)) for key in MATERIAL if key in stated}
+        material = {key: within(key)(stated.pop(key), at=(key,)) for key in MATERIAL if key in stated}
         if set(stated) <= set(cls.model_fields):  # an unknown key is reported before what it leads to
             refuse_idle(material)
         return stated | from_material(material, stated)
@@ -72,9 +69,9 @@ def from_material(material: dict[str, float], stated: dict[str, Any]) -> dict[st
     for name, factors in PRODUCTS.items():
         if complete(factors, material):
             refuse_twice(name, factors, stated)
-            line[name] = finite(name, material[factors[0]] * material[factors[1]])
+            line[name] = material[factors[0]] * material[factors[1]]
     if complete(SPIN, material) and "rhoIp" not in stated:
-        line["rhoIp"] = finite("rhoIp", material["density"] * (material["Iy"] + material["Iz"]))
+        line["rhoIp"] = material["density"] * (material["Iy"] + material["Iz"])
     return line
 
 
@@ -97,10 +94,3 @@ def refuse_idle(material: dict[str, float]) -> None:
         if key not in used:
             partners = [quoted(p) for pair in PRODUCTS.values() if key in pair for p in pair if p != key]
             raise refuse(f"has no effect alone; state {' or '.join(partners)} with it", at=(key,))
-
-
-def finite(name: str, value: float) -> float:
-    """A product, unless it overflowed."""
-    if not math.isfinite(value):
-        raise refuse("overflows as a product; it must be a finite number", at=(name,))
-    return value

@@ -111,17 +111,6 @@ def numbers(value: Any, size: int, *, at: Path = ()) -> tuple[float, ...]:
     return tuple(number(entry, at=(*at, i)) for i, entry in enumerate(entries))
 
 
-def vector(value: Any) -> tuple[float, ...]:
-    """Three finite numbers."""
-    return numbers(value, 3)
-
-
-def non_negatives(value: Any) -> tuple[float, ...]:
-    """Any number of finite numbers >= 0."""
-    entries = array(value, "an array of numbers")
-    return tuple(non_negative(entry, at=(i,)) for i, entry in enumerate(entries))
-
-
 def choice(*allowed: str) -> Callable[[Any], str]:
     """A check that a value is one of the strings `allowed`."""
 

@@ -1,0 +1,92 @@
+"""What size a quantity may have, in files and in states: far beyond any arm, and far inside what doubles can square.
+
+Powers up to the sixth of a length, and products and quotients of these quantities, occur on the way to accelerations
+and frequencies. Beyond these ranges they overflow, or underflow to zero, and the result is no number or a wrong one. A
+number outside is a slip of the unit or of the exponent.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from screwgen.spec.values import Path, array, non_negative, number, numbers, positive, refuse, shown
+
+
+class Range(NamedTuple):
+    """The sizes of a quantity that is > 0, or >= 0, or of any sign; 0 is allowed where the first check lets it pass."""
+
+    sign: Callable[..., float]
+    low: float
+    high: float
+    unit: str
+
+    @property
+    def text(self) -> str:
+        """The range in words."""
+        unit = f" {self.unit}" if self.unit != "1" else ""
+        if self.sign is number:
+            return f"from {-self.high:g} to {self.high:g}{unit}"
+        zero = "" if self.sign is positive else "0, or "
+        return f"{zero}from {self.low:g} to {self.high:g}{unit}"
+
+
+RANGES = {
+    "length": Range(positive, 1e-6, 1e6, "m"),
+    "frame_at": Range(non_negative, 0.0, 1e6, "m"),
+    "rhoA": Range(positive, 1e-9, 1e9, "kg/m"),
+    "rhoIp": Range(non_negative, 1e-15, 1e12, "kg·m"),
+    "EA": Range(non_negative, 1e-6, 1e18, "N"),
+    "EIy": Range(non_negative, 1e-12, 1e18, "N·m²"),
+    "EIz": Range(non_negative, 1e-12, 1e18, "N·m²"),
+    "GJ": Range(non_negative, 1e-12, 1e18, "N·m²"),
+    "density": Range(positive, 1e-6, 1e9, "kg/m³"),
+    "area": Range(positive, 1e-14, 1e9, "m²"),
+    "E": Range(positive, 1e-3, 1e18, "Pa"),
+    "G": Range(positive, 1e-3, 1e18, "Pa"),
+    "Iy": Range(non_negative, 1e-28, 1e18, "m⁴"),
+    "Iz": Range(non_negative, 1e-28, 1e18, "m⁴"),
+    "J": Range(non_negative, 1e-28, 1e18, "m⁴"),
+    "frequency": Range(positive, 1e-6, 1e9, "Hz"),
+    "damping ratio": Range(non_negative, 1e-12, 1e6, "1"),
+    "armature": Range(non_negative, 1e-12, 1e12, "kg·m²"),
+    "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad"),
+    "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad"),
+    "mass": Range(non_negative, 1e-12, 1e12, "kg"),
+    "inertia": Range(number, 0.0, 1e18, "kg·m²"),
+    "position": Range(number, 0.0, 1e6, "m"),
+    "turn": Range(number, 0.0, 1e6, "rad"),
+    "gravity": Range(number, 0.0, 1e6, "m/s²"),
+    # states and controllers
+    "q": Range(number, 0.0, 1e6, "rad or m"),
+    "v": Range(number, 0.0, 1e9, "rad/s or m/s"),
+    "tau": Range(number, 0.0, 1e15, "N·m"),
+    "w_ext": Range(number, 0.0, 1e15, "N·m or N"),
+    "kp": Range(non_negative, 0.0, 1e15, "N·m/rad"),
+    "kd": Range(non_negative, 0.0, 1e15, "N·m·s/rad"),
+    "tau_max": Range(positive, 1e-12, 1e15, "N·m"),
+    "duration": Range(positive, 1e-9, 1e9, "s"),
+}
+"""Quantity -> range; a link's own mass, `rhoA` times its length, is within that of bodies for any arm there is."""
+
+
+def within(quantity: str) -> Callable[..., float]:
+    """The check that a value is a number in the range of `quantity`."""
+    allowed = RANGES[quantity]
+
+    def check(value: Any, *, at: Path = ()) -> float:
+        result = allowed.sign(value, at=at)
+        if abs(result) > allowed.high or 0.0 < abs(result) < allowed.low:
+            raise refuse(f"is {shown(value)}; it must be {allowed.text}", at)
+        return result
+
+    return check
+
+
+def several(quantity: str, size: int | None = None) -> Callable[[Any], tuple[float, ...]]:
+    """The check that a value is an array of such numbers, of `size` or any number of them."""
+    check = within(quantity)
+
+    def check_all(value: Any) -> tuple[float, ...]:
+        entries = array(value, "an array of numbers") if size is None else numbers(value, size)
+        return tuple(check(entry, at=(i,)) for i, entry in enumerate(entries))
+
+    return check_all

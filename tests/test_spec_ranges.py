@@ -1,0 +1,94 @@
+"""Quantities of a size that no arm has are refused, in files, states and gains; one axis takes one number."""
+
+import re
+
+import pytest
+from bad_robot_files import GOOD, refusal
+
+from screwgen import UsageError, derive
+from screwgen.controllers import read_pd
+from screwgen.errors import RobotFileError
+from screwgen.spec import Joint, load
+from screwgen.spec.ranges import RANGES
+from screwgen.state import state_of
+
+GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration"}
+"""Not in a robot file."""
+
+KEYS = {
+    "frequency": r"frequencies = \{ bending_y = \[",
+    "damping ratio": "ratio = ",
+    "armature": r"armature = \[",
+    "damping": r"\ndamping = \[",
+    "stiffness": r"stiffness = \[",
+    "inertia": r"inertia = \[",
+    "position": r"xyz = \[",
+    "turn": r"rpy = \[",
+    "gravity": r"gravity = \[",
+}
+"""What stands before the number, where that is not the name of the quantity."""
+
+MEASURED = GOOD.replace("EIz = 1e3, GJ", "GJ").replace(
+    'clamped_free", axial = 1', 'clamped_free", frequencies = { bending_y = [20.0, 1e8] }, axial = 1'
+)
+
+
+def outside(quantity: str) -> list[float]:
+    """Numbers just outside a range."""
+    allowed = RANGES[quantity]
+    return [2 * allowed.high, *([allowed.low / 2, 1e-308] if allowed.low else [])]
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    path = tmp_path_factory.mktemp("robot") / "good.toml"
+    path.write_text(GOOD)
+    return derive(load(path))
+
+
+@pytest.mark.parametrize("quantity", RANGES.keys() - GIVEN)
+def test_a_robot_file_states_sizes_that_arms_have(tmp_path, quantity):
+    path = tmp_path / "bot.toml"
+    before = KEYS.get(quantity, rf"\b{quantity} = ")
+    for number in outside(quantity):
+        text, count = re.subn(
+            rf"({before})[-+.e\d]+", rf"\g<1>{number}", MEASURED if quantity == "frequency" else GOOD, count=1
+        )
+        assert count == 1
+        path.write_text(text)
+        assert f"is {number}; it must be {RANGES[quantity].text}" in refusal(path)
+
+
+def test_a_product_of_material_and_geometry_is_in_its_range_too(tmp_path):
+    path = tmp_path / "bot.toml"
+    path.write_text(GOOD.replace("density = 7800.0, area = 1e-4", "density = 1e-6, area = 1e-14"))
+    assert refusal(path).startswith("links[1].section.rhoA (link fore): is 1e-20; it must be from 1e-09 to")
+
+
+@pytest.mark.parametrize(("key", "size"), [("q", 9), ("v", 9), ("tau", 2), ("w_ext", 2)])
+def test_a_state_states_sizes_that_motions_have(model, key, size):
+    for number in (2 * RANGES[key].high, 1e155, -1e308):
+        value = [[number] * 6] * size if key == "w_ext" else [number] * (model.n_joints if key == "tau" else model.nq)
+        with pytest.raises(UsageError, match=rf"^state: {key}\[0\].*: is .*; it must be from -1e\+[0-9]+ to 1e\+"):
+            state_of({key: value}, model)
+
+
+@pytest.mark.parametrize("key", ["kp", "kd", "tau_max", "duration"])
+def test_gains_have_sizes_too(model, tmp_path, key):
+    given = dict.fromkeys(("kp", "kd", "q_des", "tau_max"), "[1, 1]") | {"duration": "1.0"}
+    for number in outside(key):
+        value = given[key].replace("1.0" if key == "duration" else "1", str(number), 1)
+        (tmp_path / "gains.toml").write_text("\n".join(f"{k} = {v}" for k, v in (given | {key: value}).items()))
+        with pytest.raises(UsageError, match=rf"gains.toml: {key}.*: is .*; it must be "):
+            read_pd(tmp_path / "gains.toml", model)
+
+
+@pytest.mark.parametrize("name", ["armature", "damping", "stiffness"])
+def test_one_axis_takes_one_number(name):
+    assert Joint(axes=["z"], **{name: 2}) == Joint(axes=["z"], **{name: [2.0]})
+    for wrong in (True, "2", -2.0):
+        with pytest.raises(RobotFileError, match=rf"^Joint: {name}(\[0\])?: is "):
+            Joint(axes=["z"], **{name: wrong})
+    for axes in ([], ["y", "z"]):
+        with pytest.raises(RobotFileError, match=rf"^Joint: {name}: is 2; it must be an array of numbers"):
+            Joint(axes=axes, **{name: 2})

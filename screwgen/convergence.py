@@ -14,6 +14,7 @@ from scipy.linalg import block_diag
 
 from .bases import products
 from .build import derive
+from .errors import SingularError
 from .modes import locked_from, posture, stiffness, vibrations, without_rigid_motion
 from .spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
 from .spec.values import MAX_MODES
@@ -57,8 +58,12 @@ def convergence(
 
     def frequencies(directions: Collection[str]) -> np.ndarray:
         basis = _space(model, rich, directions)[:, first:]
-        rest, springs, _ = without_rigid_motion(basis.T @ M @ basis, k @ basis**2)
-        return vibrations(rest, springs)[0]
+        try:
+            rest, springs, _ = without_rigid_motion(basis.T @ M @ basis, k @ basis**2)
+            return vibrations(rest, springs)[0]
+        except np.linalg.LinAlgError:
+            what = "one more mode per direction: the mass matrix is singular to rounding"
+            raise SingularError(f"{what}; masses or lengths differ by too many orders of magnitude") from None
 
     now = frequencies(())
     change = lambda directions: frequencies(directions)[: len(now)] / now - 1  # noqa: E731

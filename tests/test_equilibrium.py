@@ -267,3 +267,9 @@ def test_command_prints_a_report(capsys):
     assert text.startswith("ella at rest: stable; residual ") and "torques that hold them" in text
     assert "-59.084 N·m" in text and "-29.979" in text and "note" not in text
     assert re.search(r"upper_arm.torque\[0\] +-20 N·m", printed(capsys, "--tau", "-20 0 0"))
+
+
+def test_more_coordinates_than_memory_bears_are_refused_at_once():
+    chain = model_of(arm(*(link(f"link{i}", 0.3, "y") for i in range(1000))))
+    with pytest.raises(UsageError, match="has 1000 coordinates; an equilibrium is sought for at most 500"):
+        equilibrium(chain)

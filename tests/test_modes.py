@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 import random_robots as rr
-from helpers import arm, link
+from helpers import arm
+from helpers import link as plain_link
 from oracle import Oracle
 
 from screwgen import Robot, SingularError, UsageError, derive
@@ -102,7 +103,7 @@ def test_springs_leave_the_mass_matrix_alone():
 
 def test_nothing_that_vibrates_is_said_at_once(monkeypatch):
     """No mass matrix of a thousand links is made to say that there are no modes."""
-    model = model_of(arm(*(link(f"link{i}", 0.3, "y") for i in range(1000))))
+    model = model_of(arm(*(plain_link(f"link{i}", 0.3, "y") for i in range(1000))))
     monkeypatch.setattr(type(model), "numpy", lambda *_: pytest.fail("computed"))
     assert natural_frequencies(model).size == 0 and convergence(model).total.size == 0
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..errors import UsageError
+from ..errors import SingularError, UsageError
 from ..integrate import METHODS, Dynamics, Evaluator, modal_functions
 from ..simulation import Inputs, coordinates, parameter_vector, started
 
@@ -191,6 +191,9 @@ class Linearised:
         place = (self.q, self.v, torque, self.w_ext, d.inertia(h), force, self.p)
         q, v, tau, f = seeds
         columns = self.directional(*place, *results, q, v, tau, still[0], still[1], f, still[2])[0]
+        if not np.isfinite(columns).all():
+            what = "the accelerations have no finite derivatives in this state"
+            raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
         return Slopes(*np.split(columns.reshape(parts[-1], nq).T, parts[:-1], axis=1))
 
     def _gains(self) -> np.ndarray:

@@ -8,7 +8,7 @@ import numpy as np
 
 from screwgen import look
 from screwgen.curves import over_time, scale, thin
-from screwgen.look import PALETTE, canvas, styled
+from screwgen.look import LIMITS, PALETTE, canvas, styled
 
 PANEL = (4.3, 2.7)
 
@@ -35,17 +35,21 @@ class Sheet:
         return f"({'abcdefgh'[self.panels]})  {title}"
 
     @styled
-    def curves(self, title: str, t: np.ndarray, curves: Iterable, ylabel: str, unit: str):
+    def curves(self, title: str, t: np.ndarray, curves: Iterable, ylabel: str, unit: str, bounds=()):
         """A panel of curves over time: each a label, values in SI units, colour and style; a label of None: no entry.
 
         `ylabel` and `unit` name the quantity and its SI unit; the panel shows it in the unit that suits its size.
+        `bounds`: limits ±b, in SI units.
         """
         curves, full = list(curves), self.marked(title)
-        fitted = scale(t, [values for _, values, *_ in curves], unit)
+        fitted = scale(t, [values for _, values, *_ in curves], unit, bounds)
         out = self.axes(title)
         for label, values, color, style in curves:
             x, y = thin(t, values)
             out.plot(x, fitted.factor * y, style, color=color, label=label)
+        for bound in bounds:
+            out.axhline(fitted.factor * bound, **LIMITS)
+            out.axhline(-fitted.factor * bound, **LIMITS)
         over_time(out, t, full, f"{ylabel} ({fitted.unit})", fitted)
         return out
 

@@ -103,8 +103,6 @@ def moment(r: Results) -> Sheet:
     t = np.arange(len(r.wrench[0][2])) * STEP
     names = ("plan without bound", "plan on the DAE form, moment bounded")
     curves = [(n, m, c, "-") for n, (_, _, m), c in zip(names, r.wrench, (ORANGE, BLUE), strict=True)]
-    panel = out.curves("", t, curves, COMPONENT, "N·m")
-    for bound in (-BOUND, BOUND):
-        panel.axhline(bound, **LIMITS)
+    out.curves("with and without its bound", t, curves, COMPONENT, "N·m", bounds=(BOUND,))
     out.legend()
     return out

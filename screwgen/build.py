@@ -6,6 +6,7 @@ robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedu
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -16,7 +17,7 @@ from .chain.scope import common, derived
 from .chain.z_functions import cauchy_names
 from .derive.block import Block
 from .emit.numeric import Numeric
-from .errors import UsageError
+from .errors import PrecisionWarning, UsageError
 from .folder import check_folder, write_folder
 from .linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .spec.parameters import coordinate_names, parameters
@@ -166,11 +167,18 @@ class Model:
     def c_files(
         self, parameters="runtime", layout="auto", batch=False, derivatives=False, estimator=False
     ) -> dict[str, bytes]:
-        """The files of the C target."""
+        """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
+
+        Raises :class:`UsageError` where double precision will not.
+        """
         from .emit.c import CProject
 
         project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator)
-        return {name: text.encode() for name, text in project.files().items()}
+        files = {name: text.encode() for name, text in project.files().items()}
+        if lost := project.check["lost"]:
+            said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
+            warnings.warn(f"{said}; compile it as double", PrecisionWarning, stacklevel=2)
+        return files
 
     def compile(
         self,

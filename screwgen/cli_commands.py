@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json as json_format
+import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -12,7 +14,7 @@ import numpy as np
 
 from .build import TARGETS, Model, derive
 from .cli_output import bar, busy, load_robot, say
-from .errors import SingularError, StoppedError, UsageError
+from .errors import PrecisionWarning, SingularError, StoppedError, UsageError
 from .spec.load import one_line
 from .spec.robot import Robot
 from .state import State, read_state, state_of
@@ -55,7 +57,10 @@ def run_generate(
     with busy("generating", quiet), _stoppable():
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
         asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
-        files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)
+        with warnings.catch_warnings(record=True, action="always", category=PrecisionWarning) as noted:
+            files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)
+    for note in noted:
+        print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 

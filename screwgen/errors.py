@@ -13,6 +13,10 @@ class UsageError(ScrewgenError):
     """A request that cannot be met as stated: a wrong option, argument, state file or output folder."""
 
 
+class PrecisionWarning(UserWarning):
+    """Generated C that is of no use in single precision; the text is one line meant for a user."""
+
+
 class StoppedError(ScrewgenError):
     """Work that somebody interrupted; the text says what is left of it."""
 

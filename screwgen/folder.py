@@ -17,7 +17,7 @@ import shutil
 import stat
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -60,10 +60,11 @@ def check_folder(target: Path) -> dict[str, str]:
     if place in (here, *here.parents):
         raise UsageError(f"{target}: is the current folder or one above it, which cannot be replaced; name one in it")
     known = _manifest(target)
+    products = built(known)
     folders = {parent.as_posix() for name in known for parent in Path(name).parents}
     for entry in sorted(target.rglob("*")):
         name = entry.relative_to(target).as_posix()
-        if (name == MANIFEST and known) or (name in folders and _mode(entry, stat.S_ISDIR)):
+        if name in products or (name == MANIFEST and known) or (name in folders and _mode(entry, stat.S_ISDIR)):
             continue
         if name not in known:
             remedy = "remove it (make clean removes what make built) or choose another folder"
@@ -78,6 +79,18 @@ def check_folder(target: Path) -> dict[str, str]:
 def _mode(entry: Path, kind) -> bool:
     """Whether an entry is of a kind itself, without following it."""
     return kind(entry.lstat().st_mode)
+
+
+def built(known: Iterable[str]) -> set[str]:
+    """What the generated Makefile makes of the files that are known, its folder included: to be built again."""
+    out: set[str] = set()
+    for name in known:
+        folder, _, file = name.rpartition("/")
+        stem, _, kind = file.rpartition(".")
+        programs = (f"lib{stem}.a", stem, f"{stem}_check", f"{stem}_check_float")
+        made = {"c": (f"{stem}.o",), "h": programs}.get(kind, ())
+        out |= {f"{folder}/build/{x}" for x in made} | ({f"{folder}/build"} if made else set())
+    return out
 
 
 def _manifest(target: Path) -> dict[str, str]:

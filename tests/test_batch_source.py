@@ -154,8 +154,8 @@ def test_the_command_line_writes_a_batch_and_its_readme_runs(tmp_path):
     declared, _, rest = block.partition("rigid_batch batch")
     (folder / "many.c").write_text(README_EXAMPLE.format(block=declared, body=f"rigid_batch batch{rest}"))
     flags = "CFLAGS=-O1 -march=native -fopenmp"
-    subprocess.run(["make", "-s", flags, "check", "many.o"], cwd=folder, check=True, capture_output=True)
-    subprocess.run(["cc", "-fopenmp", "-o", "many", "many.o", "librigid.a", "-lm"], cwd=folder, check=True)
+    subprocess.run(["make", "-s", flags, "check", "build/many.o"], cwd=folder, check=True, capture_output=True)
+    subprocess.run(["cc", "-fopenmp", "-o", "many", "build/many.o", "build/librigid.a", "-lm"], cwd=folder, check=True)
     status, q, path = subprocess.run([folder / "many"], capture_output=True, text=True, check=True).stdout.split()
     assert status == "0" and q == path and float(q) != 0
 

@@ -4,13 +4,15 @@ On anything but OK the state is as it was, bit for bit.
 """
 
 import ctypes
+import subprocess
 from functools import cache
 
 import numpy as np
 import pytest
+from conftest import require_tool
 from helpers import arm, example, link, model_of, quick
 
-from screwgen.emit.c import METHODS
+from screwgen.emit.c import METHODS, CProject
 from screwgen.errors import ScrewgenError, SingularError
 
 OK, NONFINITE, SINGULAR, BAD_ARGUMENT = range(4)
@@ -210,3 +212,61 @@ def test_near_a_singular_posture_the_numbers_are_finite():
         vdot, _ = c.forward_dynamics(q, 0 * q, np.ones(5), np.zeros((3, 6)))
         judge, _ = model.numpy().forward_dynamics(q, 0 * q, np.ones(5), np.zeros((3, 6)))
         assert np.allclose(vdot, judge, rtol=1e-8)
+
+
+# -------- results that are not finite, inputs that no result shows
+
+
+PROGRAM = """
+#include <math.h>
+#include <stdio.h>
+#include "arm_estimator.h"
+
+static arm_parameters p;
+static arm_constants c;
+static arm_state x, y, deviation;
+static arm_input u;
+static arm_chain chain;
+static arm_dae_work work;
+static arm_dae_state dae;
+static arm_estimator e;
+static arm_real vdot[ARM_NV], force[ARM_NV], wrench[ARM_NLINKS][6], M[ARM_NV][ARM_LENGTH(ARM_NV)];
+
+int main(void)
+{
+    arm_parameters_default(&p);
+    printf("%d", arm_prepare(&p, &c));
+    x.q[0] = (arm_real)NAN;
+    printf(" %d", arm_mass_matrix(&c, &x, &chain, M));
+    x.q[0] = 0.3;
+    u.w_ext[0][3] = 1.5e308;
+    u.w_ext[1][3] = 1.5e308;
+    u.w_ext[0][0] = -1.5e308;
+    printf(" %d", arm_inverse_dynamics(&c, &x, &u, vdot, &chain, force, wrench));
+    x.q[ARM_NTAU] = 1e155;
+    printf(" %d", arm_dae_from_state(&c, &x, &work, &dae));
+    deviation.q[0] = 1e200;
+    printf(" %d", arm_estimator_init(&p, &y, &deviation, &e));
+    e.state.q[0] = 0.25;
+    e.state.v[0] = 0.5;
+    printf(" %d", arm_estimator_init(&p, &e.state, &e.state, &e));
+    printf(" %g %g %g\\n", e.state.q[0], e.P[0][0], e.P[ARM_NQ][ARM_NQ]);
+    return 0;
+}
+"""
+
+
+@every_layout
+def test_what_is_not_finite_has_a_status(tmp_path, layout):
+    """Mass matrix of NaN, an infinite wrench, poses that overflow, an infinite covariance; aliasing is harmless."""
+    flexible = link("b", 0.5, "z", rhoA=0.1, modes={"bending_y": 1}, section={"EIz": 5.0})
+    model = model_of(arm(link("a", 4.0, "z"), flexible, link("c", 0.1, []), gravity=(0, 0, 0)))
+    texts = CProject(model.chain, "x", "runtime", layout, estimator=True).files() | {"main.c": PROGRAM}
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+    sources = [n for n in texts if n.endswith(".c") and n != "check.c"]
+    subprocess.run([require_tool("gcc"), "-std=c99", "-o", "arm", *sources, "-lm"], cwd=tmp_path, check=True)
+    said = subprocess.run([tmp_path / "arm"], capture_output=True, text=True, check=True).stdout.split()
+    statuses, left = list(map(int, said[:6])), said[6:]
+    assert statuses == [OK, NONFINITE, NONFINITE, NONFINITE, NONFINITE, OK]
+    assert left == ["0.25", "0.0625", "0.25"]

@@ -14,13 +14,14 @@ from ..chain.parameters import label
 from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
-from . import c_batch, c_derivatives, c_estimator
+from . import c_batch, c_check, c_derivatives, c_estimator
 from .c_code import Writer, literal, sizes, trimmed, with_unused
 from .c_fields import (
     body_count,
     columns,
     constant_fields,
     fused_place,
+    index_type,
     node_fields,
     parameter_member,
     parameter_structs,
@@ -29,10 +30,13 @@ from .c_fields import (
     stumpff_terms,
 )
 from .c_links import RUNS, Links, sparsity
-from .reference import cases, rounding_error
+from .reference import Case, cases
 from .templates import render
 
-METHODS = ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4")
+ORDERS = {"euler": 1, "semi_implicit": 1, "modal_implicit": 1, "modal_midpoint": 2, "rk4": 4}
+"""The integrators of both forms and their orders."""
+
+METHODS = tuple(ORDERS)
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
 first-level cache of 32 KiB."""
@@ -44,10 +48,23 @@ FUSED_MOST = 14_000
 ASKED = {"wrench": "WRENCHES", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
 """Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
 
+LIBRARY = (
+    "real.h",
+    "real.c",
+    "parameters.c",
+    "dynamics.c",
+    "links.h",
+    "links.c",
+    "step.c",
+    "se3.h",
+    "dae.c",
+    "reference.h",
+)
+"""The library's files behind ``<robot>_``, but for those of options; templates of the same names make them."""
+
+BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 STATES = 3
 MASK_BITS = 32
-MARGIN = 5.0
-"""Compiled code orders and rounds its operations otherwise than the emulation of its precision."""
 
 
 class CProject:
@@ -86,32 +103,20 @@ class CProject:
 
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
-        n = self.name
-        sources = {
-            f"{n}.h": "model.h",
-            f"{n}_real.h": "real.h",
-            f"{n}_real.c": "real.c",
-            f"{n}_se3.h": "se3.h",
-            f"{n}_links.h": "links.h",
-            f"{n}_links.c": "links.c",
-            f"{n}_parameters.c": "parameters.c",
-            f"{n}_dynamics.c": "dynamics.c",
-            f"{n}_step.c": "step.c",
-            f"{n}_dae.c": "dae.c",
-            f"{n}_reference.h": "reference.h",
-            "check.c": "check.c",
-            "main.c": "main.c",
-            "Makefile": "Makefile",
-            "CMakeLists.txt": "CMakeLists.txt",
-            "README.md": "README.md",
-        }
-        if self.with_batch:
-            sources |= {f"{n}_{file}": file for file in c_batch.FILES}
-        if self.with_derivatives:
-            sources |= {f"{n}_{file}": file for file in c_derivatives.FILES}
-        if self.with_estimator:
-            sources |= {f"{n}_{file}": file for file in c_estimator.FILES}
+        sources = self.library | {file: file for file in BESIDE}
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
+
+    @property
+    def library(self) -> dict[str, str]:
+        """The files of the library, with the templates that they are made from."""
+        files = list(LIBRARY)
+        for asked, more in (
+            (self.with_derivatives, c_derivatives.FILES),
+            (self.with_estimator, c_estimator.FILES),
+            (self.with_batch, c_batch.FILES),
+        ):
+            files += more if asked else ()
+        return {f"{self.name}.h": "model.h"} | {f"{self.name}_{file}": file for file in files}
 
     def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
@@ -127,6 +132,8 @@ class CProject:
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
+            "sources": [file for file in self.library if file.endswith(".c")],
+            "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
             "binding": self.binding,
             "n": chain.n,
@@ -140,6 +147,7 @@ class CProject:
             "nz": unknown_size(chain),
             "nnz": len(m_row),
             "methods": METHODS,
+            "orders": ORDERS.values(),
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
             "structs": parameter_structs(robot),
@@ -151,7 +159,7 @@ class CProject:
             "bytes": self.bytes,
             "lines": self.fused_lines,
             "masked": self.masked,
-            "tolerance": self.tolerance,
+            "check": self.check,
             "has_spin": any(link.section.rhoIp is not None for link in robot.links),
             "frequencies": [f for f in parameter_structs(robot)["link"] if f.name.startswith("frequencies_")],
             "defaults": self.defaults,
@@ -163,6 +171,7 @@ class CProject:
             "programs": list(self.links.functions.values()),
             "phases": self._phases,
             "algorithms": self._algorithms,
+            "index": index_type(unknown_size(chain)),
             "m_row": rows(m_row),
             "m_column": rows(m_column),
             "m_place": rows(m_place),
@@ -327,16 +336,12 @@ class CProject:
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
     @cached_property
-    def tolerance(self) -> dict[str, str]:
-        """What the self-check allows: the usual, or some of the rounding error of its cases at that precision."""
-        precisions = {"single": (1e-4, 24), "double": (1e-10, 53)}
-        return {name: f"{max(least, self._margin(bits)):.0e}" for name, (least, bits) in precisions.items()}
-
-    def _margin(self, bits: int) -> float:
-        return MARGIN * max(rounding_error(self.chain, case, bits) for case in self._cases)
+    def check(self) -> dict[str, object]:
+        """What the self-check allows, and what float loses where that is too much: see :mod:`.c_check`."""
+        return c_check.content(self.chain, self._cases)
 
     @cached_property
-    def _cases(self) -> list[dict[str, list[float]]]:
+    def _cases(self) -> list[Case]:
         with mpmath.workdps(fuse.DIGITS):
             return cases(self.chain, STATES)
 

@@ -185,6 +185,11 @@ def stumpff_terms(order: int, count=14) -> list[str]:
     return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]
 
 
+def index_type(count: int) -> str:
+    """The C type, the smaller where it will do, of the numbers below ``count``."""
+    return "short" if count <= 2**15 else "int"
+
+
 def rows(numbers: list[int], width: int = 20) -> list[str]:
     """Numbers of a table, a few per line."""
     return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]

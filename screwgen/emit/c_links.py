@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -329,5 +330,5 @@ def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
     order = sorted(entries)
     place = {entry: k for k, entry in enumerate(order)}
     size = 12 * links.chain.n + links.chain.n_modes
-    starts = [sum(col < j for col, _ in order) for j in range(size + 1)]
+    starts = [bisect_left(order, (j,)) for j in range(size + 1)]
     return [row for _, row in order], starts, [place[e] for e in entries], offsets

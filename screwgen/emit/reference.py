@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import mpmath
+import numpy as np
 
 from ..chain import fuse
 from ..chain.algorithms import Functions
@@ -14,13 +16,15 @@ from ..lower.program import Program
 from ..lower.replay import run
 
 TRIES = 20
+Case = dict[str, list[float]]
+"""A state, its inputs and its results by name."""
 
 
-def cases(chain: Chain, count: int) -> list[dict[str, list[float]]]:
+def cases(chain: Chain, count: int) -> list[Case]:
     """States and inputs with ``vdot``, wrenches and tip pose: at rest, then in motion."""
     p, constants = fuse.exact(chain)
     functions = Functions(chain, constants, p[:3], _apply)
-    found: list[dict[str, list[float]]] = []
+    found: list[Case] = []
     for number in range(TRIES):
         try:
             found.append(_case(chain, functions, number))
@@ -32,31 +36,46 @@ def cases(chain: Chain, count: int) -> list[dict[str, list[float]]]:
     return found
 
 
-def rounding_error(chain: Chain, case: dict[str, list[float]], bits: int) -> float:
-    """How far arithmetic of so many bits is from a case's results: each part over its own largest entry."""
+def rounding_error(chain: Chain, case: Case, bits: int) -> float:
+    """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
+
+    Infinite where rounding makes the posture singular.
+    """
+    try:
+        return _rounding_error(chain, case, bits)
+    except SingularError:
+        return math.inf
+
+
+def _rounding_error(chain: Chain, case: Case, bits: int) -> float:
     with mpmath.workprec(bits):
         p, constants = fuse.exact(chain)
         given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext")}
         rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
-        functions = Functions(chain, rounded, [+g for g in p[:3]], _apply)
+        functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
         vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
     m = chain.n_joints
     parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
-    return max((_deviation(x, reference) for x, reference in parts), default=0.0)
+    errors = [_deviation(x, reference) for x, reference in parts]
+    return math.inf if any(map(math.isnan, errors)) else max(errors)
 
 
 def _deviation(x: list, reference: list[float]) -> float:
     scale = max((abs(r) for r in reference), default=0.0)
-    error = max((abs(float(a) - r) for a, r in zip(x, reference, strict=True)), default=0.0)
+    error = float(np.max([abs(float(a) - r) for a, r in zip(x, reference, strict=True)], initial=0.0))
     return error / scale if scale > 1e-6 else error
+
+
+def _apply_rounded(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
+    return run(program, inputs, lambda op, x: mpmath.nan if op == "sqrt" and x < 0 else fuse.precise(op, x))[0]
 
 
 def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
     return run(program, inputs, fuse.precise)[0]
 
 
-def _case(chain: Chain, functions: Functions, number: int) -> dict[str, list[float]]:
+def _case(chain: Chain, functions: Functions, number: int) -> Case:
     state = _state(chain, functions, number)
     exact = {name: [mpmath.mpf(x) for x in entries] for name, entries in state.items()}
     vdot, wrench = functions.forward_dynamics(exact["q"], exact["v"], exact["tau"], exact["w_ext"])

@@ -1,0 +1,173 @@
+"""The self-check of the generated C: what it must not pass, in which precision it says that it is of no use."""
+
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import pytest
+from conftest import require_tool
+from helpers import arm, link, model_of
+
+from screwgen.cli_commands import run_generate
+from screwgen.emit.c import CProject
+from screwgen.emit.reference import rounding_error
+from screwgen.errors import PrecisionWarning, UsageError
+
+SECTION = {"EIy": 40.0, "EIz": 60.0}
+BENDS = arm(
+    link("a", 0.5, "z", modes={"bending_y": 1}, section=SECTION, joint={"damping": [0.2]}),
+    link("b", 0.4, "y", bodies=[{"at": "tip", "mass": 0.3}]),
+)
+SLENDER = {"EIy": 100.0, "EIz": 100.0, "rhoIp": 1e-4}
+
+
+def overloaded(mass: float, rhoA: float) -> dict:
+    """Two light flexible links of half a metre with a load at the tip."""
+    flexible = {"rhoA": rhoA, "modes": {"bending_z": 2}, "section": SLENDER}
+    load = [{"at": "tip", "mass": mass}]
+    return arm(link("a", 0.5, "y", **flexible), link("b", 0.5, "y", bodies=load, **flexible))
+
+
+@cache
+def texts(layout: str) -> dict[str, str]:
+    model = model_of(BENDS)
+    return CProject(model.chain, model.version, "runtime", layout).files()
+
+
+def compiled(folder: Path, *sources: str, real="double") -> None:
+    define = ["-DARM_REAL_FLOAT"] if real == "float" else []
+    subprocess.run([require_tool("gcc"), "-std=c99", *define, "-c", *sources], cwd=folder, check=True)
+
+
+def outcome(folder: Path) -> tuple[int, str]:
+    """Exit status and last line of the self-check of what is compiled in a folder."""
+    objects = sorted(f.name for f in folder.glob("*.o"))
+    subprocess.run([require_tool("gcc"), "-o", "check", *objects, "-lm"], cwd=folder, check=True)
+    done = subprocess.run([folder / "check"], capture_output=True, text=True)
+    return done.returncode, done.stdout
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """Folders with the objects of library and self-check, by layout and precision."""
+
+    @cache
+    def make(layout: str, real: str) -> Path:
+        folder = tmp_path_factory.mktemp(f"{layout}-{real}")
+        for name, text in texts(layout).items():
+            (folder / name).write_text(text)
+        compiled(folder, *(n for n in texts(layout) if n.endswith(".c") and n != "main.c"), real=real)
+        assert outcome(folder)[0] == 0, outcome(folder)
+        return folder
+
+    return make
+
+
+def mutant(folder: Path, layout: str, real: str, file: str, old: str, new: str) -> tuple[int, str]:
+    """The outcome with the last text in a file that matches a pattern replaced; the folder is then as it was."""
+    found = list(re.finditer(old, texts(layout)[file]))
+    assert found, f"{file} has no {old}"
+    a, b = found[-1].span()
+    text, right = texts(layout)[file], folder / f"{file[:-2]}.o"
+    sound = right.read_bytes()
+    try:
+        (folder / file).write_text(text[:a] + found[-1].expand(new) + text[b:])
+        compiled(folder, file, real=real)
+        return outcome(folder)
+    finally:
+        right.write_bytes(sound)
+
+
+WRONG = {
+    "an acceleration of the other sign": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1-(\2);"),
+    "an acceleration off by 1e-8": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1(\2) * REAL(1.00000001);"),
+    "no accelerations": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1(\2) * 0;"),
+    "a wrench of the other sign": ("arm_dynamics.c", r"(output->wrench\[0\]\[4\] = )(.*);", r"\1-(\2);"),
+    "a constant off by 1e-8": ("arm_parameters.c", r"(M_eta\[0\] = )(.*);", r"\1(\2) * REAL(1.00000001);"),
+    "a sine off by 1e-8": ("arm_real.c", r"y\.sine = s;", r"y.sine = s * REAL(1.00000001);"),
+    "a matrix entry of the other sign": ("arm_links.c", r"(M\[place\[3\]\] = )(.*);", r"\1-(\2);"),
+    "weights of Runge-Kutta": ("arm_step.c", "{ sixth, third, third, sixth }", "{ third, sixth, sixth, third }"),
+    "reach of Runge-Kutta": ("arm_step.c", "{ half, half, dt, 0 }", "{ half, half, half, 0 }"),
+    "half a step": ("arm_step.c", r"leap\(state, half, half,", "leap(state, dt, half,"),
+    "weights of Runge-Kutta, DAE": ("arm_dae.c", "{ sixth, third, third, sixth }", "{ third, sixth, sixth, third }"),
+    "half a way": ("arm_step.c", r"leap\(state, dt, half,", "leap(state, dt, 0,"),
+    "half a step, DAE": ("arm_dae.c", r"advance\(state, dt / 2, work->stage", "advance(state, dt, work->stage"),
+    "half a way, DAE": ("arm_dae.c", r"\(state->twist\[i\]\[k\] \+ (.*)\) / 2;", r"\1;"),
+    "a step too long": ("arm_step.c", r"leap\(state, dt, dt,", "leap(state, 2 * dt, dt,"),
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_a_wrong_line_is_found(built, what):
+    """One line of the library changed, in double."""
+    status, said = mutant(built("fused", "double"), "fused", "double", *WRONG[what])
+    assert status == 1 and "FAILED" in said
+
+
+def test_a_wrong_line_is_found_in_float(built):
+    for change in (r"\1-(\2);", r"\1(\2) * REAL(1.001);"):
+        line = ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", change)
+        assert mutant(built("fused", "float"), "fused", "float", *line)[0] == 1
+
+
+def test_the_tolerances_are_the_usual_where_rounding_is_small():
+    check = CProject(model_of(BENDS).chain, "").check
+    assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "lost": ""}
+
+
+# -------- where a precision is of no use
+
+
+def test_float_that_does_not_fit_is_said(tmp_path, capsys):
+    """Light links under a heavy load: one line when generating, in make check, and from a float self-check."""
+    import random_robots as rr
+
+    (tmp_path / "arm.toml").write_text(rr.to_toml(overloaded(100.0, 0.1)))
+    out = tmp_path / "out"
+    run_generate(str(tmp_path / "arm.toml"), str(out), ["c"], "runtime", "auto", True, False, False)
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1 and re.search(r"warning: .*'arm': the C is of no use in float: .* \d+ %; compile it", said[0])
+    make = [require_tool("make"), "-s", "CFLAGS=-O0"]
+    done = subprocess.run([*make, "check"], cwd=out / "c", capture_output=True, text=True)
+    assert done.returncode == 0 and "all checks passed" in done.stdout and "not checked in float" in done.stdout
+    subprocess.run([*make, "build/arm_check_float"], cwd=out / "c", check=True)
+    done = subprocess.run([out / "c" / "build" / "arm_check_float"], capture_output=True, text=True)
+    assert done.returncode == 1 and re.fullmatch(r"arm: FAILED, float is of no use here: .* \d+ %\n", done.stdout)
+
+
+def test_no_tolerance_is_loose():
+    """However much rounding a precision loses, its self-check allows a hundredth at most."""
+    with pytest.warns(PrecisionWarning, match="no use in float"):
+        files = model_of(overloaded(100.0, 0.1)).c_files()
+    allowed = re.search(r"TOLERANCE = .*\? REAL\((.*?)\) : REAL\((.*?)\);", files["check.c"].decode())
+    assert float(allowed[1]) <= 1e-2 and float(allowed[2]) <= 1e-6
+
+
+def test_an_arm_beyond_double_is_refused():
+    """Loads of a million tonnes on links of half a gram: nothing is generated that is a per cent off."""
+    with pytest.raises(UsageError, match=r"robot 'arm': rounding in double .* give light links .* more mass"):
+        model_of(overloaded(1e9, 1e-3)).c_files()
+
+
+def test_a_posture_that_rounding_makes_singular_has_no_error_but_infinity():
+    project = CProject(model_of(overloaded(1e9, 1e-3)).chain, "")
+    assert max(rounding_error(project.chain, case, 24) for case in project._cases) > 1
+
+
+# -------- the folder that make builds in
+
+
+def test_make_leaves_a_folder_that_can_be_generated_again(tmp_path):
+    model = model_of(BENDS)
+    model.write(tmp_path / "out", ("c",))
+    subprocess.run(["make", "-s", "CFLAGS=-O0", "all"], cwd=tmp_path / "out" / "c", check=True)
+    assert (tmp_path / "out" / "c" / "build" / "libarm.a").is_file()
+    model.write(tmp_path / "out", ("c",))
+    assert not (tmp_path / "out" / "c" / "build").exists()
+    (tmp_path / "out" / "c" / "build").mkdir()
+    (tmp_path / "out" / "c" / "build" / "notes.txt").write_text("mine")
+    with pytest.raises(UsageError, match=r"holds 'c/build/notes\.txt', which screwgen did not write"):
+        model.write(tmp_path / "out", ("c",))
+
+

@@ -260,7 +260,7 @@ def test_same_bytes_from_every_folder_and_process(tmp_path):
         for robot in names
         for name, text in files(robot, layout).items()
     ]
-    assert sorted(found.splitlines()) == sorted(own) and len(own) == 64
+    assert sorted(found.splitlines()) == sorted(own) and len(own) == 68
 
 
 @pytest.mark.parametrize("robot", ROBOTS)

@@ -98,3 +98,16 @@ def test_sources_of_both_layouts_declare_what_they_promise():
         header = CProject(example("ella").chain, "x", "runtime", layout).files()["ella.h"]
         for function in ("accelerations", "inverse_dynamics", "mass_matrix"):
             assert len(re.findall(rf"\bella_{function}\(", header)) == 1
+
+
+def test_parameters_without_effect_are_marked():
+    """A stiffness that no mode feels is in the struct, since the robot file states it, and marked."""
+    plane = link("a", axes="z", modes={"bending_z": 1}, section={"EIz": 3.0})
+    header = CProject(model_of(arm(plane)).chain, "x").files()["arm.h"]
+    marked = re.findall(r"arm_real (\w+)\S*; /\* .*; this model does not use it \*/", header)
+    assert marked == ["EA", "EIz", "GJ"]
+
+
+def test_links_have_names_in_c():
+    header = CProject(example("ella").chain, "x").files()["ella.h"]
+    assert re.search(r"ELLA_LINK_UPPER_ARM = 0,\n +ELLA_LINK_FOREARM = 1\n", header)

@@ -18,6 +18,7 @@ SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
 FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
+MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, OUTWARD))
 ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 

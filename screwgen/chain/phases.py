@@ -244,6 +244,12 @@ def velocities(s: Scope) -> None:
     s.write("tip.v", v_T)
 
 
+def tip_twist(s: Scope) -> None:
+    """The twist of the tip section, at the tip point, in inertial axes."""
+    R = s.read("tip.R", 3, 3)
+    s.write("tip_twist", [*mx.multiply(R, s.read("tip.omega", 3)), *mx.multiply(R, s.read("tip.v", 3))])
+
+
 def energy(s: Scope) -> None:
     """Energies of one link: kinetic, and potential of stress, joint springs and weight."""
     q, qdot, eta = s.read("q", s.key.joints), s.read("qdot", s.key.joints), s.read("eta", s.key.modes)

@@ -17,6 +17,8 @@ from ..spec.parameters import coordinate_names, parameters
 from . import c_batch, c_check, c_derivatives, c_estimator
 from .c_code import Writer, literal, sizes, trimmed, with_unused
 from .c_fields import (
+    Field,
+    ascii_unit,
     body_count,
     columns,
     constant_fields,
@@ -56,6 +58,7 @@ LIBRARY = (
     "links.h",
     "links.c",
     "step.c",
+    "posture.c",
     "se3.h",
     "dae.c",
     "reference.h",
@@ -63,6 +66,9 @@ LIBRARY = (
 """The library's files behind ``<robot>_``, but for those of options; templates of the same names make them."""
 
 BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
+ROUNDS = 4
+"""In which the modes of an arm at rest settle, in ``<robot>_gravity``."""
+
 STATES = 3
 MASK_BITS = 32
 
@@ -148,9 +154,11 @@ class CProject:
             "nnz": len(m_row),
             "methods": METHODS,
             "orders": ORDERS.values(),
+            "rounds": ROUNDS,
+            "example": self._example,
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
-            "structs": parameter_structs(robot),
+            "structs": self.structs,
             "n_bodies": body_count(robot),
             "constants": self.constants,
             "node": node_fields(self._programs),
@@ -161,7 +169,7 @@ class CProject:
             "masked": self.masked,
             "check": self.check,
             "has_spin": any(link.section.rhoIp is not None for link in robot.links),
-            "frequencies": [f for f in parameter_structs(robot)["link"] if f.name.startswith("frequencies_")],
+            "frequencies": [f for f in self.structs["link"] if f.name.startswith("frequencies_")],
             "defaults": self.defaults,
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
@@ -264,6 +272,13 @@ class CProject:
             return []
         return constant_fields(self.chain, {x for labels in self._labels for x in labels})
 
+    @cached_property
+    def structs(self) -> dict[str, list[Field]]:
+        """The members of the parameters' structs."""
+        pairs = zip(self.chain.keys, self._labels, strict=True)
+        names = [{n[2:] for n in fuse.preparation(key, labels).inputs} for key, labels in pairs]
+        return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
+
     @property
     def defaults(self) -> list[str]:
         out = []
@@ -271,6 +286,14 @@ class CProject:
             place = f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
             out.append(f"{place} = {literal(p.value)};")
         return out
+
+    @property
+    def _example(self) -> dict[str, str]:
+        """A parameter that a program may change: a mass at the last tip, else the last link's mass per length."""
+        own = [p for p in parameters(self.chain.robot) if p.link == self.chain.n - 1]
+        masses = [p for p in own if label(p).endswith("_mass")]
+        p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
+        return {"member": parameter_member(label(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
 
     @property
     def prepare_functions(self) -> list[dict]:

@@ -53,8 +53,13 @@ def parameter_member(name: str) -> str:
     return name
 
 
-def parameter_structs(robot) -> dict[str, list[Field]]:
-    """The members of the link, joint and body structs: what any link of the robot states."""
+def parameter_structs(robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
+    """The members of the link, joint and body structs: what any link of the robot states.
+
+    ``read`` has the labels of the parameters that the constants of every link follow from: members that no link's
+    constants do are marked.
+    """
+    live = {_member(parameter_member(name))[:2] for names in read for name in names}
     groups: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
     for p in parameters(robot):
         if p.link is None:
@@ -62,7 +67,8 @@ def parameter_structs(robot) -> dict[str, list[Field]]:
         group, name, size = _member(parameter_member(label(p)))
         known = groups[group].get(name)
         size = max(size, known.size if known else 0)
-        groups[group][name] = Field(name, size, ascii_unit(f"{p.unit}: {_general(p)}"))
+        unused = "" if (group, name) in live else "; this model does not use it"
+        groups[group][name] = Field(name, size, ascii_unit(f"{p.unit}: {_general(p)}{unused}"))
     return {group: list(fields.values()) for group, fields in groups.items()}
 
 

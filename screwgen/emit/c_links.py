@@ -25,8 +25,11 @@ STRIDE = {
     "new_twist": 6,
     "new_quaternion": 4,
     "new_position": 3,
+    "R": 9,
+    "r": 3,
+    "tip_twist": 6,
 }
-WRITTEN = {"qdot": "new_qdot"}
+WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
 READ = {"alpha": "given_alpha", "qddot": "given_qddot", "etaddot": "given_etaddot"}
 OPTIONAL = {"wrench": "wrench"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
@@ -93,6 +96,7 @@ RUNS: dict[str, Run] = {
         zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
+    "motion_of": _run(alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist"),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
 }
 

@@ -14,12 +14,12 @@ from ..chain.parameters import label
 from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
-from . import c_batch, c_check, c_derivatives, c_estimator
+from . import c_batch, c_check, c_derivatives, c_estimator, c_files
 from .c_code import Writer, literal, sizes, trimmed, with_unused
 from .c_fields import (
     Field,
-    ascii_unit,
     body_count,
+    changing_parameter,
     columns,
     constant_fields,
     fused_place,
@@ -50,22 +50,6 @@ FUSED_MOST = 14_000
 ASKED = {"wrench": "WRENCHES", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
 """Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
 
-LIBRARY = (
-    "real.h",
-    "real.c",
-    "parameters.c",
-    "dynamics.c",
-    "links.h",
-    "links.c",
-    "step.c",
-    "posture.c",
-    "se3.h",
-    "dae.c",
-    "reference.h",
-)
-"""The library's files behind ``<robot>_``, but for those of options; templates of the same names make them."""
-
-BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 ROUNDS = 4
 """In which the modes of an arm at rest settle, in ``<robot>_gravity``."""
 
@@ -109,20 +93,13 @@ class CProject:
 
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
-        sources = self.library | {file: file for file in BESIDE}
+        sources = self.library | {file: file for file in c_files.BESIDE}
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        files = list(LIBRARY)
-        for asked, more in (
-            (self.with_derivatives, c_derivatives.FILES),
-            (self.with_estimator, c_estimator.FILES),
-            (self.with_batch, c_batch.FILES),
-        ):
-            files += more if asked else ()
-        return {f"{self.name}.h": "model.h"} | {f"{self.name}_{file}": file for file in files}
+        return c_files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
 
     def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
@@ -155,7 +132,7 @@ class CProject:
             "methods": METHODS,
             "orders": ORDERS.values(),
             "rounds": ROUNDS,
-            "example": self._example,
+            "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
             "structs": self.structs,
@@ -286,14 +263,6 @@ class CProject:
             place = f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
             out.append(f"{place} = {literal(p.value)};")
         return out
-
-    @property
-    def _example(self) -> dict[str, str]:
-        """A parameter that a program may change: a mass at the last tip, else the last link's mass per length."""
-        own = [p for p in parameters(self.chain.robot) if p.link == self.chain.n - 1]
-        masses = [p for p in own if label(p).endswith("_mass")]
-        p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
-        return {"member": parameter_member(label(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
 
     @property
     def prepare_functions(self) -> list[dict]:

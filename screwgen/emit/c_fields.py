@@ -72,6 +72,14 @@ def parameter_structs(robot, read: Sequence[frozenset[str]]) -> dict[str, list[F
     return {group: list(fields.values()) for group, fields in groups.items()}
 
 
+def changing_parameter(robot) -> dict[str, str]:
+    """A parameter that a program may want to change: a mass at the last tip, else the last link's mass per length."""
+    own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
+    masses = [p for p in own if label(p).endswith("_mass")]
+    p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
+    return {"member": parameter_member(label(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
+
+
 def _member(place: str) -> tuple[str, str, int]:
     """Struct, member and least size that a place such as ``bodies[0].com[2]`` needs."""
     head, _, rest = place.rpartition(".")

@@ -10,9 +10,6 @@ from helpers import Model, example, model_of, quick
 
 from screwgen.equilibrium import equilibrium
 
-CALLS = {"ella": 1, "strange": 40}
-"""Of `<robot>_gravity`, each going on from the last."""
-
 MODELS = {"ella": lambda: example("ella"), "strange": lambda: model_of(strange())}
 
 
@@ -86,17 +83,21 @@ def test_jacobian_and_twists_are_the_rates_of_the_poses(name):
     assert np.allclose(J @ v, twist[-1], rtol=0, atol=1e-12)
 
 
-@every_robot
-def test_gravity_is_the_equilibrium_of_held_joints(name):
-    """The torques and modal coordinates of the search for rest: of a stiff arm in one call, of a limp one in some."""
-    p, model = posture(name), posture(name).model
+def test_gravity_of_a_limp_arm_says_what_it_leaves():
+    """Links that sag by a tenth of their length: the rounds do not converge, and the modal forces tell."""
+    p, m = posture("strange"), posture("strange").model.n_joints
+    force, _ = p.gravity(np.zeros(p.model.nq), np.zeros((p.model.n_links, 6)))
+    assert np.max(np.abs(force[m:])) > 1.0
+
+
+def test_gravity_is_the_equilibrium_of_held_joints():
+    """The torques and modal coordinates of the search for rest, in one call."""
+    p, model = posture("ella"), posture("ella").model
     m, w_ext = model.n_joints, np.zeros((model.n_links, 6))
     w_ext[-1] = [0.1, -0.2, 0.1, 1.0, -2.0, 0.5]
     q = np.append(np.linspace(0.4, 1.0, m), np.zeros(model.nq - m))
     for wrenches in (0 * w_ext, w_ext):
         force, at = p.gravity(q, wrenches)
-        for _ in range(CALLS[name] - 1):
-            force, at = p.gravity(at, wrenches)
         rest = equilibrium(model, q[:m], w_ext=wrenches, hold=True)
         assert np.allclose(force[:m], rest.tau, rtol=0, atol=1e-6 * np.max(np.abs(rest.tau)))
         assert np.allclose(at, rest.q, rtol=0, atol=1e-6 * np.max(np.abs(rest.q[m:])))

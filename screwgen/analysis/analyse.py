@@ -83,7 +83,7 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
     except SingularError as error:
         singular = str(error)
     except np.linalg.LinAlgError:
-        singular = "the mass matrix is not definite to rounding; masses or lengths differ by too many orders of magnitude"
+        singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
     turning = float(np.linalg.norm(state.v[: model.n_joints]))

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from .arguments import Given
 from .chain.chain import Chain
 from .chain.dae_functions import dae_names
 from .chain.scope import common, derived
@@ -118,11 +119,12 @@ class Model:
         """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
 
         ``q`` (nq, or the joints alone), ``v`` (nq), ``tau`` (n_joints), ``w_ext`` (n, 6): zero where left out;
-        ``parameters``: values in the order of ``parameter_names``, the file's by default.  ``outputs``: names of
-        groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``, ``tip_position``,
-        ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints), ``base_strain`` (of
-        each link's beam: axial strain; curvature u'', 1/m, which times the distance from the neutral axis is the
-        strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``, ``wrenches_on_tips``.
+        ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
+        ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``,
+        ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
+        ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
+        neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
+        ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.
         Raises UsageError, and SingularError that names the joint.
         """
         return linearise(self.chain, self._linearisation, q, v, tau, w_ext, parameters, outputs, inputs)
@@ -222,9 +224,13 @@ class Model:
 
         return latex.notebook(self.robot)
 
-    def numpy(self, p: Sequence[float] | None = None) -> Numeric:
+    def numpy(self, p: Given = None) -> Numeric:
         """The functions on NumPy arrays, at the file's parameters or at ``p``."""
-        return Numeric(self.chain, p)
+        return Numeric(self.chain, self.chain.parameters.vector(p))
+
+    def __reduce__(self) -> tuple[Callable, tuple[Robot]]:
+        """What was said is pickled; the rest is made again from it."""
+        return type(self), (self.robot,)
 
 
 def derive(robot: Robot) -> Model:

@@ -167,7 +167,9 @@ def modes(
         str | None,
         typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
     ] = None,
-    joints: Annotated[str, typer.Option(metavar="HOW", help="locked or free.")] = "locked",
+    joints: Annotated[
+        str, typer.Option(metavar="HOW", help="locked, springs and all, or free, on springs of their own.")
+    ] = "locked",
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
@@ -194,17 +196,21 @@ def equilibrium(
         str | None,
         typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m. Zero without.", show_default=False),
     ] = None,
-    hold: Annotated[bool, typer.Option("--hold", help="Hold the joints; the torques follow.")] = False,
+    hold: Annotated[
+        bool, typer.Option("--hold", help="Hold the joints without springs; the torques follow, springs settle.")
+    ] = False,
+    hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,
     state: StateFile = None,
     json: Json = False,
 ) -> None:
     """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
 
-    Joints are free under the torques and their springs, or held. --state gives q, tau, and wrenches on the tips.
+    Joints are free under the torques and their springs, or held. An axis with a spring is passive: no drive holds it.
+    --state gives q, tau, and wrenches on the tips.
     """
     from .cli_linear import run_equilibrium
 
-    run_equilibrium(robot, state, q, tau, hold, json)
+    run_equilibrium(robot, state, q, tau, "all" if hold_all else hold, json)
 
 
 @app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as json_format
+import sys
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -47,8 +48,11 @@ def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: st
             stream.write(png(model, q, found))
     if json:
         print(json_format.dumps(modes_record(found, more), allow_nan=False))
-    else:
-        print("\n".join(modes_table(found, more)) or "no modes: every link is rigid and every joint locked")
+        return
+    print("\n".join(modes_table(found, more)) or NO_MODES[joints])
+    if joints == "locked" and (sprung := sprung_joints(model)):
+        text = f"note: --joints locked also locks the springs of {', '.join(sprung)}; --joints free lets them act"
+        print(text, file=sys.stderr)
 
 
 def modes_record(found: ModeShapes, more: Convergence) -> dict:
@@ -76,10 +80,25 @@ def percent(change: float) -> str:
     return "0 %" if size < 0.005 else f"−{size:.2g} %" if size < 9.95 else f"−{size:.0f} %"
 
 
+NO_MODES = {
+    "locked": "no modes: every link is rigid, and --joints locked locks every joint",
+    "free": "no modes: every link is rigid and welded",
+}
+
+
+def sprung_joints(model: Model) -> list[str]:
+    """The joint coordinates that have springs."""
+    from .modes import stiffness
+
+    return [name for name, k in zip(model.q_names, stiffness(model)[: model.n_joints], strict=False) if k > 0]
+
+
 # ------------------------------------------------------------------------------ equilibrium
 
 
-def run_equilibrium(robot: str, state: str | None, q: str | None, tau: str | None, hold: bool, json: bool) -> None:
+def run_equilibrium(
+    robot: str, state: str | None, q: str | None, tau: str | None, hold: bool | str, json: bool
+) -> None:
     """Print where the arm rests, as a report or as JSON."""
     from .equilibrium import equilibrium
 
@@ -114,6 +133,7 @@ def record(e: Equilibrium) -> dict:
     """What `--json` prints."""
     lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
     words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
+    words["passive"] = list(e.passive)
     return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
 
 
@@ -123,8 +143,9 @@ def text(model: Model, e: Equilibrium) -> str:
     angles = "joint angles, held" if e.held else "joint angles"
     torques = "torques that hold them" if e.held else "torques given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
-    lines += table(angles, model.q_names[:m], e.q[:m], "rad")
-    lines += table(torques, model.tau_names, e.tau, "N·m")
+    units = ["rad, on its spring" if name in e.passive else "rad" for name in model.q_names[:m]]
+    lines += table(angles, model.q_names[:m], e.q[:m], units)
+    lines += table(torques, model.tau_names, e.tau, ["N·m"] * m)
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
     lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
     titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")
@@ -136,8 +157,8 @@ def text(model: Model, e: Equilibrium) -> str:
     return "\n".join(lines + notes(model, e))
 
 
-def table(title: str, names: list[str], values: np.ndarray, unit: str) -> list[str]:
-    rows = [f"  {name:27}{tidy(value, 1.0):>12} {unit}" for name, value in zip(names, values, strict=True)]
+def table(title: str, names: list[str], values: np.ndarray, units: list[str]) -> list[str]:
+    rows = [f"  {name:27}{tidy(value, 1.0):>12} {u}" for name, value, u in zip(names, values, units, strict=True)]
     return [title, *rows, ""] if rows else []
 
 

@@ -66,6 +66,7 @@ class PD:
     `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
     angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
+    Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
     kp: tuple[float, ...]
@@ -80,8 +81,17 @@ class PD:
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
             value = getattr(self, name)
-            if value is not None and len(value) != len(self.q_des):
-                raise UsageError(f"PD: {name} has length {len(value)}; q_des has {len(self.q_des)}, one per joint")
+            if value is not None and np.size(value) != np.size(self.q_des):
+                raise UsageError(
+                    f"PD: {name} has length {np.size(value)}; q_des has {np.size(self.q_des)}, one per joint"
+                )
+        with refusals("PD"):
+            for name in (*UNITS, "q_start"):
+                value = getattr(self, name)
+                if value is not None:
+                    object.__setattr__(self, name, _angles(name, value, np.size(self.q_des), (name,)))
+            if self.duration is not None:
+                object.__setattr__(self, "duration", within("duration")(self.duration, at=("duration",)))
         if self.waypoints and (self.duration, self.q_des) != self.waypoints[-1]:
             raise UsageError("PD: the last of the waypoints is not (duration, q_des); make it so")
 

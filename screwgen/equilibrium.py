@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy.linalg
 
+from .arguments import Given, array, choice
 from .errors import UsageError
 from .linear import checked
+from .modes import stiffness
 from .motion import displacements
 from .statics import Balance, NoEquilibriumError, Statics, search
 
@@ -32,9 +34,11 @@ class Equilibrium:
     q: np.ndarray
     """(nq,): joint angles, then modal coordinates."""
     tau: np.ndarray
-    """(n_joints,): the joint torques that act, N·m; where the joints are held, those that hold them."""
+    """(n_joints,): the joint torques that act, N·m; where joints are held, those that hold them."""
     held: bool
-    """Whether the joints are held; if not, they are free under `tau`."""
+    """Whether joints are held; if not, they are free under `tau`."""
+    passive: tuple[str, ...]
+    """The joint coordinates that their springs carry while the others are held."""
     residual: float
     """The largest unbalanced force over the largest load of its unit, `Statics.scales`: at most 1e-10."""
     stability: str
@@ -58,18 +62,22 @@ def equilibrium(
     q: Sequence[float] | None = None,
     tau: Sequence[float] | None = None,
     w_ext: Any = None,
-    hold: bool = False,
-    p: Sequence[float] | None = None,
+    hold: bool | str = False,
+    p: Given = None,
 ) -> Equilibrium:
     """The posture in which the arm rests.
 
-    `hold`: the joints are held at `q` (n_joints,) and the torques follow. Otherwise the torques `tau` (n_joints,), N·m,
-    zero by default, act besides joint springs, and the angles follow: the search goes down the potential energy from
-    `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may hold the modes' start too (nq,).
+    `hold`: the joints are held at `q` (n_joints,) and the torques follow. An axis with a spring, a stiffness > 0, is
+    passive: nothing drives it, and it settles on its spring, from `q` on; "all" holds such axes too. Otherwise the
+    torques `tau` (n_joints,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
+    down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
+    hold the modes' start too (nq,).
     `w_ext` (n, 6): wrenches [τ; F] that turn with the tip sections; they have no potential, so the search is one for
     forces that vanish, and what has positive stiffness may still flutter: then `stability` says so. `p`: parameter
     values. Raises UsageError, and NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
+    if not isinstance(hold, bool):
+        choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     m, n = model.n_joints, model.n_links
@@ -78,21 +86,24 @@ def equilibrium(
     start = checked(q, "q", m) if np.size(q) == m != model.nq else checked(q, "q", model.nq)
     start = np.append(start, np.zeros(model.nq - len(start)))
     load = np.append(checked(tau, "tau", m), np.zeros(model.nq - m))
-    values = checked(model.parameter_values if p is None else p, "parameters", len(model.parameter_names))
-    moving = np.arange(m if hold else 0, model.nq)
-    statics = Statics(model, values, load, checked(w_ext, "w_ext", 6 * n).reshape(n, 6), moving)
-    return _report(statics, search(statics, start), hold)
+    values = model.chain.parameters.vector(p)
+    held = np.arange(model.nq) < m if hold else np.zeros(model.nq, bool)
+    if hold != "all":
+        held &= stiffness(model, values) == 0
+    statics = Statics(model, values, load, array(w_ext, "w_ext:", (n, 6)), np.flatnonzero(~held))
+    return _report(statics, search(statics, start), held[:m], bool(hold))
 
 
-def _report(statics: Statics, b: Balance, hold: bool) -> Equilibrium:
+def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equilibrium:
     model, m = statics.model, statics.model.n_joints
     straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(model.n_links)]
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,
-        tau=b.force[:m] + 0.0 if hold else statics.load[:m],
+        tau=np.where(held, b.force[:m] + 0.0, statics.load[:m]),
         held=hold,
+        passive=tuple(name for name, h in zip(model.q_names, held, strict=False) if hold and not h),
         residual=b.residual,
         stability=stability,
         stiffness=eigenvalues,

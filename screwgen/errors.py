@@ -23,3 +23,9 @@ class StoppedError(ScrewgenError):
 
 class SingularError(ScrewgenError):
     """A posture or robot whose mass matrix cannot be inverted; the text names the joint."""
+
+
+class UnknownNameError(UsageError, KeyError):
+    """A name that nothing has; the text says which there are, or the nearest. Also a KeyError, as of a mapping."""
+
+    __str__ = Exception.__str__

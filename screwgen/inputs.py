@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .arguments import fits, real_numbers
 from .errors import ScrewgenError, UsageError
 
 if TYPE_CHECKING:
@@ -43,17 +43,16 @@ def _source(given: Any, name: str, shape: tuple[int, ...]) -> Callable:
 
 def _shaped(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
     out = floats(values, name)
-    if out.size != math.prod(shape):
+    if not fits(out.shape, shape):
         raise UsageError(f"{name} gives an array of shape {out.shape}; it must give {shape}")
     return out.reshape(shape)
 
 
 def floats(values: Any, name: str) -> np.ndarray:
     """An array of finite numbers; raises UsageError."""
-    try:
-        out = np.array(values, dtype=float)
-    except (TypeError, ValueError):
-        raise UsageError(f"{name} gives something else than numbers; it must give an array of numbers") from None
+    out = real_numbers(values)
+    if out is None:
+        raise UsageError(f"{name} gives something else than numbers; it must give an array of numbers")
     if not np.isfinite(out).all():
         raise UsageError(f"{name} gives a NaN or an infinity; it must give finite numbers")
     return out

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 
+from .arguments import Given, array, nearest
 from .chain.chain import Chain
 from .emit.numeric import Numeric
-from .errors import UsageError
+from .errors import UnknownNameError, UsageError
 from .spec.load import one_line
 from .spec.parameters import WRENCH, coordinate_names
 from .spec.robot import DIRECTIONS
@@ -101,17 +101,16 @@ def linearise(
     v: Sequence[float] | None = None,
     tau: Sequence[float] | None = None,
     w_ext: Any = None,
-    parameters: Sequence[float] | None = None,
+    parameters: Given = None,
     outputs: Sequence[str] | str = OUTPUTS,
     inputs: Sequence[str] | str = INPUTS,
 ) -> LinearModel:
     """What `Model.linearise` does; `derivatives` is the CasADi function of `emit.casadi_linear.linearisation`."""
-    count = len(Numeric(chain).p)
-    numbers = Numeric(chain, None if parameters is None else checked(parameters, "parameters", count))
+    numbers = Numeric(chain, chain.parameters.vector(parameters))
     if np.size(q) == chain.n_joints != chain.nq:
         q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))
     q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nq), checked(tau, "tau", chain.n_joints)
-    w_ext = checked(w_ext, "w_ext", 6 * chain.n).reshape(chain.n, 6)
+    w_ext = array(w_ext, "w_ext:", (chain.n, 6))
     names = coordinate_names(chain.robot)
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
@@ -190,31 +189,33 @@ def entries(groups: Groups) -> dict[str, str]:
     return {name: unit for group in groups.values() for name, unit in group.items()}
 
 
+SYMBOLS = {"tau": "torques", "w_ext": "wrenches_on_tips"}
+"""Groups by the names that functions have for them."""
+
+
 def chosen(given: Sequence[str] | str, groups: Groups, what: str) -> dict[str, int]:
     """The entries that names of groups or of entries choose, in their order, each with its place."""
     places = {name: k for k, name in enumerate(entries(groups))}
     out: list[str] = []
     for name in [given] if isinstance(given, str) else given:
-        if name not in groups and name not in places:
-            raise _unknown(str(name), groups, list(places), what)
-        out += groups.get(name, (name,))
+        out += _members(str(name), groups, list(places), what)
     return {name: places[name] for name in out}
 
 
-def _unknown(name: str, groups: Groups, names: list[str], what: str) -> UsageError:
-    near = get_close_matches(name, [*groups, *names], 1)
-    hint = f"did you mean '{near[0]}'?" if near else f"or entries of them, such as '{names[0]}'"
-    return UsageError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(groups)}; {hint}")
+def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list[str]:
+    """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there."""
+    if (group := SYMBOLS.get(name, name)) in groups:
+        return list(groups[group])
+    if name in names:
+        return [name]
+    link, dot, rest = name.partition(".")
+    whole = f"{link}{dot}torque{rest[3:]}" if rest == "tau" or rest.startswith("tau[") else name
+    if found := [x for x in names if x == whole or x.startswith((f"{whole}.", f"{whole}["))]:
+        return found
+    hint = nearest(name, [*groups, *names]) or f"or entries of them, such as '{names[0]}'"
+    raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(groups)}; {hint}")
 
 
 def checked(values: Any, name: str, size: int) -> np.ndarray:
     """`values` as a row of `size` finite numbers; zeros where there are none."""
-    try:
-        out = np.zeros(size) if values is None else np.array(values, float).ravel()
-    except (TypeError, ValueError):
-        raise UsageError(f"{name}: is no array of numbers; give {size} numbers") from None
-    if out.size != size:
-        raise UsageError(f"{name}: has {out.size} numbers; it must have {size}")
-    if not np.isfinite(out).all():
-        raise UsageError(f"{name}: holds a number that is not finite; give {size} finite numbers")
-    return out
+    return array(values, f"{name}:", (size,))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import time
 import warnings
 from typing import TYPE_CHECKING
 
@@ -16,16 +15,11 @@ from .errors import ScrewgenError, SingularError, UsageError
 from .inputs import at_time
 from .integrate import LIMIT, JointState, JointStepper, diverged
 from .library import has_compiler
+from .pace import slices
 from .recording import Table, Task
 
 if TYPE_CHECKING:
     from .build import Model
-
-SLICE = 0.05
-"""Seconds of one call of the C, about: between calls a run reports, stores and can be interrupted."""
-
-FIRST, GROWTH = 256, 4
-"""Steps of the first call, and how many times as many a call may make as the one before it."""
 
 RUNAWAY = 1e4
 """A state with a number beyond this (rad, m, per second) is that of a method that diverges, not of a posture."""
@@ -107,17 +101,11 @@ class Loop:
 
     def _sweep(self, task: Task) -> None:
         """All in C, as many steps a call as take about a slice of time."""
-        k, count = 0, FIRST
-        while k <= task.steps:
-            count = min(count, task.steps + 1 - k)
-            clock = time.perf_counter()
+        for k, count in slices(task.steps + 1):
             self._call(k, count)
-            k += count
-            self.table.filled(task.rows(k))
+            self.table.filled(task.rows(k + count))
             if task.progress:
-                task.progress(min(k, task.steps), task.steps)
-            spent = time.perf_counter() - clock
-            count = max(1, min(GROWTH * count, int(count * SLICE / max(spent, 1e-9))))
+                task.progress(min(k + count, task.steps), task.steps)
 
     def _ask(self, task: Task) -> None:
         """Step by step, torques or wrenches from Python."""

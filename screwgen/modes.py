@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
-from .errors import SingularError, UsageError
+from .arguments import Given, choice
+from .errors import SingularError
 from .linear import checked
 
 if TYPE_CHECKING:
@@ -18,12 +19,13 @@ JOINTS = ("locked", "free")
 
 
 def natural_frequencies(
-    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
 ) -> np.ndarray:
     """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
 
-    `joints`: "locked" leaves the modes alone to move, (n_modes,); "free" lets the joints turn on their own
-    springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter values, the file's by default.
+    `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; "free"
+    lets the joints turn on their own springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
+    values, the file's by default.
     Raises UsageError, and SingularError where the mass matrix of what may move is singular.
     """
     found = mode_shapes(model, q, joints, p)
@@ -41,10 +43,11 @@ class ModeShapes(NamedTuple):
 
 
 def mode_shapes(
-    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     q, first = posture(model, q), locked_from(model, joints)
+    p = model.chain.parameters.vector(p)
     if first == model.nq:
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0)
     M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
@@ -72,9 +75,7 @@ def posture(model: Model, q: Sequence[float] | None) -> np.ndarray:
 
 def locked_from(model: Model, joints: str) -> int:
     """The first coordinate that may move."""
-    if joints not in JOINTS:
-        raise UsageError(f"joints are '{joints}'; they must be {' or '.join(JOINTS)}")
-    return model.n_joints if joints == "locked" else 0
+    return model.n_joints if choice(joints, JOINTS, "joints: there is no") == "locked" else 0
 
 
 def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

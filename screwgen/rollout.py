@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from .arguments import Given, choice, real_numbers, seconds, whole
 from .batch import OK, SINGULAR, compiled_batch
 from .build import Model
+from .compiled import NO_METHOD
 from .emit.c import METHODS
 from .errors import UsageError
 
 MAX_BYTES = 4 * 2**30
-MAX_STEPS = 10**8
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,7 +75,7 @@ def rollout(
     substeps: int = 1,
     w_ext: Any = None,
     integrator: str = "modal_midpoint",
-    parameters: Sequence | Mapping[str, Any] | None = None,
+    parameters: Given = None,
     threads: int = 1,
     single: bool = False,
 ) -> Rollout:
@@ -85,7 +86,7 @@ def rollout(
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
     `step` seconds, which the integrator (of `screwgen.emit.c.METHODS`) divides into `substeps` steps. `steps` is
     needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those
-    that differ by name, each a number or (batch,). `threads`: cores, by OpenMP; the results do not depend on it.
+    that differ by name, each a number or (batch,). `threads`: cores; the results do not depend on it.
     `single`: in single precision, about half the time.
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
@@ -93,8 +94,7 @@ def rollout(
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
     _check_numbers(step, steps, substeps, threads)
-    if integrator not in METHODS:
-        raise UsageError(f"there is no integrator '{integrator}' in the generated C; choose {', '.join(METHODS)}")
+    choice(integrator, METHODS, NO_METHOD)
     given = {
         "x0": _array(x0, "x0", (2 * model.nq,), "(batch, 2 nq) or (2 nq,)"),
         "tau": _sequence(tau, "tau", (model.n_joints,)),
@@ -108,7 +108,7 @@ def rollout(
 
 
 def _run(model, given, count, periods, step, substeps, integrator, threads, single) -> Rollout:
-    batch = compiled_batch(model, single, threads > 1)
+    batch = compiled_batch(model, single)
     x = np.broadcast_to(given["x0"], (count, 2 * model.nq)).T
     path = np.empty((2, periods + 1, model.nq, count), batch.real)
     path[:, 0] = x.reshape(2, model.nq, count)
@@ -131,18 +131,17 @@ def _rows(values: np.ndarray, count: int, real) -> np.ndarray:
 
 
 def _check_numbers(step: float, steps: int | None, substeps: int, threads: int) -> None:
-    if not (isinstance(step, int | float | np.number) and math.isfinite(step) and step > 0):
-        raise UsageError(f"step is {step!r}; it must be a finite number of seconds > 0")
+    seconds(step, "step")
     for name, value, least in (("steps", steps, 0), ("substeps", substeps, 1), ("threads", threads, 1)):
-        if value is not None and not (isinstance(value, int | np.integer) and least <= value <= MAX_STEPS):
-            raise UsageError(f"{name} is {value!r}; it must be a whole number from {least} to {MAX_STEPS:g}")
+        if value is not None:
+            whole(value, name, least)
 
 
 def _floats(values: Any, name: str) -> np.ndarray:
-    try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise UsageError(f"{name} is not an array of numbers; give nested lists of one length, or an array") from None
+    out = real_numbers(values)
+    if out is None:
+        raise UsageError(f"{name} is not an array of numbers; give nested lists of one length, or an array")
+    return out
 
 
 def _ends_in(array: np.ndarray, shape: tuple[int, ...], more: int) -> bool:
@@ -171,21 +170,20 @@ def _sequence(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
     return out.reshape(*lead, math.prod(shape))
 
 
-def _parameters(given: Sequence | Mapping[str, Any] | None, model: Model) -> np.ndarray:
+def _parameters(given: Given, model: Model) -> np.ndarray:
     """Parameter vectors, (batch or 1, n)."""
-    names, values = model.parameter_names, np.array(model.parameter_values, float)
-    if not isinstance(given, Mapping):
-        shape = (len(names),)
-        return _array(values if given is None else given, "parameters", shape, "(batch, n) or (n,)")
-    if unknown := [name for name in given if name not in names]:
-        raise UsageError(f"parameters: there is no '{unknown[0]}'; see model.parameter_names")
-    columns = {
-        name: _array(value, f"parameters['{name}']", (), "a number or (batch,)") for name, value in given.items()
-    }
-    count = _common({f"parameters['{name}']": len(c) for name, c in columns.items()}, "scenarios")
-    out = np.tile(values, (count, 1))
-    for name, column in columns.items():
-        out[:, names.index(name)] = column
+    known = model.chain.parameters
+    if isinstance(given, Mapping):
+        columns = {
+            name: _array(value, f"parameters['{name}']", (), "a number or (batch,)") for name, value in given.items()
+        }
+        count = _common({f"parameters['{name}']": len(c) for name, c in columns.items()}, "scenarios")
+        out = np.tile(known.values, (count, 1))
+        for name, column in columns.items():
+            out[:, known.place(name)] = column
+    else:
+        out = _array(known.values if given is None else given, "parameters", known.values.shape, "(batch, n) or (n,)")
+    known.check(out)
     return out
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import loop
+from .arguments import MAX_STEPS, Given, choice, seconds, whole
 from .controllers import Controller
 from .dae import DaeStepper
 from .errors import UsageError
@@ -25,7 +26,6 @@ FORMS: dict[str, type[Stepper]] = {"joint": JointStepper, "dae": DaeStepper}
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
 BACKENDS = ("c", "numpy")
-MAX_STEPS = 10**8
 RELATIVE_SLACK = 1e-9
 """A duration this close to a multiple of the step is one."""
 
@@ -42,7 +42,7 @@ def simulate(
     w_ext: Wrenches | Sequence[Sequence[float]] | None = None,
     integrator: str | None = None,
     form: str = "joint",
-    parameters: Sequence[float] | Mapping[str, float] | None = None,
+    parameters: Given = None,
     progress: Callable[[int, int], None] | None = None,
     *,
     backend: str | None = None,
@@ -68,25 +68,24 @@ def simulate(
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step.
     """
-    steps, p = step_count(duration, step), parameter_vector(model, parameters)
+    steps, p = step_count(duration, step), model.chain.parameters.vector(parameters)
     if store is not None:
         check_output(store, FORMATS)
-    if not (isinstance(every, int | np.integer) and 1 <= every <= MAX_STEPS):
-        raise UsageError(f"every is {every!r}; it must be a whole number of steps >= 1")
+    every = whole(every, "every", 1)
     walk = (_c_walk if _in_c(backend, form, model) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
     law = started(controller, q0)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     with stored(table, store):
-        walk(Task(steps, step, duration, int(every), q0, v0, given, law, progress), table)
+        walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
         return table.run()
 
 
 def _in_c(backend: str | None, form: str, model: Model) -> bool:
     """Whether a run is stepped in C."""
-    if backend not in (None, *BACKENDS):
-        raise UsageError(f"backend: there is no '{backend}'; choose {' or '.join(BACKENDS)}")
+    if backend is not None:
+        choice(backend, BACKENDS, "backend: there is no")
     if backend == "c" and form in FORMS and form != "joint":
         raise UsageError(
             f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
@@ -130,8 +129,7 @@ def stepper(
 
     Raises UsageError on unknown names.
     """
-    if form not in FORMS:
-        raise UsageError(f"there is no simulation in the form '{form}'; known: {', '.join(FORMS)}")
+    choice(form, FORMS, "there is no simulation in the form")
     chosen = FORMS[form].default if integrator is None else integrator
     return FORMS[form](model, chosen, model.parameter_values if p is None else p)
 
@@ -141,9 +139,7 @@ def stepper(
 
 def step_count(duration: float, step: float) -> int:
     """How many steps reach `duration`, the last one shorter where it is no multiple; raises UsageError."""
-    for name, value in (("duration", duration), ("step", step)):
-        if not (math.isfinite(value) and value > 0):
-            raise UsageError(f"the {name} is {value:g} s; it must be a finite number > 0")
+    duration, step = seconds(duration, "the duration"), seconds(step, "the step")
     if duration > MAX_STEPS * step:
         raise UsageError(f"duration / step is over {MAX_STEPS:g} steps; take a shorter duration or a longer step")
     nearest = round(duration / step)
@@ -163,19 +159,6 @@ def coordinates(values: Sequence[float] | None, name: str, model: Model) -> np.n
         allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
         raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
     return np.append(given, np.zeros(model.nq - len(given)))
-
-
-def parameter_vector(model: Model, parameters: Sequence[float] | Mapping[str, float] | None) -> np.ndarray:
-    """All parameter values; names in a mapping override the robot file's."""
-    if isinstance(parameters, Mapping):
-        values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
-        if unknown := [name for name in parameters if name not in values]:
-            raise UsageError(f"parameters: there is no '{unknown[0]}'; see model.parameter_names")
-        parameters = list((values | dict(parameters)).values())
-    out = np.ravel(floats(model.parameter_values if parameters is None else parameters, "parameters"))
-    if len(out) != len(model.parameter_names):
-        raise UsageError(f"parameters has length {len(out)}; it must have {len(model.parameter_names)}")
-    return out
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

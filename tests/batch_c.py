@@ -37,11 +37,11 @@ def model(name: str):
 
 
 @cache
-def batch(name: str, width=16, libm=False, single=False, openmp=False, flags=STRICT) -> CompiledBatch:
+def batch(name: str, width=16, libm=False, single=False, flags=STRICT) -> CompiledBatch:
     """A batch with registers of a size; ``libm``: with its sine and cosine."""
     upper = ROBOTS[name]["name"].upper()
     options = [f"-D{upper}_LANE_BYTES={width}", "-Wno-psabi", *([f"-D{upper}_LIBM"] if libm else [])]
-    return CompiledBatch(model(name), single, openmp, (*flags, *options))
+    return CompiledBatch(model(name), single, (*flags, *options))
 
 
 @cache

@@ -19,7 +19,7 @@ from batch_c import (
 )
 from helpers import model_of
 
-from screwgen.batch import NONFINITE, OK, SINGULAR, CompiledBatch, _Batch, _pointer
+from screwgen.batch import NONFINITE, OK, SINGULAR, CompiledBatch, _Batch
 from screwgen.chain import fuse
 from screwgen.compiled import Compiled
 from screwgen.emit import c_batch
@@ -27,6 +27,7 @@ from screwgen.emit.c import METHODS
 from screwgen.errors import ScrewgenError, SingularError
 from screwgen.lower.replay import run
 from screwgen.lower.split import KEPT, split
+from screwgen.memory import pointer
 
 BAD_ARGUMENT = 3
 
@@ -162,8 +163,10 @@ def test_scenarios_may_have_parameters_of_their_own():
 def test_openmp_changes_no_bit():
     given = scenarios("ella", 50)
     alone = stepped(batch("ella"), *given, periods=3)
+    parallel = batch("ella", flags=(*STRICT, "-fopenmp"))
     for threads in (1, 2, 5):
-        several = stepped(batch("ella", openmp=True), *given, periods=3, threads=threads)
+        parallel.library.omp_set_num_threads(threads)
+        several = stepped(parallel, *given, periods=3)
         assert all(np.array_equal(a, b) for a, b in zip(alone, several, strict=True))
 
 
@@ -213,8 +216,8 @@ def test_a_motion_that_diverges_is_frozen_where_the_scalar_code_stops():
 def test_scenarios_that_have_failed_before_are_left_alone():
     b, (x, tau, w_ext) = batch("ella"), scenarios("ella", 5)
     status, q, v = np.array([0, 1, 0, 2, 7], np.int32), x[0].copy(), x[1].copy()
-    given = _Batch(count=5, stride=5, q=_pointer(q), v=_pointer(v), tau=_pointer(tau), w_ext=_pointer(w_ext))
-    given.status = _pointer(status)
+    given = _Batch(count=5, stride=5, q=pointer(q), v=pointer(v), tau=pointer(tau), w_ext=pointer(w_ext))
+    given.status = pointer(status)
     assert call(b, given) == OK
     moved = stepped(b, x, tau, w_ext)[0][:, -1]
     assert np.array_equal(np.array([q, v])[..., ::2][..., :2], moved[..., [0, 2]])
@@ -223,9 +226,9 @@ def test_scenarios_that_have_failed_before_are_left_alone():
 
 def call(b: CompiledBatch, given, constants=..., dt=1e-5, periods=1) -> int:
     c = b.constants(np.atleast_2d(b.model.parameter_values)) if constants is ... else constants
-    where = None if c is None else _pointer(c)
+    where = None if c is None else pointer(c)
     place = None if given is None else ctypes.byref(given)
-    return b.library.shim_batch(METHODS.index("rk4"), where, place, ctypes.c_double(dt), periods, 1)
+    return b.library.shim_batch(METHODS.index("rk4"), where, place, ctypes.c_double(dt), periods)
 
 
 def test_bad_arguments_are_refused_and_nothing_is_done():
@@ -233,7 +236,7 @@ def test_bad_arguments_are_refused_and_nothing_is_done():
     q, v, status = x[0].copy(), x[1].copy(), np.zeros(5, np.int32)
 
     def given(**other):
-        good = {"count": 5, "stride": 5, "q": _pointer(q), "v": _pointer(v), "status": _pointer(status)}
+        good = {"count": 5, "stride": 5, "q": pointer(q), "v": pointer(v), "status": pointer(status)}
         return _Batch(**(good | other))
 
     refused = [given(**{name: value}) for name, value in (("count", -1), ("stride", 4), ("hold", -1))]

@@ -2,16 +2,21 @@
 
 import hashlib
 import os
+import pickle
 import shutil
+import signal
 import subprocess
 import sys
 import threading
+import time
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import EPS32, arm, drawn, example, link, model_of, relative
 
+import screwgen
 from screwgen import ScrewgenError, SingularError, UsageError, library
 from screwgen.compiled import Compiled
 
@@ -165,6 +170,160 @@ def test_errors_name_what_is_wrong():
         c.forward_dynamics(np.zeros(3), np.zeros(3))
     with pytest.raises(ScrewgenError, match="non-finite"):
         c.forward_dynamics(np.array([0.1, 0.5, np.nan]), np.zeros(3))
+
+
+# -------- what is refused
+
+
+def test_arrays_in_another_layout_are_refused_everywhere(ella):
+    """(6, n) is CasADi's layout; read as (n, 6) it would be another wrench."""
+    model = ella.model
+    q, v, tau, w_ext = state(model)
+    turned, message = w_ext.T, r"w_ext.* shape \(6, 2\); it must.* \(2, 6\)"
+    x = ella.dae_state(q, v)
+    calls = (
+        lambda: ella.forward_dynamics(q, v, tau, turned),
+        lambda: ella.step(q, v, tau, turned, 1e-3),
+        lambda: ella.dae_step(x, tau, turned, 1e-3),
+        lambda: ella.inverse_dynamics(q, v, v, turned),
+        lambda: model.numpy().forward_dynamics(q, v, tau, turned),
+        lambda: model.numpy().dae_forward_dynamics(q, v, tau, turned),
+        lambda: model.linearise(q, w_ext=turned),
+        lambda: screwgen.equilibrium(model, q, w_ext=turned),
+        lambda: screwgen.simulate(model, 0.01, 1e-3, w_ext=turned),
+    )
+    for call in calls:
+        with pytest.raises(UsageError, match=message):
+            call()
+    with pytest.raises(UsageError, match=r"^q has 10 numbers; it must have 9"):
+        model.numpy().forward_dynamics([*q, 1.0], v, tau, w_ext)
+    for words in (q + 0j, q.astype(str), q > 0):
+        with pytest.raises(UsageError, match=r"^q is not an array of numbers"):
+            ella.forward_dynamics(words, v)
+
+
+@pytest.mark.parametrize("count", [2**32 + 1, -5, "3", 2.5, True])
+def test_a_number_of_steps_that_is_none_is_refused(ella, count):
+    q, v, tau, w_ext = state(ella.model)
+    with pytest.raises(UsageError, match=r"^count is .*it must be a whole number from 0 to"):
+        ella.step(q, v, tau, w_ext, 1e-4, count=count)
+    with pytest.raises(UsageError, match=r"^count is"):
+        ella.dae_step(ella.dae_state(q, v), tau, w_ext, 1e-4, count=count)
+
+
+def test_names_and_times_that_make_no_sense_are_refused(ella):
+    q, v, tau, w_ext = state(ella.model)
+    with pytest.raises(UsageError, match=r"there is no form 'jiont'; choose joint or dae; did you mean 'joint'\?"):
+        ella.forward_dynamics(q, v, form="jiont")
+    with pytest.raises(UsageError, match=r"no integrator 'rk5'.*did you mean 'rk4'"):
+        ella.step(q, v, tau, w_ext, 1e-4, "rk5")
+    for dt in (0.0, -1e-3, np.nan, "1"):
+        with pytest.raises(UsageError, match=r"^dt is .*seconds > 0"):
+            ella.step(q, v, tau, w_ext, dt)
+
+
+def test_results_go_into_floats_alone(ella):
+    q, v, _, _ = state(ella.model)
+    fixed = np.zeros(9)
+    fixed.flags.writeable = False
+    for bad, message in ((np.zeros(9, int), ": vdot holds int64"), ([0.0] * 9, " cannot"), (fixed, " cannot")):
+        with pytest.raises(UsageError, match=rf"^out{message}.*; give (an array|arrays) of float64"):
+            ella.accelerations(q, v, out=bad)
+    wrench = np.ones((2, 6))
+    with pytest.raises(UsageError, match="out: vdot"):
+        ella.forward_dynamics(q, v, out=(np.zeros(9, int), wrench))
+    assert (wrench == 1).all()
+
+
+def test_a_refused_preparation_leaves_the_last_one(ella):
+    given, c, p = state(ella.model), ella.fresh(), np.array(ella.model.parameter_values)
+    expected = c.forward_dynamics(*given)
+    p[c.model.parameter_names.index("forearm.rhoA")] = 1e308
+    with pytest.raises(ScrewgenError, match="non-finite"):
+        c.prepare(p)
+    assert all(np.array_equal(a, b) for a, b in zip(c.forward_dynamics(*given), expected, strict=True))
+
+
+def test_parameters_of_no_robot_are_refused_wherever_they_enter(ella):
+    model, bad = ella.model, {"forearm.EIy": -1.0}
+    calls = (
+        lambda: ella.fresh(bad),
+        lambda: ella.prepare(bad),
+        lambda: model.numpy(bad),
+        lambda: model.linearise([0.0] * 3, parameters=bad),
+        lambda: screwgen.equilibrium(model, hold=True, p=bad),
+        lambda: screwgen.natural_frequencies(model, p=bad),
+        lambda: screwgen.simulate(model, 0.01, 1e-3, parameters=bad, backend="numpy"),
+        lambda: screwgen.rollout(model, np.zeros(18), step=1e-3, steps=1, parameters=bad),
+    )
+    for call in calls:
+        with pytest.raises(UsageError, match=r"^parameters: forearm.EIy is -1; it must be > 0"):
+            call()
+    body = arm(link("a", bodies=[{"at": "tip", "mass": 1.0, "inertia": [0.1, 0.1, 0.1, 0.0, 0.0, 0.0]}]))
+    with pytest.raises(UsageError, match=r"a\.bodies\[0\]\.inertia is an inertia that no body has"):
+        model_of(body).numpy({"a.bodies[0].inertia[0]": 1.0})
+
+
+# -------- threads, processes, interruptions
+
+
+def test_threads_may_share_an_instance(ella):
+    """Their calls take turns; each gets its own results."""
+    given = [state(ella.model, seed) for seed in range(4)]
+    expected = [ella.forward_dynamics(*x)[0] for x in given]
+    wrong, before = [], sys.getswitchinterval()
+
+    def work(x, answer):
+        wrong.extend(1 for _ in range(3000) if not np.array_equal(ella.forward_dynamics(*x)[0], answer))
+
+    sys.setswitchinterval(1e-6)
+    threads = [threading.Thread(target=work, args=pair) for pair in zip(given, expected, strict=True)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    sys.setswitchinterval(before)
+    assert not wrong
+
+
+def test_what_was_compiled_can_be_pickled(ella):
+    """As executors need it: what was said travels, the rest is made again."""
+    given, p = state(ella.model), np.array(ella.model.parameter_values) * 1.1
+    heavy = ella.fresh(p)
+    model, again = pickle.loads(pickle.dumps((ella.model, heavy)))
+    assert again.model is model and model.robot == ella.model.robot
+    for a, b in ((again, heavy), (model.compile(), ella)):
+        assert np.array_equal(a.forward_dynamics(*given)[0], b.forward_dynamics(*given)[0])
+
+
+@pytest.mark.parametrize("work", ["step", "rollout", "rollout in threads"])
+def test_long_work_can_be_interrupted(ella, work):
+    q, v, tau, _ = state(ella.model)
+    x0, many = np.tile(np.r_[q, v], (50, 1)), 10**6
+    calls = {
+        "step": lambda: ella.step(q, v, 0 * tau, None, 1e-5, count=many),
+        "rollout": lambda: screwgen.rollout(ella.model, x0, step=1e-6, steps=1000, substeps=1000),
+        "rollout in threads": lambda: screwgen.rollout(
+            ella.model, x0, step=1e-6, steps=1000, substeps=1000, threads=2
+        ),
+    }
+    screwgen.rollout(ella.model, x0, step=1e-5, steps=1)
+    clock = time.perf_counter()
+    with interrupted(0.2), pytest.raises(KeyboardInterrupt):
+        calls[work]()
+    assert time.perf_counter() - clock < 2.0
+
+
+@contextmanager
+def interrupted(seconds):
+    """Ctrl-C in so many seconds."""
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 # -------- the cache

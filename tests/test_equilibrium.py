@@ -12,7 +12,7 @@ from helpers import ROOT, G, arm, example, link, model_of
 from oracle import Oracle
 from scipy.optimize import brentq
 
-from screwgen import NoEquilibriumError, SingularError, UsageError, equilibrium
+from screwgen import NoEquilibriumError, Robot, SingularError, UsageError, dump, equilibrium
 from screwgen.cli import main
 
 ELLA = str(ROOT / "examples" / "ella_paper.toml")
@@ -127,6 +127,45 @@ def test_stability_is_what_the_poles_say(seed):
         assert grows == (free.stability in ("unstable", "flutter")), (free.stability, free.stiffness, poles)
 
 
+# -------- passive joints
+
+SPRUNG = arm(
+    link("base", axes="y", joint={"stiffness": [0.0]}), link("flap", axes="y", joint={"stiffness": [30.0]})
+)
+"""A driven joint and one on a spring; level, the flap weighs 1 kg at 0.5 m."""
+
+
+def test_an_axis_with_a_spring_is_passive_and_settles():
+    """The spring's moment 30 q is the weight's, G/2 cos q; the drive at the base carries both links."""
+    e = equilibrium(model_of(SPRUNG), hold=True)
+    sag = brentq(lambda q: 30.0 * q - G / 2 * np.cos(q), 0.0, 1.0)
+    assert e.held and e.passive == ("flap.joint[0]",) and e.tau[1] == 0.0
+    assert np.allclose(e.q, [0.0, sag], rtol=1e-10, atol=0)
+    assert np.isclose(e.tau[0], -G * (0.5 + 1.0 + np.cos(sag) / 2), rtol=1e-10)
+    assert equilibrium(model_of(SPRUNG), hold=True, p={"flap.joint.stiffness[0]": 0.0}).passive == ()
+
+
+def test_all_joints_can_be_held():
+    e = equilibrium(model_of(SPRUNG), hold="all")
+    assert e.held and e.passive == () and not e.q.any()
+    assert np.allclose(e.tau, [-2 * G, -G / 2], rtol=1e-12)
+    with pytest.raises(UsageError, match="there is no 'alll'; choose all; did you mean 'all'"):
+        equilibrium(model_of(SPRUNG), hold="alll")
+
+
+def test_commands_say_what_springs_do(capsys, tmp_path):
+    path = tmp_path / "sprung.toml"
+    path.write_text(dump(Robot.model_validate(SPRUNG)))
+    assert main(["equilibrium", str(path), "--hold"]) == 0
+    assert re.search(r"flap.joint\[0\] +0.16\d+ rad, on its spring", capsys.readouterr().out)
+    assert main(["equilibrium", str(path), "--hold-all", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["q"] == [0.0, 0.0]
+    assert main(["modes", str(path)]) == 0
+    said = capsys.readouterr()
+    assert said.out == "no modes: every link is rigid, and --joints locked locks every joint\n"
+    assert said.err == "note: --joints locked also locks the springs of flap.joint[0]; --joints free lets them act\n"
+
+
 # -------- closed forms
 
 
@@ -165,7 +204,7 @@ def test_a_spring_counts():
     angle = brentq(lambda q: stiff * q - G * np.cos(q), 0, np.pi / 2, xtol=1e-14)
     e = equilibrium(model)
     assert np.allclose(e.q, [angle], rtol=1e-10) and e.stability == "stable"
-    held = equilibrium(model, [1.0], hold=True)
+    held = equilibrium(model, [1.0], hold="all")
     assert np.allclose(held.tau, [stiff - G * np.cos(1.0)], rtol=1e-12)
     weak = model_of(arm(link(**PENDULUM, joint={"stiffness": [0.3]}), gravity=(0, 0, 0)))
     assert np.allclose(equilibrium(weak, tau=[2000.0]).q, [2000 / 0.3])

@@ -7,16 +7,17 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 LAYERS = [
-    {"errors", "files", "look", "sympy_cache", "version"},
+    {"errors", "files", "look", "pace", "sympy_cache", "version"},
     {"curves"},
     {"bases", "algebra"},
     {"spec"},
+    {"arguments"},
     {"derive"},
     {"lower"},
     {"chain"},
     {"emit"},
     {"folder", "library", "linear"},
-    {"compiled"},
+    {"compiled", "memory"},
     {"build"},
     {"controllers", "inputs", "state", "runs", "dae", "integrate", "modes", "motion", "plot", "recording"},
     {"loop"},

@@ -188,7 +188,7 @@ def test_names_choose_groups_and_entries():
     ("options", "message"),
     [
         ({"q": [0.0] * 4}, "q: has 4 numbers; it must have 9"),
-        ({"q": "straight"}, "q: is no array of numbers"),
+        ({"q": "straight"}, "q: is not an array of numbers"),
         ({"v": [np.nan] * 9}, "v: holds a number that is not finite"),
         ({"tau": [1.0]}, "tau: has 1 numbers; it must have 3"),
         ({"w_ext": [0.0] * 6}, "w_ext: has 6 numbers; it must have 12"),

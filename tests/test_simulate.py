@@ -176,7 +176,7 @@ BAD = {
     "controller none": ({"controller": lambda t, q, v: None}, "controller"),
     "controller nan": ({"controller": lambda t, q, v: [np.nan] * 3}, "controller"),
     "w_ext": ({"w_ext": [1.0, 2.0]}, "w_ext"),
-    "parameters": ({"parameters": [1.0]}, "parameters has length 1"),
+    "parameters": ({"parameters": [1.0]}, "parameters: has 1 numbers"),
     "parameter name": ({"parameters": {"fore.colour": 1.0}}, "fore.colour"),
     "memory": ({"duration": 5e7, "step": 1.0}, "GB"),
 }
@@ -263,6 +263,20 @@ def test_gravity_compensation_leaves_no_error_at_rest(backend):
         for x in (law, replace(law, gravity=Holding(model)))
     )
     assert sag > 1e-2 and held < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"tau_max": (-1.0,)}, r"^PD: tau_max\[0\]: is -1.0; it must be > 0"),
+        ({"duration": 0.0}, "^PD: duration: is 0.0; it must be > 0"),
+        ({"kp": (-1.0,)}, r"^PD: kp\[0\]: .* >= 0"),
+        ({"q_des": (float("nan"),)}, r"^PD: q_des\[0\]: .*finite"),
+    ],
+)
+def test_pd_laws_built_in_python_keep_to_the_rules_of_files(options, message):
+    with pytest.raises(UsageError, match=message):
+        PD(**({"kp": (1.0,), "kd": (1.0,), "q_des": (0.0,)} | options))
 
 
 def test_pd_of_unequal_lengths_is_refused():

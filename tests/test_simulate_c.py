@@ -168,7 +168,7 @@ def test_a_singular_posture_on_the_way_names_the_link():
 
 
 def test_parameters_that_no_robot_has_are_refused():
-    with pytest.raises(UsageError, match=r"^parameters: no robot has these"):
+    with pytest.raises(UsageError, match=r"^parameters: fore.length is -1; it must be > 0"):
         simulate(soft(), 0.01, 1e-3, parameters={"fore.length": -1.0}, backend="c")
 
 

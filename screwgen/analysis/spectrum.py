@@ -16,7 +16,7 @@ import numpy as np
 
 from ..errors import SingularError, UsageError
 from ..integrate import METHODS, Dynamics, Evaluator, modal_functions
-from ..simulation import Inputs, coordinates, parameter_vector, started
+from ..simulation import Inputs, coordinates, started
 
 if TYPE_CHECKING:
     from ..build import Model
@@ -111,7 +111,7 @@ class Linearised:
     ):
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
-        self.model, self.p = model, parameter_vector(model, p)
+        self.model, self.p = model, model.chain.parameters.vector(p)
         self.q, self.v = coordinates(q, "q", model), coordinates(v, "v", model)
         law = tau if controller is None else started(controller, self.q)
         self.given = Inputs(model, law, w_ext)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import accumulate
 
+from ..arguments import Parameters
 from ..derive.block import Binding
 from ..derive.link_class import LinkClass, link_class
 from ..errors import SingularError
@@ -120,6 +121,11 @@ class Chain:
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+
+    @cached_property
+    def parameters(self) -> Parameters:
+        """The robot's parameters, and what may be given for them."""
+        return Parameters(self.robot)
 
     @property
     def n(self) -> int:

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..arguments import array
 from ..chain import fuse
 from ..chain.algorithms import (
     ASSEMBLY,
@@ -22,7 +23,7 @@ from ..chain.algorithms import (
     Functions,
 )
 from ..chain.chain import Algorithm, Chain
-from ..chain.dae_functions import DaeFunctions, unknown_size
+from ..chain.dae_functions import DaeFunctions, state_size, unknown_size
 from ..chain.linearise import slopes
 from ..errors import SingularError
 from ..lower.program import Program
@@ -44,7 +45,11 @@ def function_of(program: Program):
 
 
 class Numeric:
-    """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values)."""
+    """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values).
+
+    ``q``, ``v``, ``vdot`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6), ``x`` as :func:`state_size` says; None is
+    zero.  Raises :class:`UsageError` on other shapes, :class:`SingularError` naming the link whose joint is singular.
+    """
 
     def __init__(self, chain: Chain, p: Sequence[float] | None = None):
         self.chain = chain
@@ -77,31 +82,33 @@ class Numeric:
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        vdot, wrench = self._functions(FORWARD).forward_dynamics(_flat(q), _flat(v), _flat(tau), _flat(w_ext))
+        vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
         """All nq generalised forces."""
-        return _inverse(self._functions(INVERSE), q, v, vdot, w_ext)
+        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
+        return np.array(self._functions(INVERSE).inverse_dynamics(*given))
 
     def bias(self, q, v, w_ext) -> np.ndarray:
         """``h`` of ``M vdot + h = [tau; 0]``."""
-        return self.inverse_dynamics(q, v, np.zeros(self.chain.nq), w_ext)
+        return self.inverse_dynamics(q, v, None, w_ext)
 
     def mass_matrix(self, q) -> np.ndarray:
         """``M`` (nq, nq), column by column from the inverse dynamics."""
-        nq, rest = self.chain.nq, (np.zeros(self.chain.nq), np.zeros((self.chain.n, 6)))
+        nq, (q, rest, w_ext) = self.chain.nq, self._rows(q=q, v=None, w_ext=None)
         stiff = self._functions(INVERSE).constants
         soft = [c | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
         still = Functions(self.chain, soft, [0.0] * 3, self._apply)
-        offset = _inverse(still, q, rest[0], rest[0], rest[1])
-        columns = [_inverse(still, q, rest[0], e, rest[1]) - offset for e in np.eye(nq)]
+        offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
+        columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nq).tolist()]
         return np.array(columns).reshape(nq, nq).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m); see :mod:`screwgen.chain.linearise`."""
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        found = slopes(self._functions(INVERSE, SENSITIVITY), _flat(q), _flat(v), list(vdot), _flat(w_ext))
+        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
+        found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         M = np.tril(M) + np.tril(M, -1).T
         given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
@@ -109,15 +116,15 @@ class Numeric:
 
     def energy(self, q, v) -> tuple[float, float]:
         """Kinetic and potential energy, J."""
-        return self._functions(ENERGY).energy(_flat(q), _flat(v))
+        return self._functions(ENERGY).energy(*self._rows(q=q, v=v))
 
     def link_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the link frames in the inertial frame."""
-        return self._stacked(self._functions(PLACES).poses(_flat(q))[0])
+        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[0])
 
     def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
-        return self._stacked(self._functions(PLACES).poses(_flat(q))[1])
+        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[1])
 
     def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotation (3, 3) and position (3,) of the last link's tip frame."""
@@ -133,20 +140,20 @@ class Numeric:
 
     def dae_state(self, q, v) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
-        return np.array(self._functions(PLACEMENT).place(_flat(q), _flat(v)))
+        return np.array(self._functions(PLACEMENT).place(*self._rows(q=q, v=v)))
 
     def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``xdot`` and the joint wrenches (n, 6), by block elimination."""
-        xdot, _, wrench = self.dae_functions.rates(_flat(x), _flat(tau), _flat(w_ext))
+        xdot, _, wrench = self.dae_functions.rates(*self._rows(x=x, tau=tau, w_ext=w_ext))
         return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def project(self, x) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        return np.array(self._functions(PROJECTION).project(_flat(x)))
+        return np.array(self._functions(PROJECTION).project(*self._rows(x=x)))
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        entries, H, W = self._functions(ASSEMBLY).assemble(_flat(x), _flat(tau), _flat(w_ext))
+        entries, H, W = self._functions(ASSEMBLY).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         for place, value in entries.items():
             M[place] = value
@@ -154,17 +161,23 @@ class Numeric:
 
     def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
-        x = self._functions(PLACEMENT).place(_flat(q), _flat(v))
-        _, vdot, wrench = self.dae_functions.rates(x, _flat(tau), _flat(w_ext))
+        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        _, vdot, wrench = self.dae_functions.rates(self._functions(PLACEMENT).place(q, v), tau, w_ext)
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def _rows(self, **given) -> list[list[float]]:
+        """Arrays of the right shapes, flat; zeros for None."""
+        sizes = _sizes(self.chain)
+        return [array(x, name, sizes[name], finite=False).ravel().tolist() for name, x in given.items()]
 
     def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
         return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])
 
 
-def _inverse(functions: Functions, q, v, vdot, w_ext) -> np.ndarray:
-    return np.array(functions.inverse_dynamics(_flat(q), _flat(v), _flat(vdot), _flat(w_ext)))
-
-
-def _flat(values) -> list[float]:
-    return [float(x) for x in np.ravel(values)]
+def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
+    """The shapes of what functions take, by name."""
+    return dict.fromkeys(("q", "v", "vdot"), (chain.nq,)) | {
+        "tau": (chain.n_joints,),
+        "w_ext": (chain.n, 6),
+        "x": (state_size(chain),),
+    }

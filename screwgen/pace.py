@@ -1,0 +1,22 @@
+"""Long work in parts, so that it can report, be stored and be interrupted in between."""
+
+import time
+from collections.abc import Iterator
+
+SLICE = 0.05
+"""Seconds of one part, about."""
+
+FIRST, GROWTH = 256, 4
+"""Steps of the first part, and how many times as many a part may have as the one before it."""
+
+
+def slices(count: int, first: int = FIRST) -> Iterator[tuple[int, int]]:
+    """`count` steps in parts that take about a slice of time each: pairs of the first step and how many."""
+    k, part = 0, first
+    while k < count:
+        part = min(part, count - k)
+        clock = time.perf_counter()
+        yield k, part
+        k += part
+        spent = time.perf_counter() - clock
+        part = max(1, min(GROWTH * part, int(part * SLICE / max(spent, 1e-9))))

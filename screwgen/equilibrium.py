@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy.linalg
 
+from . import notebook
 from .arguments import Given, array, choice
 from .errors import UsageError
 from .linear import checked
@@ -27,7 +28,7 @@ NEUTRAL = 1e-9
 """Scaled stiffness below which a direction counts as without."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Equilibrium:
     """An arm at rest. SI units, radians; n links, nq coordinates."""
 
@@ -55,6 +56,21 @@ class Equilibrium:
     """(3,): that less where straight links at the same joint angles hold it, inertial components, m."""
     deflections: np.ndarray
     """(n, 3): each link's own tip from its undeformed centreline, F_i components, m."""
+    q_names: tuple[str, ...]
+    """The names of the coordinates."""
+
+    def __repr__(self) -> str:
+        joints = "joints held" if self.held else "joints free"
+        loose = f" with {', '.join(self.loose)}" if self.loose else ""
+        sag = 1e3 * float(np.linalg.norm(self.tip_deflection))
+        return f"<Equilibrium: {self.stability}{loose}, {joints}; the tip is deflected by {sag:.4g} mm>"
+
+    def _repr_html_(self) -> str:
+        """Coordinates with the torques on the joints, and the tip."""
+        torques = [*map(notebook.number, self.tau), *[""] * (len(self.q) - len(self.tau))]
+        rows = [*zip(self.q_names, self.q, torques, strict=True)]
+        rows += [(f"tip_position.{axis}", x, "") for axis, x in zip("xyz", self.tip_position, strict=True)]
+        return notebook.table(repr(self).strip("<>"), ("", "value", "torque, N·m"), rows)
 
 
 def equilibrium(
@@ -112,6 +128,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equil
         tip_position=b.tip,
         tip_deflection=b.tip - straight.tip,
         deflections=np.array(own),
+        q_names=tuple(model.q_names),
     )
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from .arguments import Given, array, nearest
+from . import notebook
+from .arguments import Given, array, choice, nearest
 from .chain.chain import Chain
 from .emit.numeric import Numeric
 from .errors import UnknownNameError, UsageError
@@ -23,12 +24,13 @@ WRENCH_UNITS = tuple((part, "N" if part.startswith("F") else "N·m") for part in
 STRAIN_UNITS = {"axial": "1", "bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LinearModel:
     """A robot's small motions δ about a state: `d/dt (x + δx) = [v; vdot] + A δx + B δu`, `y + δy = y + C δx + D δu`.
 
     The state is x = [q; v], the joints' and modes' coordinates and their rates. Unpacks as `A, B, C, D`, as in
-    `control.ss(*linear)`. SI units, radians.
+    `control.ss(*linear)`, and `linear[0]` is A; `linear[outputs, inputs]` is the model of some outputs and inputs
+    alone, by names, numbers or slices. SI units, radians.
     """
 
     A: np.ndarray
@@ -63,6 +65,40 @@ class LinearModel:
     def __iter__(self) -> Iterator[np.ndarray]:
         return iter((self.A, self.B, self.C, self.D))
 
+    def __len__(self) -> int:
+        return 4
+
+    def __getitem__(self, key: Any) -> Any:
+        """One of `A, B, C, D` for a number; for a pair the model of these outputs and inputs."""
+        if not isinstance(key, tuple):
+            return tuple(self)[key]
+        if len(key) != 2:
+            raise UsageError(f"a linear model has no {len(key)} axes; give linear[outputs, inputs]")
+        i, j = _places(key[0], self.output_names, "outputs"), _places(key[1], self.input_names, "inputs")
+        named = {
+            f"{part}_{kind}": tuple(getattr(self, f"{part}_{kind}")[k] for k in places)
+            for part, places in (("output", i), ("input", j))
+            for kind in ("names", "units")
+        }
+        return replace(self, B=self.B[:, j], C=self.C[i], D=self.D[np.ix_(i, j)], u=self.u[j], y=self.y[i], **named)
+
+    def __repr__(self) -> str:
+        sizes = f"{len(self.A)} states, {self.B.shape[1]} inputs, {len(self.C)} outputs"
+        return f"<LinearModel: {sizes}; {', '.join(self.input_names)} -> {', '.join(self.output_names)}>"
+
+    def _repr_html_(self) -> str:
+        """Inputs and outputs with what they are where the model is linearised, and the poles."""
+        parts = (("input", self.u), ("output", self.y), ("state", self.x))
+        rows = [
+            (part, *row)
+            for part, values in parts
+            for row in zip(getattr(self, f"{part}_names"), values, getattr(self, f"{part}_units"), strict=True)
+        ]
+        poles = [(notebook.number(p.real), notebook.number(p.imag)) for p in self.eigenvalues() if p.imag >= 0]
+        title = f"LinearModel: {len(self.A)} states"
+        named = notebook.table(title, ("", "name", "linearised at", "unit"), rows)
+        return named + notebook.table("poles, 1/s", ("real", "± imaginary"), poles)
+
     def scipy(self) -> scipy.signal.StateSpace:
         """The model as SciPy's continuous-time StateSpace; needs an input, an output and a state."""
         if 0 in (*self.B.shape, len(self.C)):
@@ -92,6 +128,20 @@ class LinearModel:
             return self.C @ np.linalg.solve(shifted, np.broadcast_to(self.B, (len(f), *self.B.shape))) + self.D
         except np.linalg.LinAlgError:
             raise UsageError("a frequency is a pole of the robot, such as 0 Hz of a free joint; leave it out") from None
+
+
+def _places(key: Any, names: Sequence[str], what: str) -> list[int]:
+    """Which of the names a name, a number, a slice or a sequence of them stands for."""
+    if isinstance(key, slice):
+        return list(range(len(names)))[key]
+    several = [key] if isinstance(key, str | int | np.integer) else list(key)
+    try:
+        return [
+            names.index(choice(k, names, f"{what}: there is no")) if isinstance(k, str) else range(len(names))[k]
+            for k in several
+        ]
+    except (IndexError, TypeError):
+        raise UsageError(f"{what}: {key!r} is none of {len(names)}; give names, numbers or a slice") from None
 
 
 def linearise(

@@ -76,7 +76,7 @@ class Memory:
             for place, value in zip(out, values, strict=True):
                 if place.dtype is not real or place.shape != value.shape:
                     self._check_out(out, values)
-            for place, value in zip(out, values):  # noqa: B905: as long as each other
+            for place, value in zip(out, values):  # noqa: B905
                 place[...] = value
         except (ValueError, TypeError, AttributeError):
             raise UsageError(f"out cannot be written to; give arrays of {real} for vdot and wrench") from None

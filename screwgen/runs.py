@@ -12,6 +12,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from . import notebook
 from .errors import UsageError
 from .files import create
 from .spec.load import one_line
@@ -22,7 +23,7 @@ TIP_NAMES = ("tip_position.x", "tip_position.y", "tip_position.z")
 ENERGY_NAMES = ("energy.kinetic", "energy.potential")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Run:
     """A simulated motion: N samples of a robot with n links; SI units, radians.
 
@@ -44,6 +45,17 @@ class Run:
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
+        return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
+
+    def _repr_html_(self) -> str:
+        """Where the coordinates and the tip began, ended, and were in between."""
+        names = (*self.q_names, *TIP_NAMES)
+        values = np.column_stack([self.q, self.tip_position]).T
+        rows = ((name, x[0], x[-1], x.min(), x.max()) for name, x in zip(names, values, strict=True))
+        return notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
 
     @property
     def columns(self) -> tuple[str, ...]:

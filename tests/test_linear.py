@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from xml.etree import ElementTree
 
 import casadi as ca
 import control
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
 
-from screwgen import SingularError, UsageError
+from screwgen import SingularError, UsageError, equilibrium, simulate
 from screwgen.modes import natural_frequencies, stiffness
 from screwgen.motion import displacements
 
@@ -182,6 +183,64 @@ def test_names_choose_groups_and_entries():
     assert linear.input_names[3:] == ("forearm.w_ext.F_x", "forearm.w_ext.F_y", "forearm.w_ext.F_z")
     assert linear.input_units == ("N·m",) * 3 + ("N",) * 3 and linear.state_units[2:5] == ("rad", "m", "m")
     assert not example("ella").linearise(SETPOINTS, outputs=()).C.size
+
+
+@pytest.mark.parametrize(
+    ("inputs", "expected"),
+    [
+        (["forearm.tau"], ("forearm.torque[0]",)),
+        ("upper_arm.tau[1]", ("upper_arm.torque[1]",)),
+        ("tau", ("upper_arm.torque[0]", "upper_arm.torque[1]", "forearm.torque[0]")),
+        ("upper_arm.w_ext", tuple(f"upper_arm.w_ext.{x}" for x in ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z"))),
+    ],
+)
+def test_short_names_of_inputs(inputs, expected):
+    assert example("ella").linearise(SETPOINTS, inputs=inputs).input_names == expected
+
+
+def test_parts_of_a_linear_model():
+    linear = example("ella").linearise(SETPOINTS, outputs=("joint_angles", "tip_velocity"))
+    A, B, *_ = linear
+    assert linear[0] is A and linear[-1] is linear.D and len(linear) == 4 and linear[:2][1] is B
+    part = linear[["tip_velocity.z", 0], "forearm.torque[0]"]
+    assert part.output_names == ("tip_velocity.z", "upper_arm.joint[0]") and part.output_units == ("m/s", "rad")
+    assert part.input_names == ("forearm.torque[0]",) and part.A is A
+    f = [0.7, 3.0]
+    assert np.array_equal(part.response(f), linear.response(f)[:, [5, 0]][:, :, [2]])
+    assert linear[:, 1:].B.shape == (18, 2) and linear[:, 1:].u.shape == (2,)
+    for key, message in (
+        (("tip_velocity.zz", 0), "outputs: .* did you mean 'tip_velocity.z'"),
+        ((0, 9), "inputs: 9 is none of 3"),
+        ((0, 0, 0), "no 3 axes"),
+    ):
+        with pytest.raises(UsageError, match=message):
+            linear[key]
+
+
+def test_results_show_themselves():
+    """In a console one line, in a notebook a table."""
+    model = example("ella")
+    linear, rest = model.linearise(SETPOINTS), equilibrium(model, SETPOINTS, hold=True)
+    run = simulate(model, 0.01, 1e-3, SETPOINTS)
+    assert repr(run) == "<Run of ella: 11 samples to 0.01 s, 3 joints, 6 modes>"
+    assert repr(rest) == "<Equilibrium: stable, joints held; the tip is deflected by 71.73 mm>"
+    assert repr(linear).startswith("<LinearModel: 18 states, 3 inputs, 6 outputs; upper_arm.torque[0], ")
+    for shown, parts in (
+        (run, ("<td>forearm.joint[0]</td>", "<td>-0.4928</td>", "tip_position.z")),
+        (rest, ("<td>0.427</td>", "N·m")),
+        (linear, ("<td>upper_arm.joint[1]</td>", "<td>N·m</td>", "poles")),
+    ):
+        ElementTree.fromstring(f"<div>{shown._repr_html_()}</div>")
+        assert all(part in shown._repr_html_() for part in parts)
+
+
+def test_unknown_functions_are_named_with_the_nearest():
+    functions = example("ella").casadi()
+    with pytest.raises(UsageError, match="there is no function 'forward_dynamic'; did you mean 'forward_dynamics'"):
+        functions["forward_dynamic"]
+    assert "forward_dynamic" not in functions and functions.get("forward_dynamic") is None
+    with pytest.raises(UsageError, match=r"parameters: there is no 'forearm.rhoa'; did you mean 'forearm.rhoA'\?"):
+        simulate(example("ella"), 0.01, 1e-3, parameters={"forearm.rhoa": 1.0})
 
 
 @pytest.mark.parametrize(

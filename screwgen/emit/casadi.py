@@ -13,6 +13,7 @@ from pathlib import Path
 
 import casadi as ca
 
+from ..arguments import choice
 from ..chain import fuse
 from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
@@ -34,8 +35,12 @@ class Functions(Mapping):
 
     def __getitem__(self, name: str):
         if name not in self._made:
+            choice(name, self._makers, "there is no function")
             self._made[name] = self._makers[name]()
         return self._made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._makers
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._makers)

@@ -75,9 +75,10 @@ class Model:
 
     @cached_property
     def _casadi(self) -> Mapping:
-        from .emit import casadi, casadi_z
+        from .emit import casadi, casadi_motion, casadi_z
 
         makers = casadi.functions(self.chain) | casadi.dae_functions(self.chain) | casadi_z.z_functions(self.chain)
+        makers |= casadi_motion.motion_functions(self.chain)
         found = casadi.Functions(
             makers
             | {
@@ -90,7 +91,10 @@ class Model:
     def casadi(self) -> Mapping:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
 
-        Each is made when it is first asked for.
+        Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
+        ``modal_midpoint``, ``step_<method>`` one of another method of :data:`screwgen.methods.METHODS`.
+        ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
+        ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
         """
         return self._casadi
 
@@ -210,7 +214,9 @@ class Model:
     def _casadi_files(self) -> dict[str, bytes]:
         from .emit.casadi import casadi_files
 
-        return casadi_files(self.robot, self.casadi(), self.parameter_names, VERSION)
+        found = self.casadi()
+        written = {name: found[name] for name in found if not name.startswith("step_")}
+        return casadi_files(self.robot, written, self.parameter_names, VERSION)
 
     def _latex_files(self) -> dict[str, bytes]:
         from .emit import latex

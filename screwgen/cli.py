@@ -167,9 +167,7 @@ def modes(
         str | None,
         typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
     ] = None,
-    joints: Annotated[
-        str, typer.Option(metavar="HOW", help="locked, springs and all, or free, on springs of their own.")
-    ] = "locked",
+    joints: Annotated[str, typer.Option(metavar="HOW", help="locked, springs and all, or free.")] = "locked",
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
@@ -196,17 +194,14 @@ def equilibrium(
         str | None,
         typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m. Zero without.", show_default=False),
     ] = None,
-    hold: Annotated[
-        bool, typer.Option("--hold", help="Hold the joints without springs; the torques follow, springs settle.")
-    ] = False,
+    hold: Annotated[bool, typer.Option("--hold", help="Hold joints without springs; the torques follow.")] = False,
     hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,
     state: StateFile = None,
     json: Json = False,
 ) -> None:
     """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
 
-    Joints are free under the torques and their springs, or held. An axis with a spring is passive: no drive holds it.
-    --state gives q, tau, and wrenches on the tips.
+    Joints are free under torques and springs, or held, but for passive ones on springs. --state gives q, tau, w_ext.
     """
     from .cli_linear import run_equilibrium
 

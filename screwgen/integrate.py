@@ -1,23 +1,21 @@
-"""Time steps of the joint form: the methods as a table of functions, and the stepper that applies them.
+"""Time steps of the joint form: the accelerations that a method is made of, and the stepper that applies it.
 
 The torques and external wrenches are held over a step.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
 from .errors import ScrewgenError, UsageError
+from .methods import METHODS, Motion
 
 if TYPE_CHECKING:
     from .build import Model
-
-Motion = tuple[np.ndarray, np.ndarray]
-"""Coordinates (nq,) and rates (nq,)."""
 
 LIMIT = 1e9
 """A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
@@ -126,65 +124,6 @@ class Held(NamedTuple):
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
         return self.dynamics.implicit(q, v, self.tau, self.w_ext, h, there or (q, v))
-
-
-# ------------------------------------------------------------------------------ the methods
-
-Method = Callable[[Held, np.ndarray, np.ndarray, float], Motion]
-
-
-def euler(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """Forward Euler, order 1: amplifies every undamped mode; for comparison."""
-    return q + h * v, v + h * a.explicit(q, v)
-
-
-def semi_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """Symplectic Euler, order 1: rates first, coordinates with the new rates; stable below 2 / omega_max."""
-    new = v + h * a.explicit(q, v)
-    return q + h * new, new
-
-
-def modal_implicit(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """Symplectic Euler with the forces of modes, joint springs and dampers at the step's end, order 1.
-
-    Stable for any stiffness and damping of these; damps what is stiff. The rest is taken at the step's start: where
-    joints turn at a rate r, slow swings gain up to about h r² / 2 per second. Steps should turn joints by some 0.02 rad
-    at most.
-    """
-    new = v + h * a.implicit(q, v, h)
-    return q + h * new, new
-
-
-def modal_midpoint(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """The midpoint rule with the forces of modes, joint springs and dampers implicit, order 2.
-
-    Stable for any stiffness and damping of these; damps nothing that has no damper. The rest is taken in the middle of
-    the step, as the start predicts it: turning, weight and torques must change little over a step.
-    """
-    middle = v + h / 2 * a.implicit(q, v, h / 2)
-    new = v + h * a.implicit(q, v, h / 2, (q + h / 2 * middle, middle))
-    return q + h / 2 * (v + new), new
-
-
-def rk4(a: Held, q: np.ndarray, v: np.ndarray, h: float) -> Motion:
-    """The classical Runge-Kutta method, order 4; stable below 2.8 / omega_max."""
-    k1 = a.explicit(q, v)
-    v2 = v + h / 2 * k1
-    k2 = a.explicit(q + h / 2 * v, v2)
-    v3 = v + h / 2 * k2
-    k3 = a.explicit(q + h / 2 * v2, v3)
-    v4 = v + h * k3
-    k4 = a.explicit(q + h * v3, v4)
-    return q + h / 6 * (v + 2 * v2 + 2 * v3 + v4), v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-
-
-METHODS: dict[str, Method] = {
-    "euler": euler,
-    "semi_implicit": semi_implicit,
-    "modal_implicit": modal_implicit,
-    "modal_midpoint": modal_midpoint,
-    "rk4": rk4,
-}
 
 
 # ------------------------------------------------------------------------------ the stepper

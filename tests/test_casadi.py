@@ -10,7 +10,11 @@ import pytest
 from conftest import require_tool
 from helpers import arm, example, flat, link, model_of, relative
 
+from screwgen import Robot, UsageError, derive
 from screwgen.emit import casadi as emit
+from screwgen.methods import METHODS
+from screwgen.modes import stiffness
+from screwgen.simulation import stepper
 
 ELLA = {"nq": 9, "m": 3, "n": 2}
 SIX = {"nq": 11, "m": 6, "n": 6}
@@ -42,6 +46,62 @@ def called(function: ca.Function, given: dict) -> list[np.ndarray]:
         np.array(y.full() if isinstance(y, ca.DM) else y)
         for y in function.call([ca.DM(given[n]) for n in function.name_in()])
     ]
+
+
+# -------- what optimal control asks for
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_steps_are_those_of_the_simulation(method):
+    """The same lines of code on symbols; `step` itself is that of the default."""
+    model, given = example("ella"), arguments(example("ella"))
+    plant, functions = stepper(model, method), model.casadi()
+    q, v, tau, w_ext, p = (given[name] for name in ("q", "v", "tau", "w_ext", "p"))
+    expected = plant.step(plant.initial(q, v), tau, w_ext.T, 1e-5)
+    f = functions[f"step_{method}"]
+    assert f.name_in() == ["q", "v", "tau", "w_ext", "p", "dt"] and f.name_out() == ["q_next", "v_next"]
+    assert all(np.array_equal(flat(a), b) for a, b in zip(f(q, v, tau, w_ext, p, 1e-5), expected, strict=True))
+    if method == "modal_midpoint":
+        assert np.array_equal(flat(functions["step"](q, v, tau, w_ext, p, 1e-5)[0]), expected.q)
+        assert np.isfinite(np.array(f.jacobian()(q, v, tau, w_ext, p, 1e-5, *f(q, v, tau, w_ext, p, 1e-5))[0])).all()
+
+
+@pytest.mark.parametrize("name", ["ella", "six_link"])
+def test_tip_jacobian_is_that_of_virtual_work(name):
+    """A wrench on the tip section does its work on J v: in the bias it is -Jᵀ w, in inertial components."""
+    model, given = example(name), arguments(example(name))
+    q, w = given["q"], np.zeros((model.n_links, 6))
+    w[-1] = given["w_ext"][:, -1]
+    still = np.zeros(model.nq)
+    force = model.numpy().bias(q, still, w) - model.numpy().bias(q, still, None)
+    J, R = np.array(model.casadi()["tip_jacobian"](q, given["p"])), model.numpy().tip_pose(q)[0]
+    assert relative(-J.T @ (w[-1].reshape(2, 3) @ R.T).ravel(), force) < 1e-10
+
+
+def test_scaling_makes_energies_alike():
+    """A mode at its size holds the energy E, a joint or mode at its rate has it; torques do 2 E over a radian."""
+    model = example("ella")
+    q, v, tau = map(flat, model.casadi()["scaling"](model.parameter_values))
+    M, k = model.numpy().mass_matrix(np.zeros(model.nq)), stiffness(model)
+    energy = max(np.diag(M)[:3]) / 2
+    assert np.allclose(np.diag(M) * v**2 / 2, energy, rtol=1e-9) and np.allclose(tau, 2 * energy, rtol=1e-9)
+    assert (q[:3] == 1).all() and np.allclose((k * q**2 / 2)[3:], energy, rtol=1e-9)
+
+
+def test_directions_can_be_left_out():
+    """As if the file did not state them; a name that is no direction is refused."""
+    model = example("ella")
+    bending = derive(model.robot.without("axial"))
+    assert bending.nq == 7 and not any("axial" in name for name in bending.q_names) and model.nq == 9
+    links = [x.model_copy(update={"modes": x.modes.model_copy(update={"axial": 0})}) for x in model.robot.links]
+    assert bending.robot == Robot(**dict(model.robot) | {"links": tuple(links)})
+    with pytest.raises(UsageError, match="no direction 'bending'; choose axial or bending_y"):
+        model.robot.without("bending")
+    measured = {"bending_y": [20.0], "torsion": [300.0]}
+    rod = link("rod", modes={"bending_y": 1, "torsion": 1, "frequencies": measured, "basis": "clamped_free"})
+    for name in ("EIy", "EIz", "EA", "GJ"):
+        del rod["section"][name]
+    assert Robot.model_validate(arm(rod)).without("torsion").links[0].modes.frequencies.stated == {"bending_y": (20.0,)}
 
 
 # -------- names and shapes

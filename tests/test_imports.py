@@ -7,7 +7,7 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 LAYERS = [
-    {"errors", "files", "look", "notebook", "pace", "sympy_cache", "version"},
+    {"errors", "files", "look", "methods", "notebook", "pace", "sympy_cache", "version"},
     {"curves"},
     {"bases", "algebra"},
     {"spec"},

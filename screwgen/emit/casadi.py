@@ -72,11 +72,11 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 
     def tip_pose() -> dict[str, ca.SX]:
         found = outputs(fuse.poses)
-        return {"R": _rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
+        return {"R": rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
 
     def link_pose() -> dict[str, ca.SX]:
         found = outputs(fuse.poses)
-        return {"R": _rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
+        return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
 
     def mass_matrix() -> dict[str, ca.SX]:
         return {"M": ca.jacobian(outputs(fuse.inertial_force)["force"], vdot)}
@@ -204,7 +204,7 @@ def _stumpff(order: int, x: ca.SX) -> ca.SX:
     return ca.if_else(large, closed, series / (24 if order == 4 else 120))
 
 
-def _rotations(rows: ca.SX, n: int) -> ca.SX:
+def rotations(rows: ca.SX, n: int) -> ca.SX:
     """Rotations stored row by row, side by side as 3 x 3n."""
     return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))
 

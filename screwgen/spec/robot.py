@@ -11,6 +11,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, PlainValidator, model_validator
 
 from screwgen.bases import BASES, DEFAULT, NATURAL, Shapes, shapes
+from screwgen.errors import UsageError
 from screwgen.spec.frequencies import Frequencies
 from screwgen.spec.names import distinct, link_name, robot_name
 from screwgen.spec.part import Part
@@ -239,12 +240,29 @@ class Robot(Part):
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
 
+    def without(self, *directions: str) -> Self:
+        """The same robot without the modes of some `DIRECTIONS`, such as "axial"; raises UsageError."""
+        for name in directions:
+            if name not in DIRECTIONS:
+                raise UsageError(f"there is no direction '{name}'; choose {' or '.join(DIRECTIONS)}")
+        links = tuple(link.model_copy(update={"modes": without(link.modes, directions)}) for link in self.links)
+        return self.model_copy(update={"links": links})
+
     @model_validator(mode="after")
     def _links_with_names_of_their_own(self) -> Self:
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct([link.name for link in self.links])
         return self
+
+
+def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
+    """No modes in these directions, and no frequencies of them."""
+    update: dict[str, object] = dict.fromkeys(directions, 0)
+    if modes.frequencies:
+        left = {name: x for name, x in modes.frequencies.stated.items() if name not in directions}
+        update["frequencies"] = Frequencies(**left) if left else None
+    return modes.model_copy(update=update)
 
 
 def refuse_both(section: Section, name: str, direction: str) -> None:

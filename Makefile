@@ -6,6 +6,7 @@ VENV = .venv
 BIN = $(VENV)/bin
 READY = $(VENV)/.ready
 BENCH = .venv-bench
+MINIMA = .venv-minima
 WORKERS ?= 2
 export PYTHONDONTWRITEBYTECODE = 1
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
@@ -43,6 +44,10 @@ build/mpc/report.html: examples/mpc_ella.py $(wildcard examples/mpc/*.py) | $(RE
 
 build/ella_paper/report.html: examples/ella_paper.py $(wildcard examples/ella/*.py) | $(READY)
 	$(BIN)/python $<
+
+# The lowest versions that pyproject.toml allows, in an environment of their own: a round of all commands.
+minima: $(MINIMA)/.ready
+	$(MINIMA)/bin/python tests/minima.py
 
 lint: $(READY)
 	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
@@ -93,7 +98,14 @@ $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 	done
 	touch $@
 
-clean:
-	rm -rf $(VENV) $(BENCH) build
+$(MINIMA)/.ready: pyproject.toml tests/minima.py
+	@echo "making $(MINIMA), once: about a minute"
+	$(PYTHON) -m venv $(MINIMA)
+	$(PYTHON) tests/minima.py --list >$(MINIMA)/minima.txt
+	$(MINIMA)/bin/python -m pip install --quiet --disable-pip-version-check --constraint $(MINIMA)/minima.txt --editable .
+	touch $@
 
-.PHONY: demo paper mpc docs test lint bench exact-beams mode-table analyse-c long-run firmware generated clean
+clean:
+	rm -rf $(VENV) $(BENCH) $(MINIMA) build
+
+.PHONY: demo paper mpc docs test lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean

@@ -200,7 +200,6 @@ def equilibrium(
     json: Json = False,
 ) -> None:
     """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
-
     Joints are free under torques and springs, or held, but for passive ones on springs. --state gives q, tau, w_ext.
     """
     from .cli_linear import run_equilibrium

@@ -56,11 +56,15 @@ def ella(
     return Robot(name="ella", gravity=gravity, section_rotation=section_rotation, links=links)
 
 
+def turn(axes: str, angles: list[float]) -> Rotation:
+    """One rotation about axes in order; of a list with one angle older SciPy makes a stack of one rotation."""
+    return Rotation.from_euler(axes.upper(), angles if len(angles) > 1 else angles[0])
+
+
 def _welds() -> list[Joint]:
     """The joints as mounts turned by the set points."""
     angles, joints = list(SET_POINTS), []
     for axes in AXES:
-        turn = Rotation.from_euler(axes.upper(), [angles.pop(0) for _ in axes])
-        yaw, pitch, roll = turn.as_euler("ZYX")
+        yaw, pitch, roll = turn(axes, [angles.pop(0) for _ in axes]).as_euler("ZYX")
         joints.append(Joint(axes=(), mount=Mount(rpy=(roll, pitch, yaw))))
     return joints

@@ -15,7 +15,7 @@ import numpy as np
 import scipy.linalg
 from scipy.spatial.transform import Rotation
 
-from .arm import AXES, LENGTHS, MASSES, SECTION, SET_POINTS
+from .arm import AXES, LENGTHS, MASSES, SECTION, SET_POINTS, turn
 
 ELEMENTS = 24
 """Elements per link: the lowest frequencies have converged to nine digits."""
@@ -36,7 +36,7 @@ def arm_bars(angles: Sequence[float] = SET_POINTS) -> list[Bar]:
     """The two links of the arm at joint angles ``theta_y1, theta_z1, theta_z2``."""
     R, bars, left = Rotation.identity(), [], list(angles)
     for axes, length, mass in zip(AXES, LENGTHS, MASSES, strict=True):
-        R = R * Rotation.from_euler(axes.upper(), [left.pop(0) for _ in axes])
+        R = R * turn(axes, [left.pop(0) for _ in axes])
         bars.append(Bar(R.as_matrix(), length, mass))
     return bars
 

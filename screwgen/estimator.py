@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from .arguments import array
 from .build import Model
 from .chain.gauges import Gauge, gauges
 from .compiled import STATUS
@@ -60,7 +61,7 @@ class CompiledEstimator:
     ):
         self.model, self.real = model, np.float32 if single else np.float64
         self.gauges: list[Gauge] = gauges(model.chain)
-        self._p = model.parameter_values if parameters is None else parameters
+        self._p = model.chain.parameters.vector(parameters)
         files = _files(model, binding)
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
@@ -139,7 +140,8 @@ class CompiledEstimator:
         return tuple(arrays)
 
     def _input(self, tau, w_ext):
-        return self._in(tau, self.model.n_joints), self._in(w_ext, 6 * self.model.n_links)
+        given = (("tau", tau, (self.model.n_joints,)), ("w_ext", w_ext, (self.model.n_links, 6)))
+        return [self._in(array(values, name, shape, finite=False)) for name, values, shape in given]
 
     def _in(self, values, size: int | None = None):
         values = np.asarray(values, float)

@@ -247,6 +247,7 @@ def test_failures_leave_the_estimate_untouched():
     refused(lambda: e.update(np.zeros(3), free, np.zeros(3)), SingularError, "definiteness", P=lost)
     assert e.fault == -1
     refused(lambda: e.update(np.zeros(3), free, np.zeros(2)), UsageError, r"shape \(2,\), must be \(3,\)")
+    refused(lambda: e.predict(np.zeros(3), free.T, 1e-3), UsageError, r"^w_ext has the shape \(6, 2\)")
 
 
 def test_a_singular_posture_names_its_link():

@@ -69,8 +69,10 @@ def whole(value: Any, name: str, least: int, most: int = MAX_STEPS) -> int:
 
 def seconds(value: Any, name: str) -> float:
     """A finite time > 0."""
-    if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < math.inf:
+    if isinstance(value, bool) or not isinstance(value, Real):
         raise UsageError(f"{name} is {value!r}; it must be a finite number of seconds > 0")
+    if not 0 < value < math.inf:
+        raise UsageError(f"{name} is {value:g} s; it must be a finite number > 0")
     return float(value)
 
 

@@ -23,6 +23,7 @@ from .spec.frequencies import Frequencies
 from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
 from .spec.section import Section
+from .validity import ModelLeftError, ModelValidityWarning, Validity
 from .version import __version__
 
 __all__ = [
@@ -39,6 +40,8 @@ __all__ = [
     "LinearModel",
     "Link",
     "Model",
+    "ModelLeftError",
+    "ModelValidityWarning",
     "Modes",
     "Mount",
     "NoEquilibriumError",
@@ -50,6 +53,7 @@ __all__ = [
     "Section",
     "SingularError",
     "UsageError",
+    "Validity",
     "__version__",
     "analyse",
     "convergence",

@@ -11,6 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
+
 from .arguments import Given
 from .chain.chain import Chain
 from .chain.dae_functions import dae_names
@@ -23,6 +25,7 @@ from .folder import check_folder, write_folder
 from .linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
+from .validity import Validity
 from .version import __version__ as VERSION
 
 TARGETS = ("c", "casadi", "latex")
@@ -132,6 +135,24 @@ class Model:
         Raises UsageError, and SingularError that names the joint.
         """
         return linearise(self.chain, self._linearisation, q, v, tau, w_ext, parameters, outputs, inputs)
+
+    def validity(self, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
+        """How far every link is from the limits of the first-order model, in a state.
+
+        ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
+        the order of ``parameter_names``, the file's by default.  Raises SingularError that names the joint.
+        """
+        v, tau = np.zeros(self.nq) if v is None else v, np.zeros(self.n_joints) if tau is None else tau
+        w_ext = np.zeros((self.n_links, 6)) if w_ext is None else w_ext
+        return Validity(self._link_names, self.numpy(parameters).validity(q, v, tau, w_ext))
+
+    def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
+        """The same where the posture ``q`` (nq,) is held against gravity and ``w_ext`` (n, 6)."""
+        return Validity(self._link_names, self.numpy(parameters).validity_at_rest(q, w_ext))
+
+    @property
+    def _link_names(self) -> tuple[str, ...]:
+        return tuple(link.name for link in self.robot.links)
 
     @cached_property
     def statics(self):

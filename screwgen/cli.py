@@ -213,7 +213,7 @@ def analyse(
     robot: RobotFile,
     state: Annotated[
         list[str] | None,
-        typer.Option(metavar="FILE", help="A state file; may be given again. Without: all zero.", show_default=False),
+        typer.Option(metavar="FILE", help="A state, or a run.npz: its limits; may be given again.", show_default=False),
     ] = None,
     samples: Annotated[
         int | None,

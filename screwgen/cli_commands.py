@@ -218,6 +218,8 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     vdot, wrench = EVALUATIONS[backend, form](model, s)
     if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
         raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
+    valid = model.validity(s.q, s.v, s.tau, s.w_ext)
+    valid.warn()
     R, position = judge.tip_pose(s.q)
     kinetic, potential = judge.energy(s.q, s.v)
     return {
@@ -227,6 +229,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
         "tip_rotation": R.tolist(),
         "kinetic": float(kinetic),
         "potential": float(potential),
+        "validity": valid.record(),
     }
 
 
@@ -244,13 +247,16 @@ def run_analyse(
     json: bool,
     quiet: bool,
 ) -> None:
-    """Print the report or the JSON, and draw the structure."""
+    """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
     from .analysis import SAMPLES, analyse, sample_states
     from .analysis.spectrum import check_step
     from .controllers import read_controller
-    from .runs import check_output, outputs
+    from .runs import check_output, outputs, suffix
 
     check_step(step)
+    if any(suffix(path) == ".npz" for path in states):
+        _analyse_runs(robot, states, json)
+        return
     if plot is not None:
         check_output(plot, (".png",))
     count = (0 if states else SAMPLES) if samples is None else samples
@@ -269,6 +275,19 @@ def run_analyse(
 
             streams[0].write(png(found.structure, model.robot.name))
     print(found.to_json() if json else found.text())
+
+
+def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
+    """Print how far runs went from the limits of the model."""
+    from .analysis.runs import read_motion, run_validity
+    from .analysis.text import limits_of_model
+
+    model = derive(load_robot(robot))
+    found = {one_line(path): run_validity(model, read_motion(path, model)) for path in paths}
+    if json:
+        print(json_format.dumps({path: v.record() for path, v in found.items()}, allow_nan=False))
+    else:
+        print("\n\n".join(limits_of_model(path, v) for path, v in found.items()))
 
 
 # ------------------------------------------------------------------------------ latex

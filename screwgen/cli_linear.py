@@ -20,9 +20,6 @@ if TYPE_CHECKING:
     from .equilibrium import Equilibrium
     from .modes import ModeShapes
 
-LARGE = 0.1
-"""Deflection of a link's tip over its length beyond which the model, linear in bending, is stretched."""
-
 
 def state_in(path: str | None, model: Model) -> State:
     """The state in a file, all zero without."""
@@ -40,6 +37,7 @@ def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: st
     model = derive(load_robot(robot))
     q = state_in(posture, model).q
     found = mode_shapes(model, q, joints)
+    found.validity.warn()
     more = convergence(model, q, joints)
     if plot is not None:
         from .mode_plot import png
@@ -62,6 +60,7 @@ def modes_record(found: ModeShapes, more: Convergence) -> dict:
         "frequencies_hz": [*found.rigid * [0.0], *found.frequencies.tolist()],
         "one_more_mode": [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
         "short_of": [*found.rigid * [None], *(more.short(k) for k in count)],
+        "validity": found.validity.record(),
     }
 
 
@@ -133,7 +132,7 @@ def record(e: Equilibrium) -> dict:
     """What `--json` prints."""
     lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
     words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
-    words["passive"] = list(e.passive)
+    words |= {"passive": list(e.passive), "validity": e.validity.record()}
     return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
 
 
@@ -154,7 +153,7 @@ def text(model: Model, e: Equilibrium) -> str:
     small = float(np.max(np.abs(e.wrench)))
     for link, moved, wrench in zip(model.robot.links, e.deflections, e.wrench, strict=True):
         lines.append(f"  {link.name:27}" + row(1e3 * moved) + row(wrench[:3], small) + row(wrench[3:], small))
-    return "\n".join(lines + notes(model, e))
+    return "\n".join(lines)
 
 
 def table(title: str, names: list[str], values: np.ndarray, units: list[str]) -> list[str]:
@@ -180,18 +179,10 @@ def tidy(value: float, size: float) -> str:
 
 def stability(e: Equilibrium) -> str:
     names = ", ".join(e.loose)
+    past = ", ".join(e.validity.buckled)
     return {
-        "stable": "stable",
+        "stable": f"stable to first order, but beyond the buckling load of {past}" if past else "stable",
         "neutral": f"neutral, nothing resists a motion of {names}",
         "unstable": f"unstable, it gives way with {names}",
         "flutter": "unstable, it flutters under the wrenches that turn with the tips",
     }[e.stability]
-
-
-def notes(model: Model, e: Equilibrium) -> list[str]:
-    """Which links bend so far that the model no longer holds well."""
-    lengths = [link.length for link in model.robot.links]
-    shares = np.linalg.norm(e.deflections, axis=1) / lengths
-    far = [(link.name, s) for link, s in zip(model.robot.links, shares, strict=True) if s > LARGE]
-    what = "of its length; the model is one of small deflections"
-    return [f"\nnote: {name} bends by {100 * s:.0f} % {what}" for name, s in far]

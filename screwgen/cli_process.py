@@ -6,7 +6,8 @@ import os
 import signal
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import typer
 
@@ -21,7 +22,6 @@ def prepare() -> None:
     """Make this process one of a command."""
     _tidy_when_told_to_end()
     _open_streams()
-    warnings.showwarning = _shown(warnings.showwarning)
 
 
 def _tidy_when_told_to_end() -> None:
@@ -39,22 +39,28 @@ def _open_streams() -> None:
     sys.stdout.reconfigure(errors="backslashreplace")
 
 
-def _shown(default: Callable) -> Callable:
-    """How warnings are shown: those for users on one line, as errors are."""
+@contextmanager
+def warnings_as_lines() -> Iterator[None]:
+    """Show warnings for users on one line, as errors are."""
+    with warnings.catch_warnings():
+        default = warnings.showwarning
 
-    def show(message, category, *place, **more) -> None:
-        if issubclass(category, UserWarning):
-            _say("warning", str(message))
-        else:
-            default(message, category, *place, **more)
+        def show(message, category, *place, **more) -> None:
+            if issubclass(category, UserWarning):
+                _say("warning", str(message))
+            else:
+                default(message, category, *place, **more)
 
-    return show
+        warnings.simplefilter("always", UserWarning)
+        warnings.showwarning = show
+        yield
 
 
 def guarded(work: Callable[[], int]) -> int:
     """The exit status of `work`; what goes wrong becomes one line on stderr."""
     try:
-        return work()
+        with warnings_as_lines():
+            return work()
     except ClickException as error:
         return _fail(_sentence(error))
     except ScrewgenError as error:

@@ -133,6 +133,13 @@ class Compiled(Memory):
             self.check(call(self.memory))
             return tuple(x.copy() for x in (self.vdot, self.wrench, self.tip_rotation, self.tip_position))
 
+    def validity(self, q, v, tau=None, w_ext=None) -> Array:
+        """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            self.check(self.library.shim_watched(self.memory))
+            return self._measures.copy()
+
     def accelerations(self, q, v, tau=None, w_ext=None, out: Array | None = None) -> Array:
         """``vdot`` alone."""
         with self._lock:

@@ -16,6 +16,7 @@ from .linear import checked
 from .modes import stiffness
 from .motion import displacements
 from .statics import Balance, NoEquilibriumError, Statics, search
+from .validity import Validity
 
 if TYPE_CHECKING:
     from .build import Model
@@ -56,6 +57,8 @@ class Equilibrium:
     """(3,): that less where straight links at the same joint angles hold it, inertial components, m."""
     deflections: np.ndarray
     """(n, 3): each link's own tip from its undeformed centreline, F_i components, m."""
+    validity: Validity
+    """How far the links are from the limits of the model, of which `stability` knows nothing."""
     q_names: tuple[str, ...]
     """The names of the coordinates."""
 
@@ -90,7 +93,9 @@ def equilibrium(
     hold the modes' start too (nq,).
     `w_ext` (n, 6): wrenches [τ; F] that turn with the tip sections; they have no potential, so the search is one for
     forces that vanish, and what has positive stiffness may still flutter: then `stability` says so. `p`: parameter
-    values. Raises UsageError, and NoEquilibriumError, which names the joint, where nothing balances the torques.
+    values. A :class:`ModelValidityWarning` says where a link is past the bounds of the model, in which a column beyond
+    its buckling load is "stable". Raises UsageError, and NoEquilibriumError, which names the joint, where nothing
+    balances the torques.
     """
     if not isinstance(hold, bool):
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
@@ -107,7 +112,9 @@ def equilibrium(
     if hold != "all":
         held &= stiffness(model, values) == 0
     statics = Statics(model, values, load, array(w_ext, "w_ext:", (n, 6)), np.flatnonzero(~held))
-    return _report(statics, search(statics, start), held[:m], bool(hold))
+    found = _report(statics, search(statics, start), held[:m], bool(hold))
+    found.validity.warn()
+    return found
 
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equilibrium:
@@ -129,6 +136,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equil
         tip_deflection=b.tip - straight.tip,
         deflections=np.array(own),
         q_names=tuple(model.q_names),
+        validity=model.validity_at_rest(b.q, statics.w_ext, statics.p),
     )
 
 

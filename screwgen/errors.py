@@ -21,6 +21,10 @@ class StoppedError(ScrewgenError):
     """Work that somebody interrupted; the text says what is left of it."""
 
 
+class DivergedError(ScrewgenError):
+    """A run that left the numbers that a robot's motion can have."""
+
+
 class SingularError(ScrewgenError):
     """A posture or robot whose mass matrix cannot be inverted; the text names the joint."""
 

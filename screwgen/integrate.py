@@ -11,18 +11,15 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
-from .errors import ScrewgenError, UsageError
+from .errors import DivergedError, UsageError
 from .methods import METHODS, Motion
 
 if TYPE_CHECKING:
     from .build import Model
+    from .validity import Watch
 
 LIMIT = 1e9
 """A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
-
-
-class DivergedError(ScrewgenError):
-    """A run that left the numbers that a robot's motion can have."""
 
 
 class Stepper(Protocol):
@@ -96,7 +93,11 @@ class Dynamics:
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nq,) and the joint wrenches (6 n,)."""
-        return self.evaluate(q, v, tau, w_ext, self.M, self.force(q, v, 0.0, self.K, self.D), self.p)
+        return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
+
+    def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+        """Inertia and force of the coordinates that have forces of their own, (n_given,) each."""
+        return self.M, self.force(q, v, 0.0, self.K, self.D)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
         """`vdot` (nq,) with the forces of modes and joints that it leads to `h` after `q, v`; all else at `there`."""
@@ -141,6 +142,13 @@ def diverged(name: str) -> DivergedError:
     if name == JointStepper.default:
         remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
     return DivergedError(f"the integrator '{name}' diverged; {remedy}")
+
+
+def left(name: str, watch: Watch) -> DivergedError:
+    """The error of a run in which a link bends by its own length, by an integrator."""
+    if watch.jumped:
+        return diverged(name)
+    return watch.left("" if name.startswith("modal_") else name)
 
 
 class JointState(NamedTuple):

@@ -13,13 +13,17 @@ from .controllers import PD
 from .emit.c import METHODS
 from .errors import ScrewgenError, SingularError, UsageError
 from .inputs import at_time
-from .integrate import LIMIT, JointState, JointStepper, diverged
+from .integrate import LIMIT, JointState, JointStepper, diverged, left
 from .library import has_compiler
 from .pace import slices
-from .recording import Table, Task
+from .recording import WATCH, Table, Task
+from .validity import FAR
 
 if TYPE_CHECKING:
     from .build import Model
+
+LEFT = 16
+"""``SHIM_LEFT`` of the library."""
 
 RUNAWAY = 1e4
 """A state with a number beyond this (rad, m, per second) is that of a method that diverges, not of a posture."""
@@ -46,6 +50,9 @@ class _Run(ctypes.Structure):
         ("most", ctypes.c_double),
         ("pd", ctypes.c_void_p),
         ("sampling", ctypes.c_int),
+        ("watch", ctypes.c_int),
+        ("far", ctypes.c_double),
+        *((name, ctypes.c_void_p) for name in ("largest", "at", "first")),
     )
 
 
@@ -80,7 +87,9 @@ class Loop:
         """Fill the table."""
         c, self.task, self.table = self.compiled, task, table
         number = METHODS.index(self.integrator)
-        self.plan = _Run(number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
+        arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
+        run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
+        self.plan = _Run(*run, WATCH, FAR, *arrays)
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
@@ -125,17 +134,16 @@ class Loop:
         call = self.compiled.library.shim_run_steps
         done = call(self.compiled.memory, ctypes.byref(self.plan), k, count, place, ctypes.byref(status))
         if status.value:
-            self.table.filled(self.task.rows(k + done) + (not self.plan.sampling and self._sampled(k + done)))
+            self.table.filled(self.task.rows(k + done) + (not self.plan.sampling and self.task.sampled(k + done)))
             self._fail(k + done, status.value)
-
-    def _sampled(self, k: int) -> bool:
-        return k % self.task.every == 0 or k == self.task.steps
 
     def _fail(self, k: int, status: int) -> None:
         """Say why step k failed: NumPy's step from the same state knows."""
         c, task, p = self.compiled, self.task, self.table.p
         q, v = c.q.copy(), c.v.copy()
         with at_time(task.time(k)):
+            if status == LEFT:
+                raise left(self.integrator, self.table.watch)
             tau, w_ext = task.given(task.time(k), q, v) if self.plan.pd else (c.tau.copy(), c.w_ext.copy())
             if k < task.steps:
                 JointStepper(c.model, self.integrator, p).step(JointState(q, v), tau, w_ext, task.reach(k))

@@ -11,9 +11,10 @@ import numpy as np
 
 from .arguments import array
 from .chain.chain import Chain
+from .derive.validity import MEASURES
 from .errors import UsageError
 
-FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy")
+FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy", "measures")
 """What the library says about its memory: its size, and where these are, in bytes."""
 
 CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
@@ -46,7 +47,7 @@ class Memory:
         self.q, self.v, self.vdot = (view(name, c.nq) for name in ("q", "v", "vdot"))
         self.tau, self.w_ext, self.wrench = view("tau", c.n_joints), view("w_ext", c.n, 6), view("wrench", c.n, 6)
         self.tip_rotation, self.tip_position = view("tip_rotation", 3, 3), view("tip_position", 3)
-        self._energy = view("energy", 2)
+        self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
         self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)
         self._w_ext = memoryview(self.w_ext.reshape(-1))
         self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nq, c.n_joints, 6 * c.n))

@@ -11,6 +11,7 @@ import scipy.linalg
 from .arguments import Given, choice
 from .errors import SingularError
 from .linear import checked
+from .validity import Validity
 
 if TYPE_CHECKING:
     from .build import Model
@@ -27,8 +28,12 @@ def natural_frequencies(
     lets the joints turn on their own springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
     values, the file's by default.
     Raises UsageError, and SingularError where the mass matrix of what may move is singular.
+
+    Gravity has no part in them; but where the weight that a link bears in this posture, or its bending, is past the
+    bounds of the model, a :class:`ModelValidityWarning` says so.
     """
     found = mode_shapes(model, q, joints, p)
+    found.validity.warn()
     return np.append(np.zeros(found.rigid), found.frequencies)
 
 
@@ -40,6 +45,8 @@ class ModeShapes(NamedTuple):
     """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary."""
     rigid: int
     """The number of motions that no spring resists."""
+    validity: Validity
+    """How far the posture is from the limits of the model under the weight that it would bear with gravity."""
 
 
 def mode_shapes(
@@ -63,7 +70,7 @@ def mode_shapes(
             out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
-    return ModeShapes(frequencies / (2 * np.pi), out, rigid)
+    return ModeShapes(frequencies / (2 * np.pi), out, rigid, model.validity_at_rest(q, parameters=p))
 
 
 def posture(model: Model, q: Sequence[float] | None) -> np.ndarray:

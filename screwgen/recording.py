@@ -18,17 +18,21 @@ from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 
+from .derive.validity import MEASURES
 from .errors import ScrewgenError, SingularError, UsageError
 from .files import create
 from .inputs import Inputs
-from .integrate import Dynamics, Evaluator
+from .integrate import Dynamics, Evaluator, modal_functions
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
 from .spec.load import one_line
+from .validity import Watch
 
 if TYPE_CHECKING:
     from .build import Model
 
 MAX_BYTES = 4 * 2**30
+WATCH = 8
+"""Steps after which, at the latest, a run is looked at for the limits of the model."""
 AGE = 0.25
 """Samples wait this long, in seconds, to be stored together."""
 
@@ -67,6 +71,11 @@ class Task:
         return -(-min(k, self.steps) // self.every) + (k > self.steps)
 
 
+    def sampled(self, k: int) -> bool:
+        """Whether step k, or number `steps`, the end, is a sample."""
+        return k % self.every == 0 or k == self.steps
+
+
 Walk = Callable[[Task, "Table"], None]
 """A way to make a run."""
 
@@ -84,6 +93,7 @@ class Table:
         if (size := 8 * len(times) * self.width) > MAX_BYTES:
             raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
         self.rows = np.empty((len(times), self.width))
+        self.watch = Watch([link.name for link in model.robot.links])
         self.store: Store | None = None
 
     @property
@@ -103,7 +113,7 @@ class Table:
         arrays = {name: self.rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
         names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(m.robot.name, **arrays, **names)
+        return Run(m.robot.name, **arrays, **names, validity=self.watch.validity())
 
 
 class Recorder:
@@ -112,11 +122,19 @@ class Recorder:
     def __init__(self, table: Table):
         functions, self.table = table.model.casadi(), table
         self.dynamics = Dynamics(table.model, table.p)
+        modal = modal_functions(table.model.chain)
+        self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
 
-    def __call__(self, row: int, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> None:
+    def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
+        """The joint wrenches; None where a link bends by more than its length."""
+        wrench, motion = self.watched(q, v, tau, w_ext, *self.dynamics.modes(q, v), self.table.p)
+        measures = self.measures(q, wrench, motion, self.table.p)[0]
+        return wrench if self.table.watch(t, measures.reshape(-1, len(MEASURES))) else None
+
+    def __call__(self, row: int, q: np.ndarray, v: np.ndarray, wrench: np.ndarray, tau: np.ndarray) -> None:
         """Keep a sample."""
-        wrench, p = self.dynamics.explicit(q, v, tau, w_ext)[1], self.table.p
+        p = self.table.p
         tip, energy = self.tip_pose(q, p)[1], self.energy(q, v, p)
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *energy])
         self.table.filled(row + 1)

@@ -15,6 +15,8 @@ from .build import Model
 from .compiled import NO_METHOD
 from .emit.c import METHODS
 from .errors import UsageError
+from .rollout_validity import watched
+from .validity import Validity
 
 MAX_BYTES = 4 * 2**30
 
@@ -37,6 +39,8 @@ class Rollout:
     completed: np.ndarray
     fault: np.ndarray
     links: tuple[str, ...]
+    validity: Validity
+    """The largest measures of the model's limits: bending at all samples, the loads at some, the fastest among them."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape
@@ -90,6 +94,7 @@ def rollout(
     `single`: in single precision, about half the time.
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
+    Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
@@ -118,7 +123,9 @@ def _run(model, given, count, periods, step, substeps, integrator, threads, sing
     q, v = path.transpose(0, 3, 1, 2)
     t = step * np.arange(periods + 1)
     links = tuple(link.name for link in model.robot.links)
-    return Rollout(t, q, v, status, done // substeps, fault, links)
+    validity = watched(model, given, t, q, v)
+    validity.warn(stacklevel=3)
+    return Rollout(t, q, v, status, done // substeps, fault, links, validity)
 
 
 def _rows(values: np.ndarray, count: int, real) -> np.ndarray:

@@ -16,6 +16,7 @@ from . import notebook
 from .errors import UsageError
 from .files import create
 from .spec.load import one_line
+from .validity import Validity
 
 ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
 NAMES = ("q_names", "v_names", "tau_names", "wrench_names")
@@ -45,6 +46,8 @@ class Run:
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
+    validity: Validity | None = None
+    """How far the motion went from the limits of the model; files do not hold it."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]

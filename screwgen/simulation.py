@@ -15,8 +15,8 @@ from .controllers import Controller
 from .dae import DaeStepper
 from .errors import UsageError
 from .inputs import Inputs, at_time, floats, started
-from .integrate import JointStepper, Stepper, check_integrator
-from .recording import Recorder, Table, Task, Walk, sample_times, stored
+from .integrate import JointStepper, Stepper, check_integrator, left
+from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
 from .runs import FORMATS, Run, check_output
 
 if TYPE_CHECKING:
@@ -65,8 +65,12 @@ def simulate(
     `store`: a .npz or .csv file for the run, which grows meanwhile as `run.part.npy` (`numpy.load` reads it, its
     fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
 
+    The samples, and every eighth step at least, are watched for the limits of the model: `run.validity`, and a
+    :class:`ModelValidityWarning` where one is passed.
+
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
-    inverted, DivergedError when the method does not hold at this step.
+    inverted, DivergedError when the method does not hold at this step, ModelLeftError, which is one too, when a link
+    bends by more than its length.
     """
     steps, p = step_count(duration, step), model.chain.parameters.vector(parameters)
     if store is not None:
@@ -77,9 +81,12 @@ def simulate(
     law = started(controller, q0)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
-    with stored(table, store):
-        walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
-        return table.run()
+    try:
+        with stored(table, store):
+            walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
+            return table.run()
+    finally:
+        table.watch.validity().warn()
 
 
 def _in_c(backend: str | None, form: str, model: Model) -> bool:
@@ -111,8 +118,12 @@ def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) 
             with at_time(t):
                 q, v = plant.coordinates(state)
                 tau, wrench = task.given(t, q, v)
-                if k % task.every == 0 or k == task.steps:
-                    record(task.rows(k), q, v, tau, wrench)
+                if task.sampled(k) or k % WATCH == 0:
+                    joints = record.look(t, q, v, tau, wrench)
+                    if joints is None:
+                        raise left(plant.name, table.watch)
+                    if task.sampled(k):
+                        record(task.rows(k), q, v, joints, tau)
                 if k < task.steps:
                     state = plant.step(state, tau, wrench, task.reach(k))
             if task.progress and (k % often == 0 or k == task.steps):

@@ -70,7 +70,7 @@ def analyse(
 def analyse_state(model: Model, label: str, state: State, step: float, controller: Law | None = None) -> StateAnalysis:
     """The analysis of one state."""
     system = projectors = acceleration = None
-    blocks, found, limits, singular = (), (), (), ""
+    blocks, found, limits, measures, singular = (), (), (), (), ""
     try:
         judge = model.numpy()
         M = judge.assemble(judge.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
@@ -80,6 +80,7 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
         motion = Linearised(model, state.q, state.v, tau, controller, state.w_ext)
         acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
         limits = tuple(step_limits(motion, step))
+        measures = _measures(model, state, controller)
     except SingularError as error:
         singular = str(error)
     except np.linalg.LinAlgError:
@@ -87,7 +88,13 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
     turning = float(np.linalg.norm(state.v[: model.n_joints]))
-    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turning, found, limits)
+    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turning, found, limits, measures)
+
+
+def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
+    """How far every link is from the limits of the model, in a state under its torques or the controller's."""
+    tau = s.tau if controller is None else controller(0.0, s.q.copy(), s.v.copy())
+    return tuple(map(tuple, model.validity(s.q, s.v, tau, s.w_ext).values.tolist()))
 
 
 def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:

@@ -31,6 +31,8 @@ class StateAnalysis:
     turning: float
     motions: tuple[Motion, ...]
     limits: tuple[StepLimit, ...]
+    measures: tuple[tuple[float, ...], ...] = ()
+    """How far every link is from the limits of the model: `derive.validity.MEASURES`, link by link."""
 
     @property
     def well_posed(self) -> bool:

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Sequence
 from textwrap import fill
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from ..validity import Validity
 from .step_limits import TOLERANCE, StepLimit
 
 if TYPE_CHECKING:
@@ -22,7 +25,7 @@ RESTLESS = 1e-6
 
 def report(a: Findings) -> str:
     """The whole report."""
-    parts = [_verdict(a), _systems(a), _blocks(a), _structure(a), *_spectra(a), _limits(a)]
+    parts = [_verdict(a), _systems(a), _blocks(a), _structure(a), *_spectra(a), _limits(a), *_validity(a)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -103,6 +106,18 @@ def _structure(a: Findings) -> str:
         f" {_count(s.bandwidth, 'entry', 'entries')}{border}."
     )
     return _wrapped(text)
+
+
+def _validity(a: Findings) -> list[str]:
+    """The limits of the model at the states that are named."""
+    shown = [s for s in a.states if s.measures and not s.label.startswith("sample ")][:SHOWN]
+    return [limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures))) for s in shown]
+
+
+def limits_of_model(what: str, v: Validity) -> str:
+    """The table of a state or a run, and what is past its bound."""
+    notes = [_wrapped(f"- {f.text()}; {f.remedy()}", "  ") for f in v.findings]
+    return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
 
 
 # ------------------------------------------------------------------------------ the spectrum

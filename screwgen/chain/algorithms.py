@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..lower.program import Value
-from . import dae
+from . import dae, validity
 from . import phases as ph
 from . import sensitivity as sy
 from .chain import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
@@ -20,6 +20,7 @@ INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.i
 PLACES: Algorithm = (POSES,)
 MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, OUTWARD))
 ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
+MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
@@ -28,7 +29,7 @@ PROJECTION: Algorithm = (Phase(dae.project, OUTWARD),)
 PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
 ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD))
 
-EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY)
+EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
 
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
@@ -99,6 +100,25 @@ class Functions:
         links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
         return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
 
+    def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
+        """``vdot``, the joint wrenches, and what :meth:`measures` needs of the motion, link by link."""
+        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        wrench = [x for link in links for x in link["wrench"]]
+        return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
+
+    def measures(self, q, wrench, motion) -> list:
+        """How far every link is from the limits of the model, four numbers each; see :mod:`..derive.validity`."""
+        n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
+        given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
+        return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
+
+    def measures_at_rest(self, q, w_ext) -> list:
+        """The measures where the posture is held."""
+        rest = [0.0] * self.chain.nq
+        still = self.chain.split(rest, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
+
     def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
         """All generalised forces that a motion needs."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
@@ -127,6 +147,11 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def axial_motions(links: Sequence[Mapping[str, list]]) -> list:
+    """What the measures read of a motion, four numbers per link: zero for links that cannot bend."""
+    return [x for link in links for x in link.get("motion", [0.0] * 4)]
 
 
 def sum_of(links: Sequence[Mapping[str, list]], name: str) -> Value:

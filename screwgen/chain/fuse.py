@@ -130,10 +130,15 @@ def _dynamics_inputs(chain: Chain, given: bool) -> dict[str, int]:
 
 def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
     """``vdot`` and ``wrench``, with inertia and force of modes and sprung joints where they are inputs."""
+    return {name: values for name, values in _watched(f, x).items() if name != "motion"}
+
+
+def _watched(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
+    """The same, with what the measures of validity need of the motion."""
     if "m_eta" in x:
         f.given = (x["m_eta"], x["f_eta"])
-    vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-    return {"vdot": vdot, "wrench": wrench}
+    vdot, wrench, motion = f.watched_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+    return {"vdot": vdot, "wrench": wrench, "motion": motion}
 
 
 def forward_dynamics(chain: Chain, constants="parameters") -> Program:
@@ -142,19 +147,39 @@ def forward_dynamics(chain: Chain, constants="parameters") -> Program:
 
 
 def modal_dynamics(chain: Chain, constants="parameters") -> Program:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench)``: the forward dynamics of an integrator.
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench, motion)``: the forward dynamics of an integrator.
 
     ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode, before them those of every
     joint coordinate where a joint is sprung; steps that take them implicitly give their own.
     """
-    return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _dynamics, constants)
+    return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _watched, constants)
+
+
+def measures(chain: Chain, constants="parameters") -> Program:
+    """``(q, wrench, motion) -> (measures)``: four numbers per link, see :mod:`..derive.validity`."""
+    inputs = {"q": chain.nq, "wrench": 6 * chain.n, "motion": 4 * chain.n}
+
+    def body(f: Functions, x):
+        return {"measures": f.measures(x["q"], x["wrench"], x["motion"])}
+
+    return fuse(chain, "measures", inputs, body, constants)
+
+
+def validity(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, tau, w_ext) -> (measures)``."""
+
+    def body(f: Functions, x):
+        found = _watched(f, x)
+        return {"measures": f.measures(x["q"], found["wrench"], found["motion"])}
+
+    return fuse(chain, "validity", _dynamics_inputs(chain, False), body, constants)
 
 
 def complete_dynamics(chain: Chain, constants="constants") -> Program:
     """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
 
     def body(f: Functions, x):
-        outputs = _dynamics(f, x)
+        outputs = _watched(f, x)
         R, position = f.poses(x["q"])[1][-1]
         return outputs | {"tip_rotation": R, "tip_position": position}
 

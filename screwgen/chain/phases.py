@@ -18,6 +18,7 @@ from ..lower.program import Array
 from . import matrices as mx
 from .modes import eliminate_modes, modal_accelerations
 from .scope import Scope
+from .validity import axial_motion
 
 
 def kinematics(s: Scope) -> None:
@@ -120,6 +121,8 @@ def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
 def eliminate(s: Scope) -> None:
     """Tip to base: fold the tip's reaction in, eliminate modes and joint, hand the rest up."""
     own = rows(s)
+    if s.key.bends:
+        s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
     M, h = eliminate_modes(s, own, *tip_load(s))
     Lambda, p = eliminate_joint(s, M, h)
     s.keep("Lambda_i", Lambda)
@@ -159,9 +162,13 @@ def accelerate(s: Scope) -> None:
         s.write("wrench", mx.shift_wrench(-r_B, wrench))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("A"), qddot))
-        s.write("alpha", delta + s.kept("alpha_0"))
+        alpha = delta + s.kept("alpha_0")
+        s.write("alpha", alpha)
         etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
+    if s.key.bends:
+        own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
+        axial_motion(s, s.kept("omega"), alpha[3], own)
     with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
         s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot)))
 
@@ -193,6 +200,8 @@ def inverse_inward(s: Scope) -> None:
     bodies = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6) + s.read("tip.delta", 6), m, S, I)
     load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6)) + s.read("tip.p", 6)
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
+    if s.key.bends:
+        axial_motion(s, s.kept("omega"), s.kept("alpha_0")[3] + delta[3], needed[3])
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
     modal = mx.multiply(M_D.T, delta) + s.read("m_eta", s.key.modes) * etaddot
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))

@@ -25,6 +25,7 @@ from ..derive.link import LinkBlock
 from ..derive.link_class import LinkClass
 from ..derive.link_rows import link_rows_block
 from ..derive.tip import tip_block, tip_body_block, tip_pose_block
+from ..derive.validity import validity_block
 from ..derive.z_form import z_form_block, z_rows_block
 from ..lower.block import lower
 from ..lower.program import Array, Node, Program, Tracer, Value, give_label
@@ -46,6 +47,7 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "link_rows": link_rows_block(key),
         "energy": energy_block(key),
         "z_rows": z_rows_block(key),
+        "validity": validity_block(key),
     }
 
 

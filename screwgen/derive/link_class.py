@@ -47,6 +47,11 @@ class LinkClass:
         return sum(self.counts)
 
     @property
+    def bends(self) -> bool:
+        """Whether the link has bending modes."""
+        return any(self.counts[1:3])
+
+    @property
     def joints(self) -> int:
         """The number of joint coordinates."""
         return len(self.axes)

@@ -11,6 +11,7 @@ from ..chain import fuse
 from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
 from ..chain.parameters import label
+from ..derive.validity import BOUNDS
 from ..errors import UsageError
 from ..lower.program import Program
 from ..spec.parameters import coordinate_names, parameters
@@ -31,7 +32,7 @@ from .c_fields import (
     store_fields,
     stumpff_terms,
 )
-from .c_links import RUNS, Links, sparsity
+from .c_links import RUNS, WITHIN, Links, sparsity
 from .reference import Case, cases
 from .templates import render
 
@@ -47,7 +48,7 @@ SHARED = 0.75
 FUSED_MOST = 14_000
 """The largest function that is written: compilers need more than twice the time for twice the length."""
 
-ASKED = {"wrench": "WRENCHES", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
+ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
 """Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
 
 ROUNDS = 4
@@ -80,7 +81,7 @@ class CProject:
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` takes what is faster."""
-        passages = self.links.passages("joint_dynamics")
+        passages = self.links.required("joint_dynamics")
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
@@ -136,6 +137,7 @@ class CProject:
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
             "structs": self.structs,
+            "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
             "n_bodies": body_count(robot),
             "constants": self.constants,
             "node": node_fields(self._programs),
@@ -195,7 +197,8 @@ class CProject:
             return []
         taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
         asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
-        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked).lines()
+        within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
+        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked, within).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
@@ -220,12 +223,13 @@ class CProject:
     def operations(self) -> dict[str, int]:
         """What one call of the forward dynamics runs."""
         if self.layout == "fused":
-            counts = self.fused.operations
+            whole = self.fused
+            asked = {name: values for name, values in whole.outputs.items() if name != "motion"}
+            counts = Program(whole.name, whole.inputs, asked, whole.guards, whole.sections, whole.origins).operations
         else:
             counts = Counter()
-            for phase in self.links.phases("joint_dynamics"):
-                for i in phase["of_link"]:
-                    counts += phase["classes"][i].program.operations
+            for passage in self.links.required("joint_dynamics"):
+                counts += passage.program.operations
         other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
         return {
             "total": sum(counts.values()),
@@ -322,7 +326,7 @@ class CProject:
         )
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
-        work = 2 * length(c.n_given) + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
+        work = 2 * length(c.n_given) + 4 * c.n + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
         dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state
         dae += chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}

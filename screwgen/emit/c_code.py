@@ -41,7 +41,8 @@ class Writer:
     ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
     for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart`` says that no output
     shares memory with an input: then outputs are written as soon as they are known.  ``optional`` names, by output,
-    the C condition on which it is wanted: what only such outputs need is computed where the condition holds.
+    the C condition on which it is wanted: what only such outputs need is computed where the condition holds.  A
+    condition in ``within`` is looked at only where the other one holds, so it can use what that one has computed.
     """
 
     program: Program
@@ -51,6 +52,7 @@ class Writer:
     taken: set[str] = field(default_factory=set)
     apart: bool = False
     optional: Mapping[str, str] = field(default_factory=dict)
+    within: Mapping[str, str] = field(default_factory=dict)
     paired: ClassVar[bool] = True
     """Whether sine and cosine of an angle come from one call."""
 
@@ -64,11 +66,18 @@ class Writer:
         self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
         always, groups = self._groups()
         out = self._part(always, "")
-        for condition, nodes in groups.items():
-            block = self._part(nodes, condition)
-            inside = [f"    {line}" if line else "" for line in block[not block[0] :]]
-            out += ["", f"if ({condition}) {{", *inside, "}"]
+        for condition in groups:
+            if self.within.get(condition) not in groups:
+                out += self._conditional(condition, groups)
         return out
+
+    def _conditional(self, condition: str, groups: Mapping[str, list[Node]]) -> list[str]:
+        """What hangs on a condition, and on those within it."""
+        block = self._part(groups[condition], condition)
+        for inner in (c for c in groups if self.within.get(c) == condition):
+            block += self._conditional(inner, groups)
+        inside = [f"    {line}" if line else "" for line in block[not block[0] :]]
+        return ["", f"if ({condition}) {{", *inside, "}"]
 
     def _part(self, nodes: Iterable[Node], condition: str) -> list[str]:
         """Assignments by sections and the outputs that hang on one condition."""
@@ -90,8 +99,10 @@ class Writer:
         values = lambda c: [v for n, e in p.outputs.items() if self.optional.get(n, "") == c for v in e]  # noqa: E731
         common = {n.id for n in live([*values(""), *p.guards])}
         needs = {c: {n.id for n in live(values(c))} for c in conditions}
-        times = Counter(i for ids in needs.values() for i in ids)
+        outer = {c: needs[c].union(*(needs[d] for d in needs if self.within.get(d) == c)) for c in needs}
+        times = Counter(i for c, ids in outer.items() if self.within.get(c) not in needs for i in ids)
         common |= {i for i, count in times.items() if count > 1}
+        needs = {c: ids - needs.get(self.within.get(c), set()) for c, ids in needs.items()}
         groups = {c: [n for n in p.nodes if n.id in needs[c] - common] for c in conditions}
         return [n for n in p.nodes if n.id in common], groups
 

@@ -188,6 +188,7 @@ def fused_place(name: str, k: int) -> str:
         "f_eta": f"work->f_eta[{k}]",
         "vdot": f"output->vdot[{k}]",
         "wrench": f"output->wrench[{k // 6}][{k % 6}]",
+        "motion": f"work->motion[{k // 4}][{k % 4}]",
         "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]",
         "tip_position": f"output->tip_position[{k}]",
     }

@@ -18,6 +18,8 @@ MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
 STRIDE = {
     "w_ext": 6,
     "wrench": 6,
+    "motion": 4,
+    "measures": 4,
     "twist": 6,
     "alpha": 6,
     "Vdot": 6,
@@ -30,9 +32,11 @@ STRIDE = {
     "tip_twist": 6,
 }
 WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
-READ = {"alpha": "given_alpha", "qddot": "given_qddot", "etaddot": "given_etaddot"}
-OPTIONAL = {"wrench": "wrench"}
+READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "wrench", "motion")}
+OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
+WITHIN = {"motion": "wrench"}
+"""Signals that are asked for only with another one."""
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
@@ -64,7 +68,7 @@ RUNS: dict[str, Run] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot etaddot wrench tip.R tip.r",
+        "qddot etaddot wrench motion tip.R tip.r",
         apart=True,
         skipped={"poses": "call->tip_pose"},
     ),
@@ -97,6 +101,9 @@ RUNS: dict[str, Run] = {
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
     "motion_of": _run(alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist"),
+    "measuring": _run(
+        alg.MEASURING, "How far every link is from the limits of the first-order model.", "measures", apart=True
+    ),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
 }
 
@@ -136,6 +143,11 @@ class Links:
             r = RUNS[run]
             self._passages[run] = passages(self.chain, r.algorithm, self.baked, r.results, r.zero)
         return self._passages[run]
+
+    def required(self, run: str) -> list[Passage]:
+        """The phases of a run without what only the watch of the model's limits asks for."""
+        r = RUNS[run]
+        return passages(self.chain, r.algorithm, self.baked, r.results - {"motion"}, r.zero)
 
     def phases(self, run: str) -> list[dict]:
         """The phases of a run, each with its functions and which of them every link calls."""
@@ -177,7 +189,7 @@ class Links:
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
-        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL)
+        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = _wrapped(arguments)
@@ -265,7 +277,7 @@ class Places:
                 out.append(
                     (
                         f"const {real} {name}[{alone}{self.program.inputs[name]}]",
-                        self._address(READ.get(name, name), name),
+                        self._address(READ.get(name, name), name, False),
                     )
                 )
         for name in writes:
@@ -289,7 +301,7 @@ class Places:
                 out.append((f"{const}{prefix}_{type_} *{self._alone}{'link' if where == 'w' else where}", value))
         return out
 
-    def _address(self, member: str, name: str) -> str:
+    def _address(self, member: str, name: str, optional=True) -> str:
         if name in JOINT:
             return f"call->{member} + q"
         if name in MODAL:
@@ -297,7 +309,7 @@ class Places:
         if name in ("eta_H", "eta_W"):
             return f"call->{name[-1]} + {12 * self.links.chain.n} + e"
         place = f"call->{member} + {STRIDE[name]} * i" if name in STRIDE else f"call->{member}"
-        return f"call->{member} ? {place} : 0" if name in OPTIONAL else place
+        return f"call->{member} ? {place} : 0" if optional and name in OPTIONAL else place
 
     def _assembly(self, writes: list[str], real: str) -> list[tuple[str, str]]:
         out = []

@@ -17,6 +17,7 @@ from ..arguments import choice
 from ..chain import fuse
 from ..chain.chain import Chain
 from ..chain.dae_functions import state_size, unknown_size
+from ..derive.validity import MEASURES
 from ..lower.program import Program
 from ..lower.replay import run
 from ..spec.robot import Robot
@@ -70,6 +71,9 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         found = outputs(fuse.forward_dynamics)
         return found | {"wrench": ca.reshape(found["wrench"], 6, n)}
 
+    def validity() -> dict[str, ca.SX]:
+        return {"measures": ca.reshape(outputs(fuse.validity)["measures"], len(MEASURES), n)}
+
     def tip_pose() -> dict[str, ca.SX]:
         found = outputs(fuse.poses)
         return {"R": rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
@@ -83,6 +87,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 
     rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
+        ("validity", "q v tau w_ext p", validity),
         ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fuse.inverse_dynamics)),
         ("mass_matrix", "q p", mass_matrix),
         ("bias", "q v w_ext p", lambda: outputs(fuse.bias)),
@@ -157,8 +162,18 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
         "modal_dynamics": function(
             "modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench
         ),
+        "watched_dynamics": function(
+            "watched_dynamics", {k: given[k] for k in order}, wrench=wrench, motion=dynamics["motion"]
+        ),
+        "measures": _measures(chain, given["q"], given["p"]),
         "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
     }
+
+
+def _measures(chain: Chain, q: ca.SX, p: ca.SX) -> ca.Function:
+    """``(q, wrench, motion, p) -> (measures)``: how far the links are from the limits of the model, link by link."""
+    given = {"q": q, "wrench": ca.SX.sym("wrench", 6 * chain.n), "motion": ca.SX.sym("motion", 4 * chain.n), "p": p}
+    return function("measures", given, **expressions(fuse.measures(chain), given))
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

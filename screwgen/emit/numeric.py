@@ -16,6 +16,7 @@ from ..chain.algorithms import (
     ENERGY,
     FORWARD,
     INVERSE,
+    MEASURING,
     PLACEMENT,
     PLACES,
     PROJECTION,
@@ -84,6 +85,18 @@ class Numeric:
         """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
         vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def validity(self, q, v, tau, w_ext) -> np.ndarray:
+        """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
+        functions = self._functions(FORWARD, MEASURING)
+        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
+        return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
+
+    def validity_at_rest(self, q, w_ext=None) -> np.ndarray:
+        """The measures (n, 4) where joints and modes are held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
+        functions = self._functions(INVERSE, MEASURING)
+        return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
         """All nq generalised forces."""

@@ -1,0 +1,253 @@
+"""Whether a motion or a posture stays inside the first-order model, and what to say where it does not.
+
+Four measures of every link are watched (`derive.validity`). Each bound is the value at which what the model leaves out
+costs about 1 % of a uniform clamped link's tip deflection or lowest frequency:
+
+`deflection`  elastica under a tip force, d the deflection over the length: first order is off by `36/35 d^2`
+`slope`       elastica under a tip moment: first order is off by `slope^2 / 12`
+`axial_load`  P of the buckling load: frequencies are off by the factor `sqrt(1 - P)`, deflections by `1 - P`
+`rotation`    lambda = Omega^2 rhoA l^4 / EI: the lowest frequency rises by the factor `sqrt(1 + 1.193 lambda / 12.36)`
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .derive.validity import BOUNDS as BOUND
+from .derive.validity import MEASURES
+from .errors import DivergedError
+
+FAR = 1.0
+"""Deflection over length at which a run ends."""
+JUMP = 2.0
+"""Deflection over length that no motion reaches between two looks: then its steps do not hold it."""
+MOST_PIECES = 64
+
+
+class ModelValidityWarning(UserWarning):
+    """A link is past the bounds of the first-order model; the text is one line."""
+
+
+class ModelLeftError(DivergedError):
+    """A run in which a link bends by its own length."""
+
+
+class Measure(NamedTuple):
+    """What a measure is, and what it tells."""
+
+    meaning: str
+    missing: str
+    """What the model leaves out."""
+    off: str
+    """What is wrong by `error`."""
+    error: Callable[[float], float]
+    """The relative error to expect at a value."""
+    pieces: Callable[[float], float]
+    """How many welded pieces keep within the bounds at a value so many times its bound."""
+
+
+TENSION = 2 / math.pi**2 * BOUND["rotation"] / BOUND["axial_load"]
+"""Of a link cut into k pieces the first bears the pull of the others, `rhoA Omega^2 l^2 / 2`: as an axial load this is
+`2 rotation / (pi^2 k^2)`."""
+STIFFENING = 1.193 / 12.362
+"""Relative rise of the squared lowest frequency of a clamped beam with rotation: Southwell's coefficient."""
+
+KINDS: dict[str, Measure] = {
+    "deflection": Measure(
+        "tip deflection over length",
+        "large deflections",
+        "tip deflection",
+        lambda d: 36 / 35 * d**2,
+        lambda share: share,
+    ),
+    "slope": Measure(
+        "slope of the tip in rad",
+        "large deflections",
+        "tip deflection",
+        lambda x: x**2 / 12,
+        lambda share: share,
+    ),
+    "axial_load": Measure(
+        "axial load over buckling load",
+        "the stiffness that axial load takes or gives",
+        "lowest frequency",
+        lambda p: abs(math.sqrt(max(1 - p, 0.0)) - 1),
+        math.sqrt,
+    ),
+    "rotation": Measure(
+        "rotation, Omega^2 rhoA l^4 / EI",
+        "centrifugal stiffening",
+        "lowest frequency",
+        lambda x: math.sqrt(1 + STIFFENING * x) - 1,
+        lambda share: math.sqrt(TENSION * share),
+    ),
+}
+BOUNDS = np.array([BOUND[name] for name in MEASURES])
+"""(4,): the bounds, in the order of `derive.validity.MEASURES`."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One measure of one link that is past its bound."""
+
+    link: str
+    measure: str
+    value: float
+    """The largest one, with its sign: an axial load < 0 is tension."""
+    bound: float
+    error: float
+    """The relative error to expect, of the tip deflection or of the lowest frequency."""
+    first: float | None
+    """When it was first seen past the bound, s; None at rest or in a state."""
+    at: float | None
+    """When it was largest, s."""
+
+    @property
+    def share(self) -> float:
+        """How many times the bound."""
+        return abs(self.value) / self.bound
+
+    @property
+    def unstable(self) -> bool:
+        """Whether the straight link buckles."""
+        return self.measure == "axial_load" and self.value >= 1
+
+    @property
+    def pieces(self) -> int:
+        """Into how many welded pieces the link should be cut."""
+        return max(2, math.ceil(min(MOST_PIECES, KINDS[self.measure].pieces(self.share))))
+
+    def text(self) -> str:
+        """Which link, by how much, when, and what to expect."""
+        kind = KINDS[self.measure]
+        when = "" if self.first is None else f", first past it at t = {self.first:.4g} s, largest at {self.at:.4g} s"
+        said = f"link '{self.link}': {kind.meaning} is {self.value:.3g}, past its bound {self.bound:g}{when}"
+        if self.unstable:
+            return f"{said}: the straight state is unstable, which this model of first order does not see"
+        return f"{said}: the model leaves out {kind.missing}, so expect the {kind.off} {percent(self.error)} off"
+
+    def remedy(self) -> str:
+        """What can be done."""
+        cut = f"cut the link into welded pieces ({self.pieces} links of length l/{self.pieces}, joint.axes = [])"
+        if self.unstable:
+            return f"lower the load or stiffen the link, or {cut}"
+        return f"{cut}, stiffen it or lower its load"
+
+
+def percent(error: float) -> str:
+    """An error as a percentage; what is beyond all estimates is said so."""
+    return f"{100 * error:.2g} %" if error < 1 else "100 % or more"
+
+
+@dataclass(frozen=True, eq=False)
+class Validity:
+    """The measures of n links, in a state or over a motion."""
+
+    links: tuple[str, ...]
+    values: np.ndarray
+    """(n, 4): deflection, slope, axial_load, rotation; over a motion the largest, with its sign."""
+    first: np.ndarray | None = None
+    """(n, 4): when each was first seen past its bound, s; NaN where never. None in a state."""
+    at: np.ndarray | None = None
+    """(n, 4): when each was largest, s."""
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What is past its bound, the farthest first."""
+        past = [self._finding(i, k) for i, k in np.argwhere(np.abs(self.values) > BOUNDS)]
+        return sorted(past, key=lambda f: (-f.unstable, -f.share))
+
+    @property
+    def buckled(self) -> tuple[str, ...]:
+        """The links whose axial load is beyond their buckling load."""
+        return tuple(f.link for f in self.findings if f.unstable)
+
+    @property
+    def holds(self) -> bool:
+        """Whether all measures are within their bounds."""
+        return not self.findings
+
+    def _finding(self, i: int, k: int) -> Finding:
+        name, value = MEASURES[k], float(self.values[i, k])
+        first, at = (None if x is None else float(x[i, k]) for x in (self.first, self.at))
+        return Finding(self.links[i], name, value, BOUND[name], KINDS[name].error(value), first, at)
+
+    def line(self) -> str:
+        """One line on the farthest; empty where all hold."""
+        found = self.findings
+        if not found:
+            return ""
+        more = f"; {len(found) - 1} more past their bounds, see analyse" if len(found) > 1 else ""
+        return f"{found[0].text()}; {found[0].remedy()}{more}"
+
+    def warn(self, stacklevel: int = 2) -> None:
+        """Give the line as a :class:`ModelValidityWarning`, if there is one."""
+        if line := self.line():
+            warnings.warn(line, ModelValidityWarning, stacklevel=stacklevel + 1)
+
+    def record(self) -> dict[str, Any]:
+        """For JSON: the measures of every link, and what is past its bound."""
+        plain = lambda x: float(x) + 0.0 if math.isfinite(x) else None  # noqa: E731
+        names = [dict(zip(MEASURES, map(plain, row), strict=True)) for row in self.values]
+        past = [
+            {"link": f.link, "measure": f.measure, "value": plain(f.value), "bound": f.bound, "error": plain(f.error)}
+            | ({} if f.first is None else {"first": f.first, "at": f.at})
+            for f in self.findings
+        ]
+        return {"measures": dict(zip(self.links, names, strict=True)), "past": past}
+
+    def table(self) -> str:
+        """The measures of every link beside their bounds, for a terminal."""
+        width = max(8, *map(len, self.links))
+        lines = [" " * width + "".join(f"{name:>14}" for name in MEASURES)]
+        for link, row in zip(self.links, self.values, strict=True):
+            marks = ("*" if abs(x) > bound else " " for x, bound in zip(row, BOUNDS, strict=True))
+            cells = (f"{x:>13.4g}{mark}" for x, mark in zip(row, marks, strict=True))
+            lines.append(f"{link:{width}}" + "".join(cells))
+        lines.append(f"{'bound':{width}}" + "".join(f"{bound:>13g} " for bound in BOUNDS))
+        return "\n".join(lines)
+
+
+@dataclass
+class Watch:
+    """Gathers the measures of a motion; see :class:`Validity` for the arrays (n, 4)."""
+
+    links: Sequence[str]
+    values: np.ndarray = field(init=False)
+    first: np.ndarray = field(init=False)
+    at: np.ndarray = field(init=False)
+
+    def __post_init__(self):
+        shape = (len(self.links), len(MEASURES))
+        self.values, self.at, self.first = np.zeros(shape), np.zeros(shape), np.full(shape, np.nan)
+
+    def __call__(self, t: float, measures: np.ndarray) -> bool:
+        """Take the measures (n, 4) at an instant; says whether no link bends by more than its length."""
+        size = np.abs(measures)
+        larger, past = size > np.abs(self.values), (size > BOUNDS) & np.isnan(self.first)
+        self.values[larger], self.at[larger], self.first[past] = measures[larger], t, t
+        return not (size[:, 0] > FAR).any()
+
+    @property
+    def jumped(self) -> bool:
+        """Whether a deflection is beyond what steps that hold a motion can show."""
+        return bool((self.values[:, 0] > JUMP).any())
+
+    def left(self, explicit: str = "") -> ModelLeftError:
+        """The error of a link that bends by its own length; ``explicit`` names an integrator that may have done it."""
+        link = self.links[int(np.argmax(self.values[:, 0]))]
+        said = f"link '{link}' bends by more than its length: a model of small deflections has ended there"
+        if explicit:
+            what = f"the integrator '{explicit}' diverged; if not, {said}"
+            return ModelLeftError(f"{what}, and needs welded pieces; take a smaller step, or modal_midpoint")
+        return ModelLeftError(f"{said}; cut the link into welded pieces, stiffen it or lower its load")
+
+    def validity(self) -> Validity:
+        """What was seen."""
+        return Validity(tuple(self.links), self.values.copy(), self.first.copy(), self.at.copy())

@@ -1,0 +1,269 @@
+"""The limits of the first-order model: each back end measures the same, the bounds fire where the error is, and users
+are told."""
+
+import json
+import math
+import warnings
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+import screwgen
+from docs.tools import limits
+from screwgen.cli import main
+from screwgen.derive.validity import MEASURES
+from screwgen.emit.c import CProject
+from screwgen.emit.c_links import RUNS
+from screwgen.integrate import METHODS
+from screwgen.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
+
+ELLA = "examples/ella.toml"
+
+
+@cache
+def mixed() -> screwgen.Model:
+    """Two bending links with a rigid one between: base and tip bodies, a shifted frame, stated frequencies."""
+    bend = {"basis": "polynomial", "bending_y": 2, "bending_z": 1, "axial": 1}
+    base = {"length": 0.8, "section": {"rhoA": 1.5, "EA": 1e6, "EIy": 40.0, "EIz": 90.0, "rhoIp": 1e-3}}
+    measured = {"basis": "clamped_free", "bending_z": 2, "frequencies": {"bending_z": [3.0, 19.0]}}
+    body = {"at": "base", "mass": 2.0, "com": [0.1, 0.05, 0.0], "inertia": [0.02, 0.02, 0.02, 0, 0, 0]}
+    links = [
+        base | {"name": "one", "modes": bend, "joint": {"axes": ["z"]}, "frame_at": 0.1, "bodies": [body]},
+        {"name": "two", "length": 0.3, "section": {"rhoA": 2.0, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}},
+        base | {"name": "three", "modes": measured, "joint": {"axes": ["y"]}, "bodies": [{"at": "tip", "mass": 1.0}]},
+    ]
+    links[2]["section"] = {"rhoA": 1.5, "rhoIp": 1e-3}
+    robot = {"name": "mixed", "gravity": [0.5, 0.0, -9.81], "links": links}
+    return screwgen.derive(screwgen.Robot.model_validate(robot))
+
+
+def state(model: screwgen.Model, seed: int = 3) -> tuple[np.ndarray, ...]:
+    draw = np.random.default_rng(seed).normal
+    m = model.n_joints
+    q, v = np.append(draw(size=m), 0.02 * draw(size=model.nq - m)), draw(size=model.nq)
+    return q, v, draw(size=m), draw(size=(model.n_links, 6))
+
+
+# ------------------------------------------------------------------------------ what is measured
+
+
+@pytest.mark.parametrize("layout", ["fused", "modular"])
+def test_all_back_ends_measure_the_same(layout):
+    model = mixed()
+    given = state(model)
+    judge = model.numpy().validity(*given)
+    q, v, tau, w_ext = given
+    casadi = np.array(model.casadi()["validity"](q, v, tau, w_ext.T, model.parameter_values)).T
+    assert np.allclose(casadi, judge, rtol=1e-10)
+    assert np.allclose(model.compile(layout, flags=("-O0",)).validity(*given), judge, rtol=1e-9)
+    assert not judge[1].any() and judge[0].all() and judge[2].all()
+
+
+def test_the_tip_force_is_what_the_next_link_and_the_world_take():
+    """Axial load against the wrench of the next joint, in a random motion."""
+    model = mixed()
+    q, v, tau, w_ext = state(model)
+    numeric = model.numpy()
+    vdot, wrench = numeric.forward_dynamics(q, v, tau, w_ext)
+    R, _ = numeric.link_pose(q)
+    outside = numeric.tip_poses(q)[0][0] @ w_ext[0, 3:]
+    force = (R[0].T @ (R[1] @ wrench[1, 3:] - outside))[0]
+    length, stiff, rhoA = 0.8, 40.0, 1.5
+    own = model.numpy().validity(q, v, tau, w_ext)[0, 2] - 4 * length**2 * force / (math.pi**2 * stiff)
+    h = 1e-6
+    frame = lambda t: numeric.link_pose(q + t * v + t * t / 2 * vdot)  # noqa: E731
+    place = [x[1][0] - 0.1 * x[0][0][:, 0] for x in map(frame, (-h, 0.0, h))]
+    a = R[0].T @ ((place[0] - 2 * place[1] + place[2]) / h**2 - model.parameter_values[:3])
+    assert own == pytest.approx(rhoA * a[0] * length**3 / (7.8373474 * stiff), abs=2e-3)
+
+
+def test_measures_of_a_posture_follow_from_statics():
+    model = limits.beam(2.0, rpy=(0.0, -math.pi / 2, 0.0), rhoA=0.5)
+    held = model.validity_at_rest(np.zeros(model.nq)).values[0]
+    assert held[2] == pytest.approx(2.0 * 9.81 * 4 / (math.pi**2 * 10) + 0.5 * 9.81 / 7.8373474 / 10)
+    q = np.zeros(model.nq)
+    q[0] = 1e-3
+    shapes = model.blocks(0)["validity"].values
+    bent = model.validity_at_rest(q).values[0]
+    assert bent[0] == pytest.approx(1e-3 * abs(float(shapes["deflection_shapes"][0, 0])))
+    assert bent[1] > bent[0]
+
+
+def test_a_stated_frequency_stands_for_the_stiffness():
+    """The first frequency of a clamped-free beam gives back its EI."""
+    links = {"length": 1.0, "joint": {"axes": []}, "name": "beam", "bodies": [{"at": "tip", "mass": 1.0}]}
+    f = 1.8751040687**2 * math.sqrt(10.0 / 0.5) / (2 * math.pi)
+    modes = {"basis": "clamped_free", "bending_z": 1, "frequencies": {"bending_z": [f]}}
+    stated = links | {"section": {"rhoA": 0.5}, "modes": modes}
+    plain = links | {"section": {"rhoA": 0.5, "EIy": 10.0}, "modes": {"basis": "clamped_free", "bending_z": 1}}
+    found = []
+    for link in (stated, plain):
+        robot = screwgen.Robot.model_validate({"name": "beam", "gravity": [9.81, 0.0, 0.0], "links": [link]})
+        found.append(screwgen.derive(robot).validity_at_rest(np.zeros(1)).values[0, 2])
+    assert found[0] == pytest.approx(found[1], rel=1e-8) and found[0] < 0
+
+
+def test_dynamics_cost_what_they_did():
+    """No operation is added to what runs unless the measures are asked for, and those cost little."""
+    for layout in ("fused", "modular"):
+        project = CProject(screwgen.derive(screwgen.load("examples/ella_paper.toml")).chain, "test", layout=layout)
+        measuring = sum(p.program.operation_count for p in project.links.passages("measuring"))
+        asked = sum(p.program.operation_count for p in project.links.passages("joint_dynamics"))
+        plain = sum(p.program.operation_count for p in project.links.required("joint_dynamics"))
+        assert measuring + asked - plain < 0.05 * project.operations["total"]
+    assert "motion" in RUNS["joint_dynamics"].results and project.operations["total"] == plain
+
+
+# ------------------------------------------------------------------------------ the bounds
+
+
+@cache
+def cases() -> tuple[limits.Case, ...]:
+    return tuple(limits.quick())
+
+
+def test_the_bounds_fire_where_the_error_passes_one_percent():
+    """Within a factor of two either way, for every case that has a true error."""
+    for case in cases():
+        if case.reached >= 2:
+            assert not abs(case.error) < 0.01, case
+        if case.reached <= 0.51:
+            assert abs(case.error) < 0.01, case
+    assert sum(case.reached <= 0.51 for case in cases()) == 4
+
+
+def test_the_errors_that_are_told_are_the_true_ones():
+    for case in cases():
+        if case.reached <= 10:
+            told = Validity(("beam",), np.array([[case.value * (m == case.measure) for m in MEASURES]])).findings
+            assert all(f.error == pytest.approx(abs(case.error), rel=0.35) for f in told)
+
+
+def test_a_column_past_its_buckling_load_is_not_called_stable(tmp_path, capsys):
+    model = limits.beam(1.5 * math.pi**2 * 10.0 / 4 / 9.81, rpy=(0.0, -math.pi / 2, 0.0))
+    with pytest.warns(ModelValidityWarning, match=r"axial load over buckling load is 1\.5.*unstable.*lower the load"):
+        assert screwgen.equilibrium(model).validity.buckled == ("beam",)
+    with pytest.warns(ModelValidityWarning, match="unstable"):
+        screwgen.natural_frequencies(model)
+    path = tmp_path / "column.toml"
+    path.write_text(screwgen.dump(model.robot))
+    for command in (["equilibrium"], ["equilibrium", "--json"], ["modes", "--json"], ["evaluate"]):
+        assert main([command[0], str(path), *command[1:]]) == 0
+        out, err = capsys.readouterr()
+        assert err.count("\n") == 1 and err.startswith("screwgen: warning: link 'beam': axial load")
+        if command == ["equilibrium"]:
+            assert "beyond the buckling load of beam" in out
+        else:
+            assert json.loads(out)["validity"]["past"][0]["measure"] == "axial_load"
+
+
+# ------------------------------------------------------------------------------ runs
+
+
+@pytest.mark.parametrize("way", [{}, {"backend": "numpy"}, {"every": 100}])
+def test_a_spin_up_warns_early_and_stops(way):
+    """Before the deflection passes a tenth of the length, and where it passes the length."""
+    with (
+        pytest.warns(ModelValidityWarning, match=r"rotation.*first past it at t = 3\.\d+ s") as said,
+        pytest.raises(ModelLeftError, match=r"^t = 9\.\d+ s: link 'beam' bends by more than its length"),
+    ):
+        limits.spin_up(**way)
+    assert len(said) == 1
+
+
+def test_a_stopped_run_keeps_its_samples_and_fails(tmp_path, capsys):
+    """The command line: exit status 1, one line each, and the file of --keep."""
+    heavy = limits.beam(20.0, axes=["z"], armature=[1.0]).robot
+    path, out = tmp_path / "heavy.toml", tmp_path / "run.npz"
+    path.write_text(screwgen.dump(heavy))
+    arguments = ["simulate", str(path), "--duration", "2", "--step", "1e-3", "--form", "dae", "-o", str(out)]
+    assert main([*arguments, "--keep"]) == 1
+    err = capsys.readouterr().err.splitlines()
+    assert [line.split(":")[1] for line in err] == [" warning", " error"] and "run.part.npy keeps the run" in err[1]
+    kept = np.load(tmp_path / "run.part.npy")
+    assert 10 < len(kept) < 2000 and not out.exists()
+    assert main(arguments) == 1 and not out.exists()
+
+
+def test_peaks_between_samples_are_seen():
+    model = limits.beam(1.0)
+    find = lambda every: screwgen.simulate(model, 1.0, 2e-3, every=every, backend="numpy").validity  # noqa: E731
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelValidityWarning)
+        fine, coarse = find(1), find(500)
+    assert fine.values[0, 0] > 0.6 and 0.4 < fine.at[0, 0] < 0.7
+    assert coarse.values[0, 0] == pytest.approx(fine.values[0, 0], rel=0.02)
+
+
+def test_a_method_that_diverges_is_not_taken_for_a_model_that_is_left():
+    watch = Watch(["a", "b"])
+    assert watch(0.0, np.array([[0.5, 0, 0, 0], [0.1, 0, 0, 0]]))
+    assert not watch(0.1, np.array([[0.5, 0, 0, 0], [1.1, 0, 0, 0]])) and not watch.jumped
+    assert "link 'b'" in str(watch.left())
+    assert not watch(0.2, np.array([[0.5, 0, 0, 0], [7.0, 0, 0, 0]])) and watch.jumped
+    assert set(METHODS) >= {"euler", "modal_midpoint"}
+
+
+# ------------------------------------------------------------------------------ what is said
+
+
+def test_one_line_says_which_when_how_much_and_what_to_do():
+    values = np.zeros((2, 4))
+    values[1] = 0.05, 0.7, -0.03, 0.1
+    over = Validity(("a", "b"), values, np.full((2, 4), 1.5), np.full((2, 4), 2.0))
+    line = over.line()
+    assert "\n" not in line and line.startswith("link 'b': slope of the tip in rad is 0.7, past its bound 0.35")
+    assert "first past it at t = 1.5 s, largest at 2 s" in line and "4.1 % off" in line
+    assert "2 links of length l/2, joint.axes = []" in line and "1 more past their bounds" in line
+    assert not over.holds and replace(over, values=values / 10).holds and not replace(over, values=values / 10).line()
+
+
+def test_numbers_that_overflow_are_no_traceback():
+    huge = Validity(("a",), np.array([[np.inf, np.nan, -np.inf, 1e300]]))
+    assert json.loads(json.dumps(huge.record(), allow_nan=False))["measures"]["a"]["deflection"] is None
+    assert "100 % or more" in huge.line() and "inf" in huge.table()
+
+
+def test_the_examples_keep_within_the_bounds():
+    """ELLA at rest in any posture; its demo is run by tests of its own."""
+    model = screwgen.derive(screwgen.load(ELLA))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ModelValidityWarning)
+        for shoulder in np.linspace(-math.pi, math.pi, 9):
+            assert model.validity_at_rest(np.append([shoulder, 0.0, 0.0], np.zeros(model.nq - 3))).holds
+    assert list(BOUND) == list(MEASURES)
+
+
+def test_rollouts_find_the_scenario_that_leaves():
+    """The one that turns fast among many; bending at whatever sample it is largest."""
+    model = limits.beam(1.0, rhoA=1.0, axes=["z"], armature=[1.0])
+    x0 = np.zeros((40, 2 * model.nq))
+    x0[17, model.nq] = 12.0
+    with pytest.warns(ModelValidityWarning, match="link 'beam'"):
+        found = screwgen.rollout(model, x0, step=1e-3, steps=30)
+    assert found.validity.values[0, 3] == pytest.approx(144 / 10, rel=0.01)
+    shapes = model.blocks(0)["validity"].values["deflection_shapes"]
+    row, eta = np.array(shapes.tolist(), float), found.q[..., 1:]
+    assert found.validity.values[0, 0] == pytest.approx(np.linalg.norm(eta @ row.T, axis=2).max(), rel=1e-9)
+
+
+def test_analyse_prints_the_table_of_a_state_and_of_a_run(tmp_path, capsys):
+    model = limits.beam(2.0, axes=["z"], armature=[1.0])
+    robot, out = tmp_path / "beam.toml", tmp_path / "run.npz"
+    robot.write_text(screwgen.dump(model.robot))
+    with pytest.warns(ModelValidityWarning):
+        run = screwgen.simulate(model, 0.2, 1e-3, backend="numpy")
+    run.save(out)
+    assert main(["analyse", str(robot), "--state", str(out), "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)[str(out)]
+    assert record["measures"]["beam"]["deflection"] == pytest.approx(run.validity.values[0, 0], rel=1e-12)
+    assert record["past"][0]["first"] == run.validity.findings[0].first
+    assert main(["analyse", str(robot), "--state", str(out)]) == 0
+    assert "link 'beam': tip deflection over length is" in " ".join(capsys.readouterr().out.split())
+    assert main(["analyse", str(robot)]) == 0
+    assert "Limits of the model of first order, state 'zero'" in capsys.readouterr().out
+    np.savez(out, **{name: getattr(run, name) for name in ("t", "q", "v", "tau")}, wrench=run.wrench + 1.0)
+    assert main(["analyse", str(robot), "--state", str(out)]) == 2
+    assert "wrenches on the tips are not in a run's file" in capsys.readouterr().err

@@ -115,7 +115,7 @@ ella_status ella_dae_from_state(const ella_constants *c, const ella_state *state
     call.new_position = &work->next.position[0][0];
     call.new_twist = &work->next.twist[0][0];
     status = ella_placement(c, &call, &work->chain, &work->fault);
-    if (status == ELLA_OK && !(ella_finite(state->q, ELLA_NQ) && ella_finite(state->v, ELLA_NV))) {
+    if (status == ELLA_OK && !finite_state(&work->next)) {
         status = ELLA_NONFINITE;
     }
     if (status == ELLA_OK) {
@@ -182,6 +182,16 @@ static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etad
     }
 }
 
+/* The joints of y turned with the new rates, as its poses and modes move: a stage must fit together. */
+static void turn_joints(const ella_dae_state *x, ella_real dt, const ella_dae_work *work,
+    ella_dae_state *y)
+{
+    int k;
+    for (k = 0; k < ELLA_NTAU; ++k) {
+        y->q[k] = x->q[k] + dt * (work->qdot[k] + dt * work->qddot[k]);
+    }
+}
+
 /* Poses moved from those of x by dt times the twists V. */
 static void move(const ella_dae_state *x, ella_real dt, ella_real V[][6], ella_dae_state *y)
 {
@@ -227,7 +237,7 @@ ella_status ella_dae_step_euler(const ella_constants *c, ella_dae_state *state, 
     return accept(c, work, state);
 }
 
-/* Twists and modal rates first, then poses and modal coordinates with the new rates. */
+/* Twists and modal rates first, then poses, modal coordinates and joints with the new rates. */
 static ella_status symplectic(const ella_constants *c, ella_dae_state *state, const ella_input *input, ella_real dt,
     ella_real modal_dt, ella_dae_work *work)
 {
@@ -241,6 +251,7 @@ static ella_status symplectic(const ella_constants *c, ella_dae_state *state, co
     }
     advance(state, dt, state->etadot, work, &work->next);
     advance(state, dt, work->next.etadot, work, &work->next);
+    turn_joints(state, dt, work, &work->next);
     move(state, dt, work->next.twist, &work->next);
     return accept(c, work, state);
 }
@@ -272,6 +283,7 @@ ella_status ella_dae_step_modal_midpoint(const ella_constants *c, ella_dae_state
     }
     advance(state, dt / 2, state->etadot, work, &work->stage);
     advance(state, dt / 2, work->stage.etadot, work, &work->stage);
+    turn_joints(state, dt / 2, work, &work->stage);
     move(state, dt / 2, work->stage.twist, &work->stage);
     status = accelerate(c, &work->stage, state, input, dt / 2, work);
     if (status != ELLA_OK) {
@@ -334,24 +346,33 @@ ella_status ella_dae_step_rk4(const ella_constants *c, ella_dae_state *state, co
 
 const short ella_M_row[ELLA_NNZ] = {
     0, 1, 6, 0, 1, 7, 2, 8, 9, 10, 11, 0, 1, 6, 7, 8, 9, 10, 11, 12,
-    13, 15, 16, 17, 24, 25, 26, 0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17,
-    24, 25, 26, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17, 24, 25, 26, 3, 6, 7,
-    8, 9, 10, 11, 15, 16, 17, 24, 25, 26, 4, 6, 7, 8, 9, 10, 11, 15, 16, 17,
-    24, 25, 26, 5, 6, 7, 8, 9, 10, 11, 15, 16, 17, 24, 25, 26, 6, 7, 8, 18,
-    25, 26, 6, 7, 8, 19, 25, 26, 6, 7, 8, 14, 20, 25, 26, 6, 7, 8, 9, 10,
-    11, 21, 24, 25, 26, 6, 7, 8, 9, 10, 11, 22, 24, 25, 26, 6, 7, 8, 9, 10,
-    11, 23, 24, 25, 26, 12, 18, 19, 20, 21, 22, 23, 27, 28, 29, 13, 18, 19, 20, 21,
-    22, 23, 27, 28, 29, 18, 19, 20, 21, 22, 23, 27, 28, 29, 15, 18, 19, 20, 21, 22,
-    23, 27, 28, 29, 16, 18, 19, 20, 21, 22, 23, 27, 28, 29, 17, 18, 19, 20, 21, 22,
-    23, 27, 28, 29, 6, 7, 8, 9, 10, 11, 15, 16, 17, 24, 25, 26, 6, 7, 8, 9,
-    10, 11, 12, 13, 15, 16, 17, 24, 25, 26, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16,
-    17, 24, 25, 26, 18, 19, 20, 21, 22, 23, 27, 28, 29, 18, 19, 20, 21, 22, 23, 27,
-    28, 29, 18, 19, 20, 21, 22, 23, 27, 28, 29,
+    13, 15, 16, 17, 24, 25, 26, 27, 28, 29, 30, 0, 1, 6, 7, 8, 9, 10, 11, 12,
+    13, 15, 16, 17, 24, 25, 26, 27, 28, 29, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16,
+    17, 24, 25, 26, 27, 28, 29, 3, 6, 7, 8, 9, 10, 11, 15, 16, 17, 24, 25, 26,
+    27, 28, 29, 4, 6, 7, 8, 9, 10, 11, 15, 16, 17, 24, 25, 26, 27, 28, 29, 5,
+    6, 7, 8, 9, 10, 11, 15, 16, 17, 24, 25, 26, 27, 28, 29, 6, 7, 8, 18, 24,
+    25, 26, 27, 28, 29, 30, 6, 7, 8, 19, 24, 25, 26, 27, 28, 29, 30, 6, 7, 8,
+    14, 20, 24, 25, 26, 27, 28, 29, 30, 6, 7, 8, 9, 10, 11, 21, 24, 25, 26, 27,
+    28, 29, 6, 7, 8, 9, 10, 11, 22, 24, 25, 26, 27, 28, 29, 6, 7, 8, 9, 10,
+    11, 23, 24, 25, 26, 27, 28, 29, 12, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35,
+    36, 37, 13, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36, 18, 19, 20, 21, 22,
+    23, 31, 32, 33, 34, 35, 36, 15, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36,
+    16, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36, 17, 18, 19, 20, 21, 22, 23,
+    31, 32, 33, 34, 35, 36, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17, 24, 25, 26,
+    27, 28, 29, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17, 24, 25, 26, 27, 28, 29,
+    6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17, 24, 25, 26, 27, 28, 29, 6, 7, 8,
+    9, 10, 11, 12, 13, 15, 16, 17, 24, 25, 26, 27, 28, 29, 6, 7, 8, 9, 10, 11,
+    12, 13, 15, 16, 17, 24, 25, 26, 27, 28, 29, 6, 7, 8, 9, 10, 11, 12, 13, 15,
+    16, 17, 24, 25, 26, 27, 28, 29, 6, 12, 13, 30, 18, 19, 20, 21, 22, 23, 31, 32,
+    33, 34, 35, 36, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36, 18, 19, 20, 21,
+    22, 23, 31, 32, 33, 34, 35, 36, 18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36,
+    18, 19, 20, 21, 22, 23, 31, 32, 33, 34, 35, 36, 18, 19, 20, 21, 22, 23, 31, 32,
+    33, 34, 35, 36, 18, 37,
 };
 
 const int ella_M_column[ELLA_NZ + 1] = {
-    0, 3, 6, 8, 9, 10, 11, 27, 43, 57, 70, 83, 96, 102, 108, 115, 125, 135, 145, 155,
-    165, 174, 184, 194, 204, 216, 230, 244, 253, 262, 271,
+    0, 3, 6, 8, 9, 10, 11, 31, 50, 67, 83, 99, 115, 126, 137, 149, 162, 175, 188, 202,
+    215, 227, 240, 253, 266, 283, 300, 317, 334, 351, 368, 372, 384, 396, 408, 420, 432, 444, 446,
 };
 
 ella_status ella_assemble(const ella_constants *c, const ella_dae_state *state, const ella_input *input,

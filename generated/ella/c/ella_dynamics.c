@@ -38,72 +38,117 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + R_rel_upper_arm_zz * c->gravity[2];
 
     /* upper_arm, r_T: tip point (11) */
-    const ella_real r_T_upper_arm_x = c->links[0].length + state->q[3] * REAL(1.4142135623730951);
-    const ella_real r_T_upper_arm_y = state->q[4] * 2;
-    const ella_real r_T_upper_arm_z = state->q[5] * 2;
+    const ella_real r_T_upper_arm_y = state->q[3] * REAL(2.0011941703010714)
+        + state->q[4] * REAL(2.0700807911885764) + state->q[5] * REAL(3.5651069283690613);
+    const ella_real r_T_upper_arm_z = state->q[6] * REAL(2.0011941703010714)
+        + state->q[7] * REAL(2.0700807911885764) + state->q[8] * REAL(3.5651069283690613);
+
+    /* upper_arm, udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_upper_arm_y = state->v[3] * REAL(2.0011941703010714)
+        + state->v[4] * REAL(2.0700807911885764) + state->v[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_upper_arm_z = state->v[6] * REAL(2.0011941703010714)
+        + state->v[7] * REAL(2.0700807911885764) + state->v[8] * REAL(3.5651069283690613);
 
     /* upper_arm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_upper_arm_y = c->links[0].Psi_c_y3 * state->q[5];
-    const ella_real theta_upper_arm_z = c->links[0].Psi_c_z2 * state->q[4];
+    const ella_real theta_upper_arm_x = state->q[9] * REAL(1.7320508075688772);
+    const ella_real theta_upper_arm_y = c->links[0].Psi_c_y4 * state->q[6] + c->links[0].Psi_c_y5 * state->q[7]
+        + c->links[0].Psi_c_y6 * state->q[8];
+    const ella_real theta_upper_arm_z = c->links[0].Psi_c_z1 * state->q[3] + c->links[0].Psi_c_z2 * state->q[4]
+        + c->links[0].Psi_c_z3 * state->q[5];
 
     /* upper_arm, x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_upper_arm_33 = theta_upper_arm_y * theta_upper_arm_y;
-    const ella_real minus_theta_hat2_upper_arm_22 = theta_upper_arm_z * theta_upper_arm_z;
-    const ella_real x_upper_arm = minus_theta_hat2_upper_arm_33 + minus_theta_hat2_upper_arm_22;
+    const ella_real t2 = theta_upper_arm_x * theta_upper_arm_x;
+    const ella_real t3 = theta_upper_arm_y * theta_upper_arm_y;
+    const ella_real minus_theta_hat2_upper_arm_33 = t2 + t3;
+    const ella_real t4 = theta_upper_arm_z * theta_upper_arm_z;
+    const ella_real x_upper_arm = minus_theta_hat2_upper_arm_33 + t4;
 
     /* upper_arm, c1: Stumpff function of order 1 */
-    const ella_real t2 = ella_c5(x_upper_arm);
-    const ella_real c3_upper_arm = REAL(0.16666666666666666) - x_upper_arm * t2;
+    const ella_real t5 = ella_c5(x_upper_arm);
+    const ella_real c3_upper_arm = REAL(0.16666666666666666) - x_upper_arm * t5;
     const ella_real c1_upper_arm = 1 - x_upper_arm * c3_upper_arm;
 
     /* upper_arm, c2: Stumpff function of order 2 */
-    const ella_real t3 = ella_c4(x_upper_arm);
-    const ella_real c2_upper_arm = REAL(0.5) - x_upper_arm * t3;
+    const ella_real t6 = ella_c4(x_upper_arm);
+    const ella_real c2_upper_arm = REAL(0.5) - x_upper_arm * t6;
 
     /* upper_arm, theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_upper_arm_11 = t3 + t4;
+    const ella_real theta_hat2_upper_arm_12 = theta_upper_arm_x * theta_upper_arm_y;
+    const ella_real theta_hat2_upper_arm_13 = theta_upper_arm_x * theta_upper_arm_z;
+    const ella_real minus_theta_hat2_upper_arm_22 = t2 + t4;
     const ella_real theta_hat2_upper_arm_23 = theta_upper_arm_y * theta_upper_arm_z;
 
     /* upper_arm, J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_upper_arm_xy = c2_upper_arm * theta_upper_arm_z;
-    const ella_real J_l_upper_arm_xz = c2_upper_arm * theta_upper_arm_y;
+    const ella_real J_l_upper_arm_xx = 1 - c3_upper_arm * minus_theta_hat2_upper_arm_11;
+    const ella_real t7 = c3_upper_arm * theta_hat2_upper_arm_12;
+    const ella_real t8 = c2_upper_arm * theta_upper_arm_z;
+    const ella_real J_l_upper_arm_xy = t7 - t8;
+    const ella_real t9 = c2_upper_arm * theta_upper_arm_y;
+    const ella_real t10 = c3_upper_arm * theta_hat2_upper_arm_13;
+    const ella_real J_l_upper_arm_xz = t9 + t10;
+    const ella_real J_l_upper_arm_yx = t8 + t7;
     const ella_real J_l_upper_arm_yy = 1 - c3_upper_arm * minus_theta_hat2_upper_arm_22;
-    const ella_real J_l_upper_arm_yz = c3_upper_arm * theta_hat2_upper_arm_23;
+    const ella_real t11 = c3_upper_arm * theta_hat2_upper_arm_23;
+    const ella_real t12 = c2_upper_arm * theta_upper_arm_x;
+    const ella_real J_l_upper_arm_yz = t11 - t12;
+    const ella_real J_l_upper_arm_zx = t10 - t9;
+    const ella_real J_l_upper_arm_zy = t12 + t11;
     const ella_real J_l_upper_arm_zz = 1 - c3_upper_arm * minus_theta_hat2_upper_arm_33;
 
     /* upper_arm, R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_upper_arm_xx = 1 - c2_upper_arm * x_upper_arm;
-    const ella_real minus_R_T_upper_arm_xy = c1_upper_arm * theta_upper_arm_z;
-    const ella_real R_T_upper_arm_xz = c1_upper_arm * theta_upper_arm_y;
+    const ella_real R_T_upper_arm_xx = 1 - c2_upper_arm * minus_theta_hat2_upper_arm_11;
+    const ella_real t13 = c2_upper_arm * theta_hat2_upper_arm_12;
+    const ella_real t14 = c1_upper_arm * theta_upper_arm_z;
+    const ella_real R_T_upper_arm_xy = t13 - t14;
+    const ella_real t15 = c1_upper_arm * theta_upper_arm_y;
+    const ella_real t16 = c2_upper_arm * theta_hat2_upper_arm_13;
+    const ella_real R_T_upper_arm_xz = t15 + t16;
+    const ella_real R_T_upper_arm_yx = t14 + t13;
     const ella_real R_T_upper_arm_yy = 1 - c2_upper_arm * minus_theta_hat2_upper_arm_22;
-    const ella_real R_T_upper_arm_yz = c2_upper_arm * theta_hat2_upper_arm_23;
+    const ella_real t17 = c2_upper_arm * theta_hat2_upper_arm_23;
+    const ella_real t18 = c1_upper_arm * theta_upper_arm_x;
+    const ella_real R_T_upper_arm_yz = t17 - t18;
+    const ella_real R_T_upper_arm_zx = t16 - t15;
+    const ella_real R_T_upper_arm_zy = t18 + t17;
     const ella_real R_T_upper_arm_zz = 1 - c2_upper_arm * minus_theta_hat2_upper_arm_33;
 
     /* upper_arm, thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_upper_arm_y = c->links[0].Psi_c_y3 * state->v[5];
-    const ella_real thetadot_upper_arm_z = c->links[0].Psi_c_z2 * state->v[4];
+    const ella_real thetadot_upper_arm_x = state->v[9] * REAL(1.7320508075688772);
+    const ella_real thetadot_upper_arm_y = c->links[0].Psi_c_y4 * state->v[6]
+        + c->links[0].Psi_c_y5 * state->v[7] + c->links[0].Psi_c_y6 * state->v[8];
+    const ella_real thetadot_upper_arm_z = c->links[0].Psi_c_z1 * state->v[3]
+        + c->links[0].Psi_c_z2 * state->v[4] + c->links[0].Psi_c_z3 * state->v[5];
 
     /* upper_arm, omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t4 = theta_upper_arm_y * thetadot_upper_arm_z - theta_upper_arm_z * thetadot_upper_arm_y;
-    const ella_real omega_s_upper_arm_x = c2_upper_arm * t4;
-    const ella_real omega_s_upper_arm_y = thetadot_upper_arm_y + c3_upper_arm * theta_upper_arm_z * t4;
-    const ella_real omega_s_upper_arm_z = thetadot_upper_arm_z - c3_upper_arm * theta_upper_arm_y * t4;
+    const ella_real t19 = theta_upper_arm_y * thetadot_upper_arm_z - theta_upper_arm_z * thetadot_upper_arm_y;
+    const ella_real t20 = theta_upper_arm_x * thetadot_upper_arm_y - theta_upper_arm_y * thetadot_upper_arm_x;
+    const ella_real t21 = theta_upper_arm_z * thetadot_upper_arm_x - theta_upper_arm_x * thetadot_upper_arm_z;
+    const ella_real t22 = theta_upper_arm_y * t20 - theta_upper_arm_z * t21;
+    const ella_real omega_s_upper_arm_x = thetadot_upper_arm_x + c2_upper_arm * t19 + c3_upper_arm * t22;
+    const ella_real t23 = theta_upper_arm_z * t19 - theta_upper_arm_x * t20;
+    const ella_real omega_s_upper_arm_y = thetadot_upper_arm_y + c2_upper_arm * t21 + c3_upper_arm * t23;
+    const ella_real t24 = theta_upper_arm_x * t21 - theta_upper_arm_y * t19;
+    const ella_real omega_s_upper_arm_z = thetadot_upper_arm_z + c2_upper_arm * t20 + c3_upper_arm * t24;
 
     /* upper_arm, xdot: rate of the squared angle */
-    const ella_real xdot_upper_arm = theta_upper_arm_y * 2 * thetadot_upper_arm_y
-        + theta_upper_arm_z * 2 * thetadot_upper_arm_z;
+    const ella_real t25 = state->q[9] * REAL(3.4641016151377544) * thetadot_upper_arm_x
+        + theta_upper_arm_y * 2 * thetadot_upper_arm_y;
+    const ella_real xdot_upper_arm = t25 + theta_upper_arm_z * 2 * thetadot_upper_arm_z;
 
     /* upper_arm, c2dot: rate of c2 */
-    const ella_real c2dot_upper_arm = xdot_upper_arm * (t3 - c3_upper_arm * REAL(0.5));
+    const ella_real c2dot_upper_arm = xdot_upper_arm * (t6 - c3_upper_arm * REAL(0.5));
 
     /* upper_arm, c3dot: rate of c3 */
-    const ella_real c3dot_upper_arm = xdot_upper_arm * (t2 * REAL(1.5) - t3 * REAL(0.5));
+    const ella_real c3dot_upper_arm = xdot_upper_arm * (t5 * REAL(1.5) - t6 * REAL(0.5));
 
     /* upper_arm, alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_upper_arm_x = c2dot_upper_arm * t4;
-    const ella_real alpha_s_upper_arm_y = c3_upper_arm * thetadot_upper_arm_z * t4
-        + c3dot_upper_arm * theta_upper_arm_z * t4;
-    const ella_real minus_alpha_s_upper_arm_z = c3_upper_arm * thetadot_upper_arm_y * t4
-        + c3dot_upper_arm * theta_upper_arm_y * t4;
+    const ella_real alpha_s_upper_arm_x = c2dot_upper_arm * t19
+        + c3_upper_arm * (thetadot_upper_arm_y * t20 - thetadot_upper_arm_z * t21) + c3dot_upper_arm * t22;
+    const ella_real alpha_s_upper_arm_y = c2dot_upper_arm * t21
+        + c3_upper_arm * (thetadot_upper_arm_z * t19 - thetadot_upper_arm_x * t20) + c3dot_upper_arm * t23;
+    const ella_real alpha_s_upper_arm_z = c2dot_upper_arm * t20
+        + c3_upper_arm * (thetadot_upper_arm_x * t21 - thetadot_upper_arm_y * t19) + c3dot_upper_arm * t24;
 
     /* upper_arm, tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_upper_arm_1 = omega_J_upper_arm_x + omega_s_upper_arm_x;
@@ -113,73 +158,87 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + (omega_J_upper_arm_y * omega_s_upper_arm_z - state->v[1] * omega_s_upper_arm_y);
     const ella_real alpha_0_T_upper_arm_2 = alpha_s_upper_arm_y - minus_beta_omega_upper_arm_y
         + (state->v[1] * omega_s_upper_arm_x - omega_J_upper_arm_x * omega_s_upper_arm_z);
-    const ella_real alpha_0_T_upper_arm_3 = omega_J_upper_arm_x * omega_s_upper_arm_y
-        - omega_J_upper_arm_y * omega_s_upper_arm_x - minus_alpha_s_upper_arm_z;
-    const ella_real t5 = beta_omega_upper_arm_x * r_T_upper_arm_y
-        + minus_beta_omega_upper_arm_y * r_T_upper_arm_x - minus_alpha_0_upper_arm_6;
-    const ella_real t6 = omega_J_upper_arm_y * r_T_upper_arm_z - state->v[1] * r_T_upper_arm_y
-        + state->v[3] * REAL(2.8284271247461903);
-    const ella_real t7 = state->v[1] * r_T_upper_arm_x - omega_J_upper_arm_x * r_T_upper_arm_z + state->v[4] * 4;
-    const ella_real t8 = omega_J_upper_arm_x * r_T_upper_arm_y - omega_J_upper_arm_y * r_T_upper_arm_x
-        + state->v[5] * 4;
+    const ella_real alpha_0_T_upper_arm_3 = alpha_s_upper_arm_z
+        + (omega_J_upper_arm_x * omega_s_upper_arm_y - omega_J_upper_arm_y * omega_s_upper_arm_x);
+    const ella_real t26 = beta_omega_upper_arm_x * r_T_upper_arm_y
+        + minus_beta_omega_upper_arm_y * c->links[0].length - minus_alpha_0_upper_arm_6;
+    const ella_real t27 = omega_J_upper_arm_y * r_T_upper_arm_z - state->v[1] * r_T_upper_arm_y;
+    const ella_real t28 = state->v[1] * c->links[0].length - omega_J_upper_arm_x * r_T_upper_arm_z
+        + udot_T_upper_arm_y * 2;
+    const ella_real t29 = omega_J_upper_arm_x * r_T_upper_arm_y - omega_J_upper_arm_y * c->links[0].length
+        + udot_T_upper_arm_z * 2;
     const ella_real alpha_0_T_upper_arm_4 = alpha_0_upper_arm_4 - minus_beta_omega_upper_arm_y * r_T_upper_arm_z
-        + (omega_J_upper_arm_y * t8 - state->v[1] * t7);
+        + (omega_J_upper_arm_y * t29 - state->v[1] * t28);
     const ella_real alpha_0_T_upper_arm_5 = alpha_0_upper_arm_5 - beta_omega_upper_arm_x * r_T_upper_arm_z
-        + (state->v[1] * t6 - omega_J_upper_arm_x * t8);
-    const ella_real alpha_0_T_upper_arm_6 = t5 + (omega_J_upper_arm_x * t7 - omega_J_upper_arm_y * t6);
+        + (state->v[1] * t27 - omega_J_upper_arm_x * t29);
+    const ella_real alpha_0_T_upper_arm_6 = t26 + (omega_J_upper_arm_x * t28 - omega_J_upper_arm_y * t27);
 
     /* forearm, R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_3 = ella_sine_cosine(state->q[2]);
     const ella_real minus_R_rel_forearm_xy = turn_3.sine, R_rel_forearm_xx = turn_3.cosine;
 
     /* forearm, R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real t9 = minus_R_T_upper_arm_xy * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx - t9;
-    const ella_real t10 = minus_R_T_upper_arm_xy * R_rel_forearm_xx;
-    const ella_real minus_R_P_forearm_12 = t10 + R_T_upper_arm_xx * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_21 = t10 + R_T_upper_arm_yy * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_22 = R_T_upper_arm_yy * R_rel_forearm_xx - t9;
-    const ella_real R_P_forearm_31 = R_T_upper_arm_yz * minus_R_rel_forearm_xy
-        - R_T_upper_arm_xz * R_rel_forearm_xx;
-    const ella_real R_P_forearm_32 = R_T_upper_arm_yz * R_rel_forearm_xx
-        + R_T_upper_arm_xz * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx
+        + R_T_upper_arm_xy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_12 = R_T_upper_arm_xy * R_rel_forearm_xx
+        - R_T_upper_arm_xx * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_21 = R_T_upper_arm_yx * R_rel_forearm_xx
+        + R_T_upper_arm_yy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_22 = R_T_upper_arm_yy * R_rel_forearm_xx
+        - R_T_upper_arm_yx * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_31 = R_T_upper_arm_zx * R_rel_forearm_xx
+        + R_T_upper_arm_zy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_32 = R_T_upper_arm_zy * R_rel_forearm_xx
+        - R_T_upper_arm_zx * minus_R_rel_forearm_xy;
     const ella_real omega_R_forearm_1 = R_P_forearm_11 * omega_T_upper_arm_1
         + R_P_forearm_21 * omega_T_upper_arm_2 + R_P_forearm_31 * omega_T_upper_arm_3;
-    const ella_real omega_R_forearm_2 = R_P_forearm_22 * omega_T_upper_arm_2
-        - minus_R_P_forearm_12 * omega_T_upper_arm_1 + R_P_forearm_32 * omega_T_upper_arm_3;
+    const ella_real omega_R_forearm_2 = R_P_forearm_12 * omega_T_upper_arm_1
+        + R_P_forearm_22 * omega_T_upper_arm_2 + R_P_forearm_32 * omega_T_upper_arm_3;
     const ella_real omega_R_forearm_3 = R_T_upper_arm_xz * omega_T_upper_arm_1
         + R_T_upper_arm_yz * omega_T_upper_arm_2 + R_T_upper_arm_zz * omega_T_upper_arm_3;
 
     /* forearm, alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
     const ella_real omega_forearm_z = omega_R_forearm_3 + state->v[2];
-    const ella_real t11 = R_P_forearm_11 * alpha_0_T_upper_arm_1 + R_P_forearm_21 * alpha_0_T_upper_arm_2
+    const ella_real t30 = R_P_forearm_11 * alpha_0_T_upper_arm_1 + R_P_forearm_21 * alpha_0_T_upper_arm_2
         + R_P_forearm_31 * alpha_0_T_upper_arm_3;
-    const ella_real t12 = R_P_forearm_22 * alpha_0_T_upper_arm_2 - minus_R_P_forearm_12 * alpha_0_T_upper_arm_1
+    const ella_real t31 = R_P_forearm_12 * alpha_0_T_upper_arm_1 + R_P_forearm_22 * alpha_0_T_upper_arm_2
         + R_P_forearm_32 * alpha_0_T_upper_arm_3;
     const ella_real alpha_0_forearm_3 = R_T_upper_arm_xz * alpha_0_T_upper_arm_1
         + R_T_upper_arm_yz * alpha_0_T_upper_arm_2 + R_T_upper_arm_zz * alpha_0_T_upper_arm_3;
-    const ella_real alpha_0_forearm_1 = t11 + omega_R_forearm_2 * state->v[2];
-    const ella_real alpha_0_forearm_2 = t12 - omega_R_forearm_1 * state->v[2];
+    const ella_real alpha_0_forearm_1 = t30 + omega_R_forearm_2 * state->v[2];
+    const ella_real alpha_0_forearm_2 = t31 - omega_R_forearm_1 * state->v[2];
     const ella_real alpha_0_forearm_4 = R_P_forearm_11 * alpha_0_T_upper_arm_4
         + R_P_forearm_21 * alpha_0_T_upper_arm_5 + R_P_forearm_31 * alpha_0_T_upper_arm_6;
-    const ella_real alpha_0_forearm_5 = R_P_forearm_22 * alpha_0_T_upper_arm_5
-        - minus_R_P_forearm_12 * alpha_0_T_upper_arm_4 + R_P_forearm_32 * alpha_0_T_upper_arm_6;
+    const ella_real alpha_0_forearm_5 = R_P_forearm_12 * alpha_0_T_upper_arm_4
+        + R_P_forearm_22 * alpha_0_T_upper_arm_5 + R_P_forearm_32 * alpha_0_T_upper_arm_6;
     const ella_real alpha_0_forearm_6 = R_T_upper_arm_xz * alpha_0_T_upper_arm_4
         + R_T_upper_arm_yz * alpha_0_T_upper_arm_5 + R_T_upper_arm_zz * alpha_0_T_upper_arm_6;
 
     /* forearm, r_T: tip point (11) */
-    const ella_real r_T_forearm_x = c->links[1].length + state->q[6] * REAL(1.4142135623730951);
-    const ella_real r_T_forearm_y = state->q[7] * 2;
-    const ella_real r_T_forearm_z = state->q[8] * 2;
+    const ella_real r_T_forearm_y = state->q[10] * REAL(2.0011941703010714)
+        + state->q[11] * REAL(2.0700807911885764) + state->q[12] * REAL(3.5651069283690613);
+    const ella_real r_T_forearm_z = state->q[13] * REAL(2.0011941703010714)
+        + state->q[14] * REAL(2.0700807911885764) + state->q[15] * REAL(3.5651069283690613);
+
+    /* forearm, udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_forearm_y = state->v[10] * REAL(2.0011941703010714)
+        + state->v[11] * REAL(2.0700807911885764) + state->v[12] * REAL(3.5651069283690613);
+    const ella_real udot_T_forearm_z = state->v[13] * REAL(2.0011941703010714)
+        + state->v[14] * REAL(2.0700807911885764) + state->v[15] * REAL(3.5651069283690613);
 
     /* forearm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_forearm_y = c->links[1].Psi_c_y3 * state->q[8];
-    const ella_real theta_forearm_z = c->links[1].Psi_c_z2 * state->q[7];
+    const ella_real theta_forearm_x = state->q[16] * REAL(1.7320508075688772);
+    const ella_real theta_forearm_y = c->links[1].Psi_c_y4 * state->q[13] + c->links[1].Psi_c_y5 * state->q[14]
+        + c->links[1].Psi_c_y6 * state->q[15];
+    const ella_real theta_forearm_z = c->links[1].Psi_c_z1 * state->q[10] + c->links[1].Psi_c_z2 * state->q[11]
+        + c->links[1].Psi_c_z3 * state->q[12];
 
     /* forearm, x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_forearm_33 = theta_forearm_y * theta_forearm_y;
-    const ella_real minus_theta_hat2_forearm_22 = theta_forearm_z * theta_forearm_z;
-    const ella_real x_forearm = minus_theta_hat2_forearm_33 + minus_theta_hat2_forearm_22;
+    const ella_real t32 = theta_forearm_x * theta_forearm_x;
+    const ella_real t33 = theta_forearm_y * theta_forearm_y;
+    const ella_real minus_theta_hat2_forearm_33 = t32 + t33;
+    const ella_real t34 = theta_forearm_z * theta_forearm_z;
+    const ella_real x_forearm = minus_theta_hat2_forearm_33 + t34;
 
     /* forearm, c1: Stumpff function of order 1 */
     const ella_real c3_forearm = REAL(0.16666666666666666) - x_forearm * ella_c5(x_forearm);
@@ -189,370 +248,534 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real c2_forearm = REAL(0.5) - x_forearm * ella_c4(x_forearm);
 
     /* forearm, theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_forearm_11 = t33 + t34;
+    const ella_real theta_hat2_forearm_12 = theta_forearm_x * theta_forearm_y;
+    const ella_real theta_hat2_forearm_13 = theta_forearm_x * theta_forearm_z;
+    const ella_real minus_theta_hat2_forearm_22 = t32 + t34;
     const ella_real theta_hat2_forearm_23 = theta_forearm_y * theta_forearm_z;
 
     /* forearm, J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_forearm_xy = c2_forearm * theta_forearm_z;
-    const ella_real J_l_forearm_xz = c2_forearm * theta_forearm_y;
+    const ella_real J_l_forearm_xx = 1 - c3_forearm * minus_theta_hat2_forearm_11;
+    const ella_real t35 = c3_forearm * theta_hat2_forearm_12;
+    const ella_real t36 = c2_forearm * theta_forearm_z;
+    const ella_real J_l_forearm_xy = t35 - t36;
+    const ella_real t37 = c2_forearm * theta_forearm_y;
+    const ella_real t38 = c3_forearm * theta_hat2_forearm_13;
+    const ella_real J_l_forearm_xz = t37 + t38;
+    const ella_real J_l_forearm_yx = t36 + t35;
     const ella_real J_l_forearm_yy = 1 - c3_forearm * minus_theta_hat2_forearm_22;
-    const ella_real J_l_forearm_yz = c3_forearm * theta_hat2_forearm_23;
+    const ella_real t39 = c3_forearm * theta_hat2_forearm_23;
+    const ella_real t40 = c2_forearm * theta_forearm_x;
+    const ella_real J_l_forearm_yz = t39 - t40;
+    const ella_real J_l_forearm_zx = t38 - t37;
+    const ella_real J_l_forearm_zy = t40 + t39;
     const ella_real J_l_forearm_zz = 1 - c3_forearm * minus_theta_hat2_forearm_33;
 
     /* forearm, R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_forearm_xx = 1 - c2_forearm * x_forearm;
-    const ella_real minus_R_T_forearm_xy = c1_forearm * theta_forearm_z;
-    const ella_real R_T_forearm_xz = c1_forearm * theta_forearm_y;
+    const ella_real R_T_forearm_xx = 1 - c2_forearm * minus_theta_hat2_forearm_11;
+    const ella_real t41 = c2_forearm * theta_hat2_forearm_12;
+    const ella_real t42 = c1_forearm * theta_forearm_z;
+    const ella_real R_T_forearm_xy = t41 - t42;
+    const ella_real t43 = c1_forearm * theta_forearm_y;
+    const ella_real t44 = c2_forearm * theta_hat2_forearm_13;
+    const ella_real R_T_forearm_xz = t43 + t44;
+    const ella_real R_T_forearm_yx = t42 + t41;
     const ella_real R_T_forearm_yy = 1 - c2_forearm * minus_theta_hat2_forearm_22;
-    const ella_real R_T_forearm_yz = c2_forearm * theta_hat2_forearm_23;
+    const ella_real t45 = c2_forearm * theta_hat2_forearm_23;
+    const ella_real t46 = c1_forearm * theta_forearm_x;
+    const ella_real R_T_forearm_yz = t45 - t46;
+    const ella_real R_T_forearm_zx = t44 - t43;
+    const ella_real R_T_forearm_zy = t46 + t45;
     const ella_real R_T_forearm_zz = 1 - c2_forearm * minus_theta_hat2_forearm_33;
 
     /* forearm, tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t13 = omega_R_forearm_2 * r_T_forearm_z - omega_forearm_z * r_T_forearm_y
-        + state->v[6] * REAL(2.8284271247461903);
-    const ella_real t14 = omega_forearm_z * r_T_forearm_x - omega_R_forearm_1 * r_T_forearm_z + state->v[7] * 4;
-    const ella_real t15 = omega_R_forearm_1 * r_T_forearm_y - omega_R_forearm_2 * r_T_forearm_x + state->v[8] * 4;
+    const ella_real t47 = omega_R_forearm_2 * r_T_forearm_z - omega_forearm_z * r_T_forearm_y;
+    const ella_real t48 = omega_forearm_z * c->links[1].length - omega_R_forearm_1 * r_T_forearm_z
+        + udot_T_forearm_y * 2;
+    const ella_real t49 = omega_R_forearm_1 * r_T_forearm_y - omega_R_forearm_2 * c->links[1].length
+        + udot_T_forearm_z * 2;
     const ella_real alpha_0_T_forearm_4 = alpha_0_forearm_4
         + (alpha_0_forearm_2 * r_T_forearm_z - alpha_0_forearm_3 * r_T_forearm_y)
-        + (omega_R_forearm_2 * t15 - omega_forearm_z * t14);
+        + (omega_R_forearm_2 * t49 - omega_forearm_z * t48);
     const ella_real alpha_0_T_forearm_5 = alpha_0_forearm_5
-        + (alpha_0_forearm_3 * r_T_forearm_x - alpha_0_forearm_1 * r_T_forearm_z)
-        + (omega_forearm_z * t13 - omega_R_forearm_1 * t15);
+        + (alpha_0_forearm_3 * c->links[1].length - alpha_0_forearm_1 * r_T_forearm_z)
+        + (omega_forearm_z * t47 - omega_R_forearm_1 * t49);
     const ella_real alpha_0_T_forearm_6 = alpha_0_forearm_6
-        + (alpha_0_forearm_1 * r_T_forearm_y - alpha_0_forearm_2 * r_T_forearm_x)
-        + (omega_R_forearm_1 * t14 - omega_R_forearm_2 * t13);
+        + (alpha_0_forearm_1 * r_T_forearm_y - alpha_0_forearm_2 * c->links[1].length)
+        + (omega_R_forearm_1 * t48 - omega_R_forearm_2 * t47);
 
     /* forearm, S: first moment */
-    const ella_real S_forearm_x = c->links[1].S_0_x + state->q[6] * c->links[1].sigma_x1;
-    const ella_real S_forearm_y = state->q[7] * c->links[1].sigma_y2;
-    const ella_real S_forearm_z = state->q[8] * c->links[1].sigma_y2;
+    const ella_real S_forearm_y = state->q[10] * c->links[1].sigma_y1 + state->q[11] * c->links[1].sigma_y2
+        + state->q[12] * c->links[1].sigma_y3;
+    const ella_real S_forearm_z = state->q[13] * c->links[1].sigma_y1 + state->q[14] * c->links[1].sigma_y2
+        + state->q[15] * c->links[1].sigma_y3;
 
     /* forearm, Sdot: rate of the first moment */
-    const ella_real Sdot_forearm_x = state->v[6] * c->links[1].sigma_x1;
-    const ella_real Sdot_forearm_y = state->v[7] * c->links[1].sigma_y2;
-    const ella_real Sdot_forearm_z = state->v[8] * c->links[1].sigma_y2;
+    const ella_real Sdot_forearm_y = state->v[10] * c->links[1].sigma_y1 + state->v[11] * c->links[1].sigma_y2
+        + state->v[12] * c->links[1].sigma_y3;
+    const ella_real Sdot_forearm_z = state->v[13] * c->links[1].sigma_y1 + state->v[14] * c->links[1].sigma_y2
+        + state->v[15] * c->links[1].sigma_y3;
 
     /* forearm, L: first moment weighted by each mode shape (85) */
-    const ella_real L_forearm_x1 = c->links[1].chi_1 + c->links[1].mu * state->q[6];
-    const ella_real L_forearm_x2 = c->links[1].chi_2 + c->links[1].Gamma_xy_11 * state->q[6];
-    const ella_real L_forearm_y1 = c->links[1].Gamma_xy_11 * state->q[7];
-    const ella_real L_forearm_y2 = c->links[1].mu * state->q[7];
-    const ella_real L_forearm_z1 = c->links[1].Gamma_xy_11 * state->q[8];
-    const ella_real L_forearm_z2 = state->q[8] * c->links[1].mu;
+    const ella_real L_forearm_y1 = c->links[1].mu * state->q[10];
+    const ella_real L_forearm_y2 = c->links[1].mu * state->q[11];
+    const ella_real L_forearm_y3 = c->links[1].mu * state->q[12];
+    const ella_real L_forearm_z1 = state->q[13] * c->links[1].mu;
+    const ella_real L_forearm_z2 = state->q[14] * c->links[1].mu;
+    const ella_real L_forearm_z3 = state->q[15] * c->links[1].mu;
 
     /* forearm, Ldot: rate of L */
-    const ella_real Ldot_forearm_x2 = c->links[1].Gamma_xy_11 * state->v[6];
-    const ella_real Ldot_forearm_y1 = c->links[1].Gamma_xy_11 * state->v[7];
-    const ella_real Ldot_forearm_y2 = c->links[1].mu * state->v[7];
-    const ella_real Ldot_forearm_z1 = c->links[1].Gamma_xy_11 * state->v[8];
-    const ella_real Ldot_forearm_z2 = state->v[8] * c->links[1].mu;
+    const ella_real Ldot_forearm_y1 = c->links[1].mu * state->v[10];
+    const ella_real Ldot_forearm_y2 = c->links[1].mu * state->v[11];
+    const ella_real Ldot_forearm_y3 = c->links[1].mu * state->v[12];
+    const ella_real Ldot_forearm_z1 = state->v[13] * c->links[1].mu;
+    const ella_real Ldot_forearm_z2 = state->v[14] * c->links[1].mu;
+    const ella_real Ldot_forearm_z3 = state->v[15] * c->links[1].mu;
 
     /* forearm, J: second moment */
-    const ella_real J_forearm_xx = c->links[1].J_0_xx + L_forearm_x1 * state->q[6]
-        + c->links[1].chi_1 * state->q[6];
-    const ella_real J_forearm_xy = L_forearm_y1 * state->q[6] + c->links[1].chi_2 * state->q[7];
-    const ella_real J_forearm_xz = L_forearm_z1 * state->q[6] + c->links[1].chi_2 * state->q[8];
-    const ella_real J_forearm_yy = L_forearm_y2 * state->q[7];
-    const ella_real J_forearm_yz = L_forearm_z2 * state->q[7];
-    const ella_real J_forearm_zz = L_forearm_z2 * state->q[8];
+    const ella_real J_forearm_xy = c->links[1].chi_1 * state->q[10] + c->links[1].chi_2 * state->q[11]
+        + c->links[1].chi_3 * state->q[12];
+    const ella_real J_forearm_xz = c->links[1].chi_1 * state->q[13] + c->links[1].chi_2 * state->q[14]
+        + c->links[1].chi_3 * state->q[15];
+    const ella_real J_forearm_yy = L_forearm_y1 * state->q[10] + L_forearm_y2 * state->q[11]
+        + L_forearm_y3 * state->q[12];
+    const ella_real J_forearm_yz = L_forearm_z1 * state->q[10] + L_forearm_z2 * state->q[11]
+        + L_forearm_z3 * state->q[12];
+    const ella_real J_forearm_zz = L_forearm_z1 * state->q[13] + L_forearm_z2 * state->q[14]
+        + L_forearm_z3 * state->q[15];
 
     /* forearm, I: inertia about the origin, deformed */
     const ella_real I_forearm_xx = c->links[1].I_s + J_forearm_yy + J_forearm_zz;
-    const ella_real I_forearm_yy = J_forearm_xx + J_forearm_zz;
-    const ella_real I_forearm_zz = J_forearm_xx + J_forearm_yy;
+    const ella_real I_forearm_yy = c->links[1].J_0_xx + J_forearm_zz;
+    const ella_real I_forearm_zz = c->links[1].J_0_xx + J_forearm_yy;
 
     /* forearm, Omega: acceleration of a place by the link's turning */
-    const ella_real t16 = omega_R_forearm_2 * omega_R_forearm_2;
-    const ella_real t17 = omega_forearm_z * omega_forearm_z;
-    const ella_real minus_Omega_forearm_xx = t16 + t17;
-    const ella_real t18 = omega_R_forearm_1 * omega_R_forearm_2;
-    const ella_real Omega_forearm_xy = t18 - alpha_0_forearm_3;
-    const ella_real t19 = omega_R_forearm_1 * omega_forearm_z;
-    const ella_real Omega_forearm_xz = alpha_0_forearm_2 + t19;
-    const ella_real Omega_forearm_yx = alpha_0_forearm_3 + t18;
-    const ella_real t20 = omega_R_forearm_1 * omega_R_forearm_1;
-    const ella_real minus_Omega_forearm_yy = t20 + t17;
-    const ella_real t21 = omega_R_forearm_2 * omega_forearm_z;
-    const ella_real Omega_forearm_yz = t21 - alpha_0_forearm_1;
-    const ella_real Omega_forearm_zx = t19 - alpha_0_forearm_2;
-    const ella_real Omega_forearm_zy = alpha_0_forearm_1 + t21;
-    const ella_real minus_Omega_forearm_zz = t20 + t16;
+    const ella_real t50 = omega_R_forearm_2 * omega_R_forearm_2;
+    const ella_real t51 = omega_forearm_z * omega_forearm_z;
+    const ella_real minus_Omega_forearm_xx = t50 + t51;
+    const ella_real t52 = omega_R_forearm_1 * omega_R_forearm_2;
+    const ella_real Omega_forearm_xy = t52 - alpha_0_forearm_3;
+    const ella_real t53 = omega_R_forearm_1 * omega_forearm_z;
+    const ella_real Omega_forearm_xz = alpha_0_forearm_2 + t53;
+    const ella_real Omega_forearm_yx = alpha_0_forearm_3 + t52;
+    const ella_real t54 = omega_R_forearm_1 * omega_R_forearm_1;
+    const ella_real minus_Omega_forearm_yy = t54 + t51;
+    const ella_real t55 = omega_R_forearm_2 * omega_forearm_z;
+    const ella_real Omega_forearm_yz = t55 - alpha_0_forearm_1;
+    const ella_real Omega_forearm_zx = t53 - alpha_0_forearm_2;
+    const ella_real Omega_forearm_zy = alpha_0_forearm_1 + t55;
+    const ella_real minus_Omega_forearm_zz = t54 + t50;
 
     /* forearm, B: moment of the elastic velocity */
-    const ella_real B_forearm_xx = L_forearm_x1 * state->v[6];
-    const ella_real B_forearm_xy = L_forearm_y1 * state->v[6];
-    const ella_real B_forearm_xz = L_forearm_z1 * state->v[6];
-    const ella_real B_forearm_yx = L_forearm_x2 * state->v[7];
-    const ella_real B_forearm_yy = L_forearm_y2 * state->v[7];
-    const ella_real B_forearm_yz = L_forearm_z2 * state->v[7];
-    const ella_real B_forearm_zx = L_forearm_x2 * state->v[8];
-    const ella_real B_forearm_zy = L_forearm_y2 * state->v[8];
-    const ella_real B_forearm_zz = L_forearm_z2 * state->v[8];
+    const ella_real B_forearm_yx = c->links[1].chi_1 * state->v[10] + c->links[1].chi_2 * state->v[11]
+        + c->links[1].chi_3 * state->v[12];
+    const ella_real B_forearm_yy = L_forearm_y1 * state->v[10] + L_forearm_y2 * state->v[11]
+        + L_forearm_y3 * state->v[12];
+    const ella_real B_forearm_yz = L_forearm_z1 * state->v[10] + L_forearm_z2 * state->v[11]
+        + L_forearm_z3 * state->v[12];
+    const ella_real B_forearm_zx = c->links[1].chi_1 * state->v[13] + c->links[1].chi_2 * state->v[14]
+        + c->links[1].chi_3 * state->v[15];
+    const ella_real B_forearm_zy = L_forearm_y1 * state->v[13] + L_forearm_y2 * state->v[14]
+        + L_forearm_y3 * state->v[15];
+    const ella_real B_forearm_zz = L_forearm_z1 * state->v[13] + L_forearm_z2 * state->v[14]
+        + L_forearm_z3 * state->v[15];
 
     /* forearm, h_c: half of the Coriolis wrench */
-    const ella_real t22 = B_forearm_yy * omega_R_forearm_1 + B_forearm_zz * omega_R_forearm_1
-        - B_forearm_xy * omega_R_forearm_2;
-    const ella_real h_c_forearm_1 = t22 - B_forearm_xz * omega_forearm_z;
-    const ella_real t23 = B_forearm_xx * omega_R_forearm_2 + B_forearm_zz * omega_R_forearm_2
-        - B_forearm_yx * omega_R_forearm_1;
-    const ella_real h_c_forearm_2 = t23 - B_forearm_yz * omega_forearm_z;
-    const ella_real t24 = B_forearm_xx * omega_forearm_z + B_forearm_yy * omega_forearm_z
-        - B_forearm_zx * omega_R_forearm_1;
-    const ella_real h_c_forearm_3 = t24 - B_forearm_zy * omega_R_forearm_2;
+    const ella_real h_c_forearm_1 = B_forearm_yy * omega_R_forearm_1 + B_forearm_zz * omega_R_forearm_1;
+    const ella_real h_c_forearm_2 = B_forearm_zz * omega_R_forearm_2 - B_forearm_yx * omega_R_forearm_1
+        - B_forearm_yz * omega_forearm_z;
+    const ella_real h_c_forearm_3 = B_forearm_yy * omega_forearm_z - B_forearm_zx * omega_R_forearm_1
+        - B_forearm_zy * omega_R_forearm_2;
     const ella_real h_c_forearm_4 = Sdot_forearm_z * omega_R_forearm_2 - Sdot_forearm_y * omega_forearm_z;
-    const ella_real h_c_forearm_5 = Sdot_forearm_x * omega_forearm_z - Sdot_forearm_z * omega_R_forearm_1;
-    const ella_real h_c_forearm_6 = Sdot_forearm_y * omega_R_forearm_1 - Sdot_forearm_x * omega_R_forearm_2;
+    const ella_real minus_h_c_forearm_5 = Sdot_forearm_z * omega_R_forearm_1;
+    const ella_real h_c_forearm_6 = Sdot_forearm_y * omega_R_forearm_1;
+
+    /* forearm, h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_forearm_2 = h_c_forearm_2 + state->v[16] * omega_forearm_z * c->links[1].sigma_t_7;
+    const ella_real h_MD_forearm_3 = h_c_forearm_3 - state->v[16] * omega_R_forearm_2 * c->links[1].sigma_t_7;
 
     /* forearm, H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t25 = h_c_forearm_1 + c->links[1].I_s * alpha_0_forearm_1 + J_forearm_xy * Omega_forearm_zx
+    const ella_real t56 = h_c_forearm_1 + c->links[1].I_s * alpha_0_forearm_1 + J_forearm_xy * Omega_forearm_zx
         + J_forearm_yy * Omega_forearm_zy;
-    const ella_real t26 = t25 + J_forearm_yz * (minus_Omega_forearm_yy - minus_Omega_forearm_zz)
+    const ella_real t57 = t56 + J_forearm_yz * (minus_Omega_forearm_yy - minus_Omega_forearm_zz)
         + S_forearm_y * alpha_0_forearm_6;
-    const ella_real H_star_forearm_1 = t26 - J_forearm_xz * Omega_forearm_yx - J_forearm_zz * Omega_forearm_yz
+    const ella_real H_star_forearm_1 = t57 - J_forearm_xz * Omega_forearm_yx - J_forearm_zz * Omega_forearm_yz
         - S_forearm_z * alpha_0_forearm_5;
-    const ella_real t27 = h_c_forearm_2 + J_forearm_xz * (minus_Omega_forearm_zz - minus_Omega_forearm_xx)
+    const ella_real t58 = h_c_forearm_2 + J_forearm_xz * (minus_Omega_forearm_zz - minus_Omega_forearm_xx)
         + J_forearm_yz * Omega_forearm_xy;
-    const ella_real t28 = c->links[1].I_s * omega_R_forearm_1;
-    const ella_real t29 = t27 + J_forearm_zz * Omega_forearm_xz + S_forearm_z * alpha_0_forearm_4
-        + t28 * omega_forearm_z - J_forearm_xx * Omega_forearm_zx;
-    const ella_real H_star_forearm_2 = t29 - J_forearm_xy * Omega_forearm_zy - S_forearm_x * alpha_0_forearm_6;
-    const ella_real t30 = h_c_forearm_3 + J_forearm_xx * Omega_forearm_yx
+    const ella_real t59 = c->links[1].I_s * omega_R_forearm_1;
+    const ella_real t60 = t58 + J_forearm_zz * Omega_forearm_xz + S_forearm_z * alpha_0_forearm_4
+        + t59 * omega_forearm_z - c->links[1].J_0_xx * Omega_forearm_zx;
+    const ella_real H_star_forearm_2 = t60 - J_forearm_xy * Omega_forearm_zy
+        - c->links[1].S_0_x * alpha_0_forearm_6;
+    const ella_real t61 = h_c_forearm_3 + c->links[1].J_0_xx * Omega_forearm_yx
         + J_forearm_xy * (minus_Omega_forearm_xx - minus_Omega_forearm_yy);
-    const ella_real t31 = t30 + J_forearm_xz * Omega_forearm_yz + S_forearm_x * alpha_0_forearm_5
+    const ella_real t62 = t61 + J_forearm_xz * Omega_forearm_yz + c->links[1].S_0_x * alpha_0_forearm_5
         - J_forearm_yy * Omega_forearm_xy;
-    const ella_real H_star_forearm_3 = t31 - J_forearm_yz * Omega_forearm_xz - S_forearm_y * alpha_0_forearm_4
-        - t28 * omega_R_forearm_2;
-    const ella_real t32 = h_c_forearm_4 - minus_Omega_forearm_xx * S_forearm_x + Omega_forearm_xy * S_forearm_y
-        + Omega_forearm_xz * S_forearm_z;
-    const ella_real H_star_forearm_4 = t32 + alpha_0_forearm_4 * c->links[1].mu;
-    const ella_real t33 = h_c_forearm_5 + Omega_forearm_yx * S_forearm_x - minus_Omega_forearm_yy * S_forearm_y
-        + Omega_forearm_yz * S_forearm_z;
-    const ella_real H_star_forearm_5 = t33 + alpha_0_forearm_5 * c->links[1].mu;
-    const ella_real t34 = h_c_forearm_6 + Omega_forearm_zx * S_forearm_x + Omega_forearm_zy * S_forearm_y
+    const ella_real H_star_forearm_3 = t62 - J_forearm_yz * Omega_forearm_xz - S_forearm_y * alpha_0_forearm_4
+        - t59 * omega_R_forearm_2;
+    const ella_real t63 = h_c_forearm_4 - minus_Omega_forearm_xx * c->links[1].S_0_x
+        + Omega_forearm_xy * S_forearm_y + Omega_forearm_xz * S_forearm_z;
+    const ella_real H_star_forearm_4 = t63 + alpha_0_forearm_4 * c->links[1].mu;
+    const ella_real t64 = Omega_forearm_yx * c->links[1].S_0_x - minus_h_c_forearm_5
+        - minus_Omega_forearm_yy * S_forearm_y;
+    const ella_real H_star_forearm_5 = t64 + Omega_forearm_yz * S_forearm_z + alpha_0_forearm_5 * c->links[1].mu;
+    const ella_real t65 = h_c_forearm_6 + Omega_forearm_zx * c->links[1].S_0_x + Omega_forearm_zy * S_forearm_y
         - minus_Omega_forearm_zz * S_forearm_z;
-    const ella_real H_star_forearm_6 = t34 + alpha_0_forearm_6 * c->links[1].mu;
+    const ella_real H_star_forearm_6 = t65 + alpha_0_forearm_6 * c->links[1].mu;
 
     /* forearm, h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_forearm_1 = H_star_forearm_1 + h_c_forearm_1;
-    const ella_real h_V_forearm_2 = H_star_forearm_2 + h_c_forearm_2;
-    const ella_real h_V_forearm_3 = H_star_forearm_3 + h_c_forearm_3;
+    const ella_real h_V_forearm_2 = H_star_forearm_2 + h_MD_forearm_2;
+    const ella_real h_V_forearm_3 = H_star_forearm_3 + h_MD_forearm_3;
     const ella_real h_V_forearm_4 = H_star_forearm_4 + h_c_forearm_4;
-    const ella_real h_V_forearm_5 = H_star_forearm_5 + h_c_forearm_5;
+    const ella_real h_V_forearm_5 = H_star_forearm_5 - minus_h_c_forearm_5;
     const ella_real h_V_forearm_6 = H_star_forearm_6 + h_c_forearm_6;
 
     /* forearm, h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t35 = L_forearm_y1 * Omega_forearm_xy - L_forearm_x1 * minus_Omega_forearm_xx
-        + L_forearm_z1 * Omega_forearm_xz;
-    const ella_real h_eta_forearm_1 = t35 + alpha_0_forearm_4 * c->links[1].sigma_x1
-        + Ldot_forearm_z1 * 2 * omega_R_forearm_2 - Ldot_forearm_y1 * 2 * omega_forearm_z;
-    const ella_real t36 = L_forearm_x2 * Omega_forearm_yx - L_forearm_y2 * minus_Omega_forearm_yy
-        + L_forearm_z2 * Omega_forearm_yz;
-    const ella_real t37 = Ldot_forearm_x2 * 2;
-    const ella_real h_eta_forearm_2 = t36 + alpha_0_forearm_5 * c->links[1].sigma_y2 + t37 * omega_forearm_z
+    const ella_real t66 = L_forearm_z1 * Omega_forearm_yz - L_forearm_y1 * minus_Omega_forearm_yy
+        + Omega_forearm_yx * c->links[1].chi_1;
+    const ella_real h_eta_forearm_1 = t66 + alpha_0_forearm_5 * c->links[1].sigma_y1
+        - Ldot_forearm_z1 * 2 * omega_R_forearm_1;
+    const ella_real t67 = L_forearm_z2 * Omega_forearm_yz - L_forearm_y2 * minus_Omega_forearm_yy
+        + Omega_forearm_yx * c->links[1].chi_2;
+    const ella_real h_eta_forearm_2 = t67 + alpha_0_forearm_5 * c->links[1].sigma_y2
         - Ldot_forearm_z2 * 2 * omega_R_forearm_1;
-    const ella_real t38 = L_forearm_x2 * Omega_forearm_zx + L_forearm_y2 * Omega_forearm_zy
-        - L_forearm_z2 * minus_Omega_forearm_zz;
-    const ella_real h_eta_forearm_3 = t38 + alpha_0_forearm_6 * c->links[1].sigma_y2
-        + Ldot_forearm_y2 * 2 * omega_R_forearm_1 - t37 * omega_R_forearm_2;
+    const ella_real t68 = L_forearm_z3 * Omega_forearm_yz - L_forearm_y3 * minus_Omega_forearm_yy
+        + Omega_forearm_yx * c->links[1].chi_3;
+    const ella_real h_eta_forearm_3 = t68 + alpha_0_forearm_5 * c->links[1].sigma_y3
+        - Ldot_forearm_z3 * 2 * omega_R_forearm_1;
+    const ella_real t69 = L_forearm_y1 * Omega_forearm_zy - L_forearm_z1 * minus_Omega_forearm_zz
+        + Omega_forearm_zx * c->links[1].chi_1;
+    const ella_real h_eta_forearm_4 = t69 + alpha_0_forearm_6 * c->links[1].sigma_y1
+        + Ldot_forearm_y1 * 2 * omega_R_forearm_1;
+    const ella_real t70 = L_forearm_y2 * Omega_forearm_zy - L_forearm_z2 * minus_Omega_forearm_zz
+        + Omega_forearm_zx * c->links[1].chi_2;
+    const ella_real h_eta_forearm_5 = t70 + alpha_0_forearm_6 * c->links[1].sigma_y2
+        + Ldot_forearm_y2 * 2 * omega_R_forearm_1;
+    const ella_real t71 = L_forearm_y3 * Omega_forearm_zy - L_forearm_z3 * minus_Omega_forearm_zz
+        + Omega_forearm_zx * c->links[1].chi_3;
+    const ella_real h_eta_forearm_6 = t71 + alpha_0_forearm_6 * c->links[1].sigma_y3
+        + Ldot_forearm_y3 * 2 * omega_R_forearm_1;
+    const ella_real h_eta_forearm_7 = alpha_0_forearm_1 * c->links[1].sigma_t_7;
 
     /* forearm, tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const ella_real minus_p_T_forearm_1 = R_T_forearm_xx * input->w_ext[1][0]
-        - minus_R_T_forearm_xy * input->w_ext[1][1] + R_T_forearm_xz * input->w_ext[1][2];
-    const ella_real minus_p_T_forearm_2 = minus_R_T_forearm_xy * input->w_ext[1][0]
+        + R_T_forearm_xy * input->w_ext[1][1] + R_T_forearm_xz * input->w_ext[1][2];
+    const ella_real minus_p_T_forearm_2 = R_T_forearm_yx * input->w_ext[1][0]
         + R_T_forearm_yy * input->w_ext[1][1] + R_T_forearm_yz * input->w_ext[1][2];
-    const ella_real minus_p_T_forearm_3 = R_T_forearm_yz * input->w_ext[1][1]
-        - R_T_forearm_xz * input->w_ext[1][0] + R_T_forearm_zz * input->w_ext[1][2];
-    const ella_real t39 = R_T_forearm_xx * input->w_ext[1][3] - minus_R_T_forearm_xy * input->w_ext[1][4]
+    const ella_real minus_p_T_forearm_3 = R_T_forearm_zx * input->w_ext[1][0]
+        + R_T_forearm_zy * input->w_ext[1][1] + R_T_forearm_zz * input->w_ext[1][2];
+    const ella_real t72 = R_T_forearm_xx * input->w_ext[1][3] + R_T_forearm_xy * input->w_ext[1][4]
         + R_T_forearm_xz * input->w_ext[1][5];
-    const ella_real t40 = minus_R_T_forearm_xy * input->w_ext[1][3] + R_T_forearm_yy * input->w_ext[1][4]
+    const ella_real t73 = R_T_forearm_yx * input->w_ext[1][3] + R_T_forearm_yy * input->w_ext[1][4]
         + R_T_forearm_yz * input->w_ext[1][5];
-    const ella_real t41 = R_T_forearm_yz * input->w_ext[1][4] - R_T_forearm_xz * input->w_ext[1][3]
+    const ella_real t74 = R_T_forearm_zx * input->w_ext[1][3] + R_T_forearm_zy * input->w_ext[1][4]
         + R_T_forearm_zz * input->w_ext[1][5];
-    const ella_real p_T_forearm_4 = c->links[1].body0_mass * alpha_0_T_forearm_4 - t39;
-    const ella_real p_T_forearm_5 = c->links[1].body0_mass * alpha_0_T_forearm_5 - t40;
-    const ella_real p_T_forearm_6 = c->links[1].body0_mass * alpha_0_T_forearm_6 - t41;
+    const ella_real p_T_forearm_4 = c->links[1].body0_mass * alpha_0_T_forearm_4 - t72;
+    const ella_real p_T_forearm_5 = c->links[1].body0_mass * alpha_0_T_forearm_5 - t73;
+    const ella_real p_T_forearm_6 = c->links[1].body0_mass * alpha_0_T_forearm_6 - t74;
 
     /* forearm, modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_forearm_11 = J_l_forearm_xz * c->links[1].Psi_c_z1;
     const ella_real Theta_forearm_12 = J_l_forearm_xz * c->links[1].Psi_c_z2;
-    const ella_real minus_Theta_forearm_13 = minus_J_l_forearm_xy * c->links[1].Psi_c_y3;
+    const ella_real Theta_forearm_13 = J_l_forearm_xz * c->links[1].Psi_c_z3;
+    const ella_real Theta_forearm_14 = J_l_forearm_xy * c->links[1].Psi_c_y4;
+    const ella_real Theta_forearm_15 = J_l_forearm_xy * c->links[1].Psi_c_y5;
+    const ella_real Theta_forearm_16 = J_l_forearm_xy * c->links[1].Psi_c_y6;
+    const ella_real Theta_forearm_17 = J_l_forearm_xx * REAL(1.7320508075688772);
+    const ella_real Theta_forearm_21 = J_l_forearm_yz * c->links[1].Psi_c_z1;
     const ella_real Theta_forearm_22 = J_l_forearm_yz * c->links[1].Psi_c_z2;
-    const ella_real Theta_forearm_23 = J_l_forearm_yy * c->links[1].Psi_c_y3;
+    const ella_real Theta_forearm_23 = J_l_forearm_yz * c->links[1].Psi_c_z3;
+    const ella_real Theta_forearm_24 = J_l_forearm_yy * c->links[1].Psi_c_y4;
+    const ella_real Theta_forearm_25 = J_l_forearm_yy * c->links[1].Psi_c_y5;
+    const ella_real Theta_forearm_26 = J_l_forearm_yy * c->links[1].Psi_c_y6;
+    const ella_real Theta_forearm_27 = J_l_forearm_yx * REAL(1.7320508075688772);
+    const ella_real Theta_forearm_31 = J_l_forearm_zz * c->links[1].Psi_c_z1;
     const ella_real Theta_forearm_32 = J_l_forearm_zz * c->links[1].Psi_c_z2;
-    const ella_real Theta_forearm_33 = J_l_forearm_yz * c->links[1].Psi_c_y3;
-    const ella_real t42 = r_T_forearm_z * c->links[1].body0_mass;
-    const ella_real t43 = r_T_forearm_y * c->links[1].body0_mass;
-    const ella_real t44 = r_T_forearm_x * c->links[1].body0_mass;
-    const ella_real t45 = r_T_forearm_z * t42;
-    const ella_real t46 = r_T_forearm_y * t43;
-    const ella_real t47 = r_T_forearm_x * t44;
-    const ella_real M_loaded_forearm_11 = I_forearm_xx + (t46 + t45);
-    const ella_real minus_M_loaded_forearm_12 = r_T_forearm_y * t44 + J_forearm_xy;
-    const ella_real minus_M_loaded_forearm_13 = r_T_forearm_z * t44 + J_forearm_xz;
-    const ella_real minus_M_loaded_forearm_15 = t42 + S_forearm_z;
-    const ella_real M_loaded_forearm_16 = S_forearm_y + t43;
-    const ella_real M_loaded_forearm_22 = I_forearm_yy + (t45 + t47);
-    const ella_real minus_M_loaded_forearm_23 = r_T_forearm_z * t43 + J_forearm_yz;
-    const ella_real minus_M_loaded_forearm_26 = t44 + S_forearm_x;
-    const ella_real M_loaded_forearm_33 = I_forearm_zz + (t47 + t46);
+    const ella_real Theta_forearm_33 = J_l_forearm_zz * c->links[1].Psi_c_z3;
+    const ella_real Theta_forearm_34 = J_l_forearm_zy * c->links[1].Psi_c_y4;
+    const ella_real Theta_forearm_35 = J_l_forearm_zy * c->links[1].Psi_c_y5;
+    const ella_real Theta_forearm_36 = J_l_forearm_zy * c->links[1].Psi_c_y6;
+    const ella_real Theta_forearm_37 = J_l_forearm_zx * REAL(1.7320508075688772);
+    const ella_real t75 = r_T_forearm_z * c->links[1].body0_mass;
+    const ella_real t76 = r_T_forearm_y * c->links[1].body0_mass;
+    const ella_real t77 = c->links[1].length * c->links[1].body0_mass;
+    const ella_real t78 = r_T_forearm_z * t75;
+    const ella_real t79 = r_T_forearm_y * t76;
+    const ella_real t80 = c->links[1].length * t77;
+    const ella_real M_loaded_forearm_11 = I_forearm_xx + (t79 + t78);
+    const ella_real minus_M_loaded_forearm_12 = r_T_forearm_y * t77 + J_forearm_xy;
+    const ella_real minus_M_loaded_forearm_13 = r_T_forearm_z * t77 + J_forearm_xz;
+    const ella_real minus_M_loaded_forearm_15 = t75 + S_forearm_z;
+    const ella_real M_loaded_forearm_16 = S_forearm_y + t76;
+    const ella_real M_loaded_forearm_22 = I_forearm_yy + (t78 + t80);
+    const ella_real minus_M_loaded_forearm_23 = r_T_forearm_z * t76 + J_forearm_yz;
+    const ella_real minus_M_loaded_forearm_26 = t77 + c->links[1].S_0_x;
+    const ella_real M_loaded_forearm_33 = I_forearm_zz + (t80 + t79);
     const ella_real M_loaded_forearm_44 = c->links[1].mu + c->links[1].body0_mass;
     const ella_real h_loaded_forearm_1 = h_V_forearm_1
         + (r_T_forearm_y * p_T_forearm_6 - r_T_forearm_z * p_T_forearm_5 - minus_p_T_forearm_1);
     const ella_real h_loaded_forearm_2 = h_V_forearm_2
-        + (r_T_forearm_z * p_T_forearm_4 - r_T_forearm_x * p_T_forearm_6 - minus_p_T_forearm_2);
+        + (r_T_forearm_z * p_T_forearm_4 - c->links[1].length * p_T_forearm_6 - minus_p_T_forearm_2);
     const ella_real h_loaded_forearm_3 = h_V_forearm_3
-        + (r_T_forearm_x * p_T_forearm_5 - r_T_forearm_y * p_T_forearm_4 - minus_p_T_forearm_3);
+        + (c->links[1].length * p_T_forearm_5 - r_T_forearm_y * p_T_forearm_4 - minus_p_T_forearm_3);
     const ella_real h_loaded_forearm_4 = h_V_forearm_4 + p_T_forearm_4;
     const ella_real h_loaded_forearm_5 = h_V_forearm_5 + p_T_forearm_5;
     const ella_real h_loaded_forearm_6 = h_V_forearm_6 + p_T_forearm_6;
-    const ella_real t48 = c->links[1].body0_mass * REAL(1.4142135623730951);
-    const ella_real t49 = c->links[1].body0_mass * 2;
-    const ella_real minus_C_forearm_12 = r_T_forearm_z * t49 + L_forearm_z2;
-    const ella_real C_forearm_13 = L_forearm_y2 + r_T_forearm_y * t49;
-    const ella_real C_forearm_21 = L_forearm_z1 + r_T_forearm_z * t48;
-    const ella_real minus_C_forearm_23 = r_T_forearm_x * t49 + L_forearm_x2;
-    const ella_real minus_C_forearm_31 = r_T_forearm_y * t48 + L_forearm_y1;
-    const ella_real C_forearm_41 = c->links[1].sigma_x1 + t48;
-    const ella_real C_forearm_52 = c->links[1].sigma_y2 + t49;
-    const ella_real modal_inertia_forearm_11 = c->links[1].body0_mass * REAL(2.0000000000000004) + m_eta[3];
+    const ella_real t81 = c->links[1].body0_mass * REAL(2.0011941703010714);
+    const ella_real t82 = c->links[1].body0_mass * REAL(2.0700807911885764);
+    const ella_real t83 = c->links[1].body0_mass * REAL(3.5651069283690613);
+    const ella_real minus_C_forearm_11 = r_T_forearm_z * t81 + L_forearm_z1;
+    const ella_real minus_C_forearm_12 = r_T_forearm_z * t82 + L_forearm_z2;
+    const ella_real minus_C_forearm_13 = r_T_forearm_z * t83 + L_forearm_z3;
+    const ella_real C_forearm_14 = L_forearm_y1 + r_T_forearm_y * t81;
+    const ella_real C_forearm_15 = L_forearm_y2 + r_T_forearm_y * t82;
+    const ella_real C_forearm_16 = L_forearm_y3 + r_T_forearm_y * t83;
+    const ella_real minus_C_forearm_24 = c->links[1].length * t81 + c->links[1].chi_1;
+    const ella_real minus_C_forearm_25 = c->links[1].length * t82 + c->links[1].chi_2;
+    const ella_real minus_C_forearm_26 = c->links[1].length * t83 + c->links[1].chi_3;
+    const ella_real C_forearm_51 = c->links[1].sigma_y1 + t81;
+    const ella_real C_forearm_52 = c->links[1].sigma_y2 + t82;
+    const ella_real C_forearm_53 = c->links[1].sigma_y3 + t83;
+    const ella_real t84 = c->links[1].body0_mass * REAL(4.0047781072469935);
+    const ella_real modal_inertia_forearm_11 = t84 + m_eta[7];
     bad |= (unsigned long)(!(modal_inertia_forearm_11 > 0)) << 1;
-    const ella_real t50 = c->links[1].body0_mass * 4;
-    const ella_real modal_inertia_forearm_22 = t50 + m_eta[4];
-    bad |= (unsigned long)(!(modal_inertia_forearm_22 > 0)) << 1;
-    const ella_real modal_inertia_forearm_33 = t50 + m_eta[5];
-    bad |= (unsigned long)(!(modal_inertia_forearm_33 > 0)) << 1;
-    const ella_real t51 = Theta_forearm_12 * minus_p_T_forearm_1 + Theta_forearm_22 * minus_p_T_forearm_2
+    const ella_real modal_inertia_forearm_12 = c->links[1].body0_mass * REAL(4.142633611378808);
+    const ella_real modal_inertia_forearm_13 = c->links[1].body0_mass * REAL(7.134471201552125);
+    const ella_real t85 = c->links[1].body0_mass * REAL(4.2852344820479225);
+    const ella_real modal_inertia_forearm_22 = t85 + m_eta[8];
+    const ella_real modal_inertia_forearm_23 = c->links[1].body0_mass * REAL(7.380059370950102);
+    const ella_real t86 = c->links[1].body0_mass * REAL(12.709987410705082);
+    const ella_real modal_inertia_forearm_33 = t86 + m_eta[9];
+    const ella_real modal_inertia_forearm_44 = t84 + m_eta[10];
+    bad |= (unsigned long)(!(modal_inertia_forearm_44 > 0)) << 1;
+    const ella_real modal_inertia_forearm_55 = t85 + m_eta[11];
+    const ella_real modal_inertia_forearm_66 = t86 + m_eta[12];
+    const ella_real t87 = Theta_forearm_11 * minus_p_T_forearm_1 + Theta_forearm_21 * minus_p_T_forearm_2
+        + Theta_forearm_31 * minus_p_T_forearm_3;
+    const ella_real t88 = Theta_forearm_12 * minus_p_T_forearm_1 + Theta_forearm_22 * minus_p_T_forearm_2
         + Theta_forearm_32 * minus_p_T_forearm_3;
-    const ella_real t52 = minus_Theta_forearm_13 * minus_p_T_forearm_1 - Theta_forearm_23 * minus_p_T_forearm_2
-        - Theta_forearm_33 * minus_p_T_forearm_3;
-    const ella_real h_phi_forearm_1 = h_eta_forearm_1 + work->f_eta[3] + p_T_forearm_4 * REAL(1.4142135623730951);
-    const ella_real h_phi_forearm_2 = h_eta_forearm_2 + work->f_eta[4] + (p_T_forearm_5 * 2 - t51);
-    const ella_real h_phi_forearm_3 = h_eta_forearm_3 + work->f_eta[5] + (t52 + p_T_forearm_6 * 2);
+    const ella_real t89 = Theta_forearm_13 * minus_p_T_forearm_1 + Theta_forearm_23 * minus_p_T_forearm_2
+        + Theta_forearm_33 * minus_p_T_forearm_3;
+    const ella_real t90 = Theta_forearm_14 * minus_p_T_forearm_1 + Theta_forearm_24 * minus_p_T_forearm_2
+        + Theta_forearm_34 * minus_p_T_forearm_3;
+    const ella_real t91 = Theta_forearm_15 * minus_p_T_forearm_1 + Theta_forearm_25 * minus_p_T_forearm_2
+        + Theta_forearm_35 * minus_p_T_forearm_3;
+    const ella_real t92 = Theta_forearm_16 * minus_p_T_forearm_1 + Theta_forearm_26 * minus_p_T_forearm_2
+        + Theta_forearm_36 * minus_p_T_forearm_3;
+    const ella_real t93 = Theta_forearm_17 * minus_p_T_forearm_1 + Theta_forearm_27 * minus_p_T_forearm_2
+        + Theta_forearm_37 * minus_p_T_forearm_3;
+    const ella_real h_phi_forearm_1 = h_eta_forearm_1 + work->f_eta[7]
+        + (p_T_forearm_5 * REAL(2.0011941703010714) - t87);
+    const ella_real h_phi_forearm_2 = h_eta_forearm_2 + work->f_eta[8]
+        + (p_T_forearm_5 * REAL(2.0700807911885764) - t88);
+    const ella_real h_phi_forearm_3 = h_eta_forearm_3 + work->f_eta[9]
+        + (p_T_forearm_5 * REAL(3.5651069283690613) - t89);
+    const ella_real h_phi_forearm_4 = h_eta_forearm_4 + work->f_eta[10]
+        + (p_T_forearm_6 * REAL(2.0011941703010714) - t90);
+    const ella_real h_phi_forearm_5 = h_eta_forearm_5 + work->f_eta[11]
+        + (p_T_forearm_6 * REAL(2.0700807911885764) - t91);
+    const ella_real h_phi_forearm_6 = h_eta_forearm_6 + work->f_eta[12]
+        + (p_T_forearm_6 * REAL(3.5651069283690613) - t92);
+    const ella_real h_phi_forearm_7 = h_eta_forearm_7 + work->f_eta[13] - t93;
     const ella_real modes_inverse_forearm_1 = 1 / modal_inertia_forearm_11;
-    const ella_real modes_inverse_forearm_2 = 1 / modal_inertia_forearm_22;
-    const ella_real modes_inverse_forearm_3 = 1 / modal_inertia_forearm_33;
-    const ella_real modes_W_forearm_12 = C_forearm_21 * modes_inverse_forearm_1;
-    const ella_real minus_modes_W_forearm_13 = minus_C_forearm_31 * modes_inverse_forearm_1;
-    const ella_real modes_W_forearm_14 = C_forearm_41 * modes_inverse_forearm_1;
-    const ella_real minus_modes_W_forearm_21 = minus_C_forearm_12 * modes_inverse_forearm_2;
-    const ella_real modes_W_forearm_23 = minus_C_forearm_23 * modes_inverse_forearm_2;
-    const ella_real modes_W_forearm_25 = C_forearm_52 * modes_inverse_forearm_2;
-    const ella_real modes_W_forearm_31 = C_forearm_13 * modes_inverse_forearm_3;
-    const ella_real minus_modes_W_forearm_32 = minus_C_forearm_23 * modes_inverse_forearm_3;
-    const ella_real modes_W_forearm_36 = C_forearm_52 * modes_inverse_forearm_3;
+    const ella_real modes_L_forearm_21 = modal_inertia_forearm_12 * modes_inverse_forearm_1;
+    const ella_real modes_L_forearm_31 = modal_inertia_forearm_13 * modes_inverse_forearm_1;
+    const ella_real t94 = modal_inertia_forearm_22 - modal_inertia_forearm_12 * modes_L_forearm_21;
+    bad |= (unsigned long)(!(t94 > 0)) << 1;
+    const ella_real modes_inverse_forearm_2 = 1 / t94;
+    const ella_real t95 = modal_inertia_forearm_23 - modal_inertia_forearm_12 * modes_L_forearm_31;
+    const ella_real modes_L_forearm_32 = t95 * modes_inverse_forearm_2;
+    const ella_real t96 = modal_inertia_forearm_33
+        - (modal_inertia_forearm_13 * modes_L_forearm_31 + t95 * modes_L_forearm_32);
+    bad |= (unsigned long)(!(t96 > 0)) << 1;
+    const ella_real modes_inverse_forearm_3 = 1 / t96;
+    const ella_real modes_inverse_forearm_4 = 1 / modal_inertia_forearm_44;
+    const ella_real modes_L_forearm_54 = modal_inertia_forearm_12 * modes_inverse_forearm_4;
+    const ella_real modes_L_forearm_64 = modal_inertia_forearm_13 * modes_inverse_forearm_4;
+    const ella_real t97 = modal_inertia_forearm_55 - modal_inertia_forearm_12 * modes_L_forearm_54;
+    bad |= (unsigned long)(!(t97 > 0)) << 1;
+    const ella_real modes_inverse_forearm_5 = 1 / t97;
+    const ella_real t98 = modal_inertia_forearm_23 - modal_inertia_forearm_12 * modes_L_forearm_64;
+    const ella_real modes_L_forearm_65 = t98 * modes_inverse_forearm_5;
+    const ella_real t99 = modal_inertia_forearm_66
+        - (modal_inertia_forearm_13 * modes_L_forearm_64 + t98 * modes_L_forearm_65);
+    bad |= (unsigned long)(!(t99 > 0)) << 1;
+    const ella_real modes_inverse_forearm_6 = 1 / t99;
+    const ella_real modes_inverse_forearm_7 = 1 / m_eta[13];
+    const ella_real t100 = modes_L_forearm_21 * minus_C_forearm_11 - minus_C_forearm_12;
+    const ella_real t101 = minus_C_forearm_25 - modes_L_forearm_21 * minus_C_forearm_24;
+    const ella_real t102 = C_forearm_52 - modes_L_forearm_21 * C_forearm_51;
+    const ella_real t103 = modes_L_forearm_31 * minus_C_forearm_11 - minus_C_forearm_13
+        - modes_L_forearm_32 * t100;
+    const ella_real t104 = minus_C_forearm_26 - modes_L_forearm_31 * minus_C_forearm_24
+        - modes_L_forearm_32 * t101;
+    const ella_real t105 = C_forearm_53 - modes_L_forearm_31 * C_forearm_51 - modes_L_forearm_32 * t102;
+    const ella_real t106 = C_forearm_15 - modes_L_forearm_54 * C_forearm_14;
+    const ella_real t107 = modes_L_forearm_54 * minus_C_forearm_24 - minus_C_forearm_25;
+    const ella_real t108 = C_forearm_52 - modes_L_forearm_54 * C_forearm_51;
+    const ella_real t109 = C_forearm_16 - modes_L_forearm_64 * C_forearm_14 - modes_L_forearm_65 * t106;
+    const ella_real t110 = modes_L_forearm_64 * minus_C_forearm_24 - minus_C_forearm_26
+        - modes_L_forearm_65 * t107;
+    const ella_real t111 = C_forearm_53 - modes_L_forearm_64 * C_forearm_51 - modes_L_forearm_65 * t108;
+    const ella_real t112 = h_phi_forearm_2 - modes_L_forearm_21 * h_phi_forearm_1;
+    const ella_real t113 = h_phi_forearm_3 - modes_L_forearm_31 * h_phi_forearm_1 - modes_L_forearm_32 * t112;
+    const ella_real t114 = h_phi_forearm_5 - modes_L_forearm_54 * h_phi_forearm_4;
+    const ella_real t115 = h_phi_forearm_6 - modes_L_forearm_64 * h_phi_forearm_4 - modes_L_forearm_65 * t114;
+    const ella_real minus_modes_W_forearm_11 = minus_C_forearm_11 * modes_inverse_forearm_1;
+    const ella_real modes_W_forearm_13 = minus_C_forearm_24 * modes_inverse_forearm_1;
+    const ella_real modes_W_forearm_15 = C_forearm_51 * modes_inverse_forearm_1;
+    const ella_real modes_W_forearm_21 = t100 * modes_inverse_forearm_2;
+    const ella_real modes_W_forearm_23 = t101 * modes_inverse_forearm_2;
+    const ella_real modes_W_forearm_25 = t102 * modes_inverse_forearm_2;
+    const ella_real modes_W_forearm_31 = t103 * modes_inverse_forearm_3;
+    const ella_real modes_W_forearm_33 = t104 * modes_inverse_forearm_3;
+    const ella_real modes_W_forearm_35 = t105 * modes_inverse_forearm_3;
+    const ella_real modes_W_forearm_41 = C_forearm_14 * modes_inverse_forearm_4;
+    const ella_real minus_modes_W_forearm_42 = minus_C_forearm_24 * modes_inverse_forearm_4;
+    const ella_real modes_W_forearm_46 = C_forearm_51 * modes_inverse_forearm_4;
+    const ella_real modes_W_forearm_51 = t106 * modes_inverse_forearm_5;
+    const ella_real modes_W_forearm_52 = t107 * modes_inverse_forearm_5;
+    const ella_real modes_W_forearm_56 = t108 * modes_inverse_forearm_5;
+    const ella_real modes_W_forearm_61 = t109 * modes_inverse_forearm_6;
+    const ella_real modes_W_forearm_62 = t110 * modes_inverse_forearm_6;
+    const ella_real modes_W_forearm_66 = t111 * modes_inverse_forearm_6;
+    const ella_real modes_W_forearm_71 = c->links[1].sigma_t_7 * modes_inverse_forearm_7;
     const ella_real modes_w_forearm_1 = h_phi_forearm_1 * modes_inverse_forearm_1;
-    const ella_real modes_w_forearm_2 = h_phi_forearm_2 * modes_inverse_forearm_2;
-    const ella_real modes_w_forearm_3 = h_phi_forearm_3 * modes_inverse_forearm_3;
-    const ella_real M_i_forearm_11 = M_loaded_forearm_11
-        - (minus_C_forearm_12 * minus_modes_W_forearm_21 + C_forearm_13 * modes_W_forearm_31);
-    const ella_real M_i_forearm_12 = C_forearm_13 * minus_modes_W_forearm_32 - minus_M_loaded_forearm_12;
-    const ella_real M_i_forearm_13 = minus_C_forearm_12 * modes_W_forearm_23 - minus_M_loaded_forearm_13;
-    const ella_real M_i_forearm_15 = minus_C_forearm_12 * modes_W_forearm_25 - minus_M_loaded_forearm_15;
-    const ella_real M_i_forearm_16 = M_loaded_forearm_16 - C_forearm_13 * modes_W_forearm_36;
-    const ella_real M_i_forearm_22 = M_loaded_forearm_22
-        - (C_forearm_21 * modes_W_forearm_12 + minus_C_forearm_23 * minus_modes_W_forearm_32);
-    const ella_real M_i_forearm_23 = C_forearm_21 * minus_modes_W_forearm_13 - minus_M_loaded_forearm_23;
-    const ella_real M_i_forearm_24 = minus_M_loaded_forearm_15 - C_forearm_21 * modes_W_forearm_14;
-    const ella_real M_i_forearm_26 = minus_C_forearm_23 * modes_W_forearm_36 - minus_M_loaded_forearm_26;
+    const ella_real modes_w_forearm_2 = t112 * modes_inverse_forearm_2;
+    const ella_real modes_w_forearm_3 = t113 * modes_inverse_forearm_3;
+    const ella_real modes_w_forearm_4 = h_phi_forearm_4 * modes_inverse_forearm_4;
+    const ella_real modes_w_forearm_5 = t114 * modes_inverse_forearm_5;
+    const ella_real modes_w_forearm_6 = t115 * modes_inverse_forearm_6;
+    const ella_real modes_w_forearm_7 = h_phi_forearm_7 * modes_inverse_forearm_7;
+    const ella_real t116 = minus_C_forearm_11 * minus_modes_W_forearm_11 + t100 * modes_W_forearm_21
+        + t103 * modes_W_forearm_31;
+    const ella_real t117 = t116 + C_forearm_14 * modes_W_forearm_41 + t106 * modes_W_forearm_51
+        + t109 * modes_W_forearm_61 + c->links[1].sigma_t_7 * modes_W_forearm_71;
+    const ella_real M_i_forearm_11 = M_loaded_forearm_11 - t117;
+    const ella_real minus_M_i_forearm_12 = minus_M_loaded_forearm_12
+        + (t106 * modes_W_forearm_52 - C_forearm_14 * minus_modes_W_forearm_42 + t109 * modes_W_forearm_62);
+    const ella_real minus_M_i_forearm_13 = minus_M_loaded_forearm_13
+        + (t100 * modes_W_forearm_23 - minus_C_forearm_11 * modes_W_forearm_13 + t103 * modes_W_forearm_33);
+    const ella_real minus_M_i_forearm_15 = minus_M_loaded_forearm_15
+        + (t100 * modes_W_forearm_25 - minus_C_forearm_11 * modes_W_forearm_15 + t103 * modes_W_forearm_35);
+    const ella_real M_i_forearm_16 = M_loaded_forearm_16
+        - (C_forearm_14 * modes_W_forearm_46 + t106 * modes_W_forearm_56 + t109 * modes_W_forearm_66);
+    const ella_real t118 = minus_C_forearm_24 * minus_modes_W_forearm_42 + t107 * modes_W_forearm_52
+        + t110 * modes_W_forearm_62;
+    const ella_real M_i_forearm_22 = M_loaded_forearm_22 - t118;
+    const ella_real minus_M_i_forearm_26 = minus_M_loaded_forearm_26
+        + (t107 * modes_W_forearm_56 - minus_C_forearm_24 * modes_W_forearm_46 + t110 * modes_W_forearm_66);
     const ella_real M_i_forearm_33 = M_loaded_forearm_33
-        - (minus_C_forearm_31 * minus_modes_W_forearm_13 + minus_C_forearm_23 * modes_W_forearm_23);
-    const ella_real M_i_forearm_34 = minus_C_forearm_31 * modes_W_forearm_14 - M_loaded_forearm_16;
-    const ella_real M_i_forearm_35 = minus_M_loaded_forearm_26 - minus_C_forearm_23 * modes_W_forearm_25;
-    const ella_real M_i_forearm_44 = M_loaded_forearm_44 - C_forearm_41 * modes_W_forearm_14;
-    const ella_real M_i_forearm_55 = M_loaded_forearm_44 - C_forearm_52 * modes_W_forearm_25;
-    const ella_real M_i_forearm_66 = M_loaded_forearm_44 - C_forearm_52 * modes_W_forearm_36;
-    const ella_real h_i_forearm_1 = h_loaded_forearm_1
-        - (modes_W_forearm_31 * h_phi_forearm_3 - minus_modes_W_forearm_21 * h_phi_forearm_2);
-    const ella_real h_i_forearm_2 = h_loaded_forearm_2
-        - (modes_W_forearm_12 * h_phi_forearm_1 - minus_modes_W_forearm_32 * h_phi_forearm_3);
+        - (minus_C_forearm_24 * modes_W_forearm_13 + t101 * modes_W_forearm_23 + t104 * modes_W_forearm_33);
+    const ella_real M_i_forearm_35 = minus_M_loaded_forearm_26
+        - (minus_C_forearm_24 * modes_W_forearm_15 + t101 * modes_W_forearm_25 + t104 * modes_W_forearm_35);
+    const ella_real M_i_forearm_55 = M_loaded_forearm_44
+        - (C_forearm_51 * modes_W_forearm_15 + t102 * modes_W_forearm_25 + t105 * modes_W_forearm_35);
+    const ella_real M_i_forearm_66 = M_loaded_forearm_44
+        - (C_forearm_51 * modes_W_forearm_46 + t108 * modes_W_forearm_56 + t111 * modes_W_forearm_66);
+    const ella_real t119 = modes_W_forearm_21 * t112 - minus_modes_W_forearm_11 * h_phi_forearm_1
+        + modes_W_forearm_31 * t113;
+    const ella_real t120 = t119 + modes_W_forearm_41 * h_phi_forearm_4 + modes_W_forearm_51 * t114
+        + modes_W_forearm_61 * t115;
+    const ella_real t121 = modes_W_forearm_52 * t114 - minus_modes_W_forearm_42 * h_phi_forearm_4
+        + modes_W_forearm_62 * t115;
+    const ella_real h_i_forearm_1 = h_loaded_forearm_1 - (t120 + modes_W_forearm_71 * h_phi_forearm_7);
+    const ella_real h_i_forearm_2 = h_loaded_forearm_2 - t121;
     const ella_real h_i_forearm_3 = h_loaded_forearm_3
-        - (modes_W_forearm_23 * h_phi_forearm_2 - minus_modes_W_forearm_13 * h_phi_forearm_1);
-    const ella_real h_i_forearm_4 = h_loaded_forearm_4 - modes_W_forearm_14 * h_phi_forearm_1;
-    const ella_real h_i_forearm_5 = h_loaded_forearm_5 - modes_W_forearm_25 * h_phi_forearm_2;
-    const ella_real h_i_forearm_6 = h_loaded_forearm_6 - modes_W_forearm_36 * h_phi_forearm_3;
+        - (modes_W_forearm_13 * h_phi_forearm_1 + modes_W_forearm_23 * t112 + modes_W_forearm_33 * t113);
+    const ella_real h_i_forearm_5 = h_loaded_forearm_5
+        - (modes_W_forearm_15 * h_phi_forearm_1 + modes_W_forearm_25 * t112 + modes_W_forearm_35 * t113);
+    const ella_real h_i_forearm_6 = h_loaded_forearm_6
+        - (modes_W_forearm_46 * h_phi_forearm_4 + modes_W_forearm_56 * t114 + modes_W_forearm_66 * t115);
 
     /* forearm, joint: its accelerations eliminated from its rows (43) */
-    const ella_real t53 = ELLA_REAL_EPSILON * 8;
-    bad |= (unsigned long)(!(M_i_forearm_33 - t53 * (M_i_forearm_11 + M_i_forearm_22 + M_i_forearm_33) > 0)) << 1;
+    const ella_real t122 = ELLA_REAL_EPSILON * 8;
+    bad |= (unsigned long)(!(M_i_forearm_33 - t122 * (M_i_forearm_11 + M_i_forearm_22 + M_i_forearm_33) > 0)) << 1;
     const ella_real joint_inverse_forearm_1 = 1 / M_i_forearm_33;
-    const ella_real joint_W_forearm_11 = M_i_forearm_13 * joint_inverse_forearm_1;
-    const ella_real joint_W_forearm_12 = M_i_forearm_23 * joint_inverse_forearm_1;
-    const ella_real joint_W_forearm_14 = M_i_forearm_34 * joint_inverse_forearm_1;
+    const ella_real minus_joint_W_forearm_11 = minus_M_i_forearm_13 * joint_inverse_forearm_1;
+    const ella_real minus_joint_W_forearm_12 = minus_M_loaded_forearm_23 * joint_inverse_forearm_1;
+    const ella_real minus_joint_W_forearm_14 = M_loaded_forearm_16 * joint_inverse_forearm_1;
     const ella_real joint_W_forearm_15 = M_i_forearm_35 * joint_inverse_forearm_1;
     const ella_real joint_w_forearm_1 = (input->tau[2] - h_i_forearm_3) * joint_inverse_forearm_1;
-    const ella_real Lambda_i_forearm_11 = M_i_forearm_11 - M_i_forearm_13 * joint_W_forearm_11;
-    const ella_real Lambda_i_forearm_12 = M_i_forearm_12 - M_i_forearm_13 * joint_W_forearm_12;
-    const ella_real minus_Lambda_i_forearm_14 = M_i_forearm_13 * joint_W_forearm_14;
-    const ella_real Lambda_i_forearm_15 = M_i_forearm_15 - M_i_forearm_13 * joint_W_forearm_15;
-    const ella_real Lambda_i_forearm_22 = M_i_forearm_22 - M_i_forearm_23 * joint_W_forearm_12;
-    const ella_real Lambda_i_forearm_24 = M_i_forearm_24 - M_i_forearm_23 * joint_W_forearm_14;
-    const ella_real minus_Lambda_i_forearm_25 = M_i_forearm_23 * joint_W_forearm_15;
-    const ella_real Lambda_i_forearm_44 = M_i_forearm_44 - M_i_forearm_34 * joint_W_forearm_14;
-    const ella_real minus_Lambda_i_forearm_45 = M_i_forearm_34 * joint_W_forearm_15;
+    const ella_real Lambda_i_forearm_11 = M_i_forearm_11 - minus_M_i_forearm_13 * minus_joint_W_forearm_11;
+    const ella_real minus_Lambda_i_forearm_12 = minus_M_i_forearm_12
+        + minus_M_i_forearm_13 * minus_joint_W_forearm_12;
+    const ella_real minus_Lambda_i_forearm_14 = minus_M_i_forearm_13 * minus_joint_W_forearm_14;
+    const ella_real Lambda_i_forearm_15 = minus_M_i_forearm_13 * joint_W_forearm_15 - minus_M_i_forearm_15;
+    const ella_real Lambda_i_forearm_22 = M_i_forearm_22 - minus_M_loaded_forearm_23 * minus_joint_W_forearm_12;
+    const ella_real Lambda_i_forearm_24 = minus_M_loaded_forearm_15
+        - minus_M_loaded_forearm_23 * minus_joint_W_forearm_14;
+    const ella_real Lambda_i_forearm_25 = minus_M_loaded_forearm_23 * joint_W_forearm_15;
+    const ella_real Lambda_i_forearm_44 = M_loaded_forearm_44 - M_loaded_forearm_16 * minus_joint_W_forearm_14;
+    const ella_real Lambda_i_forearm_45 = M_loaded_forearm_16 * joint_W_forearm_15;
     const ella_real Lambda_i_forearm_55 = M_i_forearm_55 - M_i_forearm_35 * joint_W_forearm_15;
-    const ella_real p_i_forearm_1 = h_i_forearm_1 + M_i_forearm_13 * joint_w_forearm_1;
-    const ella_real p_i_forearm_2 = h_i_forearm_2 + M_i_forearm_23 * joint_w_forearm_1;
-    const ella_real p_i_forearm_4 = h_i_forearm_4 + M_i_forearm_34 * joint_w_forearm_1;
+    const ella_real p_i_forearm_1 = h_i_forearm_1 - minus_M_i_forearm_13 * joint_w_forearm_1;
+    const ella_real p_i_forearm_2 = h_i_forearm_2 - minus_M_loaded_forearm_23 * joint_w_forearm_1;
+    const ella_real p_i_forearm_4 = h_loaded_forearm_4 - M_loaded_forearm_16 * joint_w_forearm_1;
     const ella_real p_i_forearm_5 = h_i_forearm_5 + M_i_forearm_35 * joint_w_forearm_1;
 
     /* forearm, handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const ella_real t54 = Lambda_i_forearm_11 * R_P_forearm_21 + Lambda_i_forearm_12 * R_P_forearm_22;
-    const ella_real t55 = Lambda_i_forearm_11 * R_P_forearm_31 + Lambda_i_forearm_12 * R_P_forearm_32;
-    const ella_real t56 = Lambda_i_forearm_12 * R_P_forearm_21 + Lambda_i_forearm_22 * R_P_forearm_22;
-    const ella_real t57 = Lambda_i_forearm_12 * R_P_forearm_31 + Lambda_i_forearm_22 * R_P_forearm_32;
-    const ella_real t58 = R_P_forearm_11
-        * (Lambda_i_forearm_11 * R_P_forearm_11 - Lambda_i_forearm_12 * minus_R_P_forearm_12);
-    const ella_real t59 = minus_R_P_forearm_12
-        * (Lambda_i_forearm_12 * R_P_forearm_11 - Lambda_i_forearm_22 * minus_R_P_forearm_12);
-    const ella_real Lambda_forearm_1 = t58 - t59;
-    const ella_real Lambda_forearm_2 = R_P_forearm_11 * t54 - minus_R_P_forearm_12 * t56;
-    const ella_real Lambda_forearm_3 = R_P_forearm_11 * t55 - minus_R_P_forearm_12 * t57;
-    const ella_real Lambda_forearm_7 = R_P_forearm_21 * t54 + R_P_forearm_22 * t56;
-    const ella_real Lambda_forearm_8 = R_P_forearm_21 * t55 + R_P_forearm_22 * t57;
-    const ella_real Lambda_forearm_12 = R_P_forearm_31 * t55 + R_P_forearm_32 * t57;
-    const ella_real t60 = M_i_forearm_16 * R_T_upper_arm_xz
-        - (minus_Lambda_i_forearm_14 * R_P_forearm_11 + Lambda_i_forearm_15 * minus_R_P_forearm_12);
-    const ella_real t61 = Lambda_i_forearm_15 * R_P_forearm_22 - minus_Lambda_i_forearm_14 * R_P_forearm_21
+    const ella_real t123 = Lambda_i_forearm_11 * R_P_forearm_21 - minus_Lambda_i_forearm_12 * R_P_forearm_22;
+    const ella_real t124 = Lambda_i_forearm_11 * R_P_forearm_31 - minus_Lambda_i_forearm_12 * R_P_forearm_32;
+    const ella_real t125 = Lambda_i_forearm_22 * R_P_forearm_22 - minus_Lambda_i_forearm_12 * R_P_forearm_21;
+    const ella_real t126 = Lambda_i_forearm_22 * R_P_forearm_32 - minus_Lambda_i_forearm_12 * R_P_forearm_31;
+    const ella_real t127 = R_P_forearm_11
+        * (Lambda_i_forearm_11 * R_P_forearm_11 - minus_Lambda_i_forearm_12 * R_P_forearm_12);
+    const ella_real t128 = R_P_forearm_12
+        * (Lambda_i_forearm_22 * R_P_forearm_12 - minus_Lambda_i_forearm_12 * R_P_forearm_11);
+    const ella_real Lambda_forearm_1 = t127 + t128;
+    const ella_real Lambda_forearm_2 = R_P_forearm_11 * t123 + R_P_forearm_12 * t125;
+    const ella_real Lambda_forearm_3 = R_P_forearm_11 * t124 + R_P_forearm_12 * t126;
+    const ella_real Lambda_forearm_7 = R_P_forearm_21 * t123 + R_P_forearm_22 * t125;
+    const ella_real Lambda_forearm_8 = R_P_forearm_21 * t124 + R_P_forearm_22 * t126;
+    const ella_real Lambda_forearm_12 = R_P_forearm_31 * t124 + R_P_forearm_32 * t126;
+    const ella_real t129 = Lambda_i_forearm_15 * R_P_forearm_12 - minus_Lambda_i_forearm_14 * R_P_forearm_11
+        + M_i_forearm_16 * R_T_upper_arm_xz;
+    const ella_real t130 = Lambda_i_forearm_15 * R_P_forearm_22 - minus_Lambda_i_forearm_14 * R_P_forearm_21
         + M_i_forearm_16 * R_T_upper_arm_yz;
-    const ella_real t62 = Lambda_i_forearm_15 * R_P_forearm_32 - minus_Lambda_i_forearm_14 * R_P_forearm_31
+    const ella_real t131 = Lambda_i_forearm_15 * R_P_forearm_32 - minus_Lambda_i_forearm_14 * R_P_forearm_31
         + M_i_forearm_16 * R_T_upper_arm_zz;
-    const ella_real t63 = Lambda_i_forearm_24 * R_P_forearm_11 + minus_Lambda_i_forearm_25 * minus_R_P_forearm_12
-        + M_i_forearm_26 * R_T_upper_arm_xz;
-    const ella_real t64 = Lambda_i_forearm_24 * R_P_forearm_21 - minus_Lambda_i_forearm_25 * R_P_forearm_22
-        + M_i_forearm_26 * R_T_upper_arm_yz;
-    const ella_real t65 = Lambda_i_forearm_24 * R_P_forearm_31 - minus_Lambda_i_forearm_25 * R_P_forearm_32
-        + M_i_forearm_26 * R_T_upper_arm_zz;
-    const ella_real Lambda_forearm_4 = R_P_forearm_11 * t60 - minus_R_P_forearm_12 * t63;
-    const ella_real Lambda_forearm_5 = R_P_forearm_11 * t61 - minus_R_P_forearm_12 * t64;
-    const ella_real Lambda_forearm_6 = R_P_forearm_11 * t62 - minus_R_P_forearm_12 * t65;
-    const ella_real Lambda_forearm_9 = R_P_forearm_21 * t60 + R_P_forearm_22 * t63;
-    const ella_real Lambda_forearm_10 = R_P_forearm_21 * t61 + R_P_forearm_22 * t64;
-    const ella_real Lambda_forearm_11 = R_P_forearm_21 * t62 + R_P_forearm_22 * t65;
-    const ella_real Lambda_forearm_13 = R_P_forearm_31 * t60 + R_P_forearm_32 * t63;
-    const ella_real Lambda_forearm_14 = R_P_forearm_31 * t61 + R_P_forearm_32 * t64;
-    const ella_real Lambda_forearm_15 = R_P_forearm_31 * t62 + R_P_forearm_32 * t65;
-    const ella_real t66 = (Lambda_i_forearm_44 - M_i_forearm_66) * REAL(0.5);
-    const ella_real t67 = t66 * R_P_forearm_11 + minus_Lambda_i_forearm_45 * minus_R_P_forearm_12;
-    const ella_real t68 = t66 * R_P_forearm_21 - minus_Lambda_i_forearm_45 * R_P_forearm_22;
-    const ella_real t69 = t66 * R_P_forearm_31 - minus_Lambda_i_forearm_45 * R_P_forearm_32;
-    const ella_real t70 = (Lambda_i_forearm_55 - M_i_forearm_66) * REAL(0.5);
-    const ella_real t71 = t70 * minus_R_P_forearm_12;
-    const ella_real t72 = t70 * R_P_forearm_22;
-    const ella_real t73 = t70 * R_P_forearm_32;
-    const ella_real Lambda_forearm_16 = (R_P_forearm_11 * t67 + minus_R_P_forearm_12 * t71) * 2 + M_i_forearm_66;
-    const ella_real Lambda_forearm_17 = R_P_forearm_11 * t68 - minus_R_P_forearm_12 * t72
-        + (R_P_forearm_21 * t67 - R_P_forearm_22 * t71);
-    const ella_real Lambda_forearm_18 = R_P_forearm_11 * t69 - minus_R_P_forearm_12 * t73
-        + (R_P_forearm_31 * t67 - R_P_forearm_32 * t71);
-    const ella_real Lambda_forearm_19 = (R_P_forearm_21 * t68 + R_P_forearm_22 * t72) * 2 + M_i_forearm_66;
-    const ella_real Lambda_forearm_20 = R_P_forearm_21 * t69 + R_P_forearm_22 * t73
-        + (R_P_forearm_31 * t68 + R_P_forearm_32 * t72);
-    const ella_real Lambda_forearm_21 = (R_P_forearm_31 * t69 + R_P_forearm_32 * t73) * 2 + M_i_forearm_66;
-    const ella_real p_forearm_1 = R_P_forearm_11 * p_i_forearm_1 - minus_R_P_forearm_12 * p_i_forearm_2
+    const ella_real t132 = Lambda_i_forearm_24 * R_P_forearm_11 + Lambda_i_forearm_25 * R_P_forearm_12
+        - minus_M_i_forearm_26 * R_T_upper_arm_xz;
+    const ella_real t133 = Lambda_i_forearm_24 * R_P_forearm_21 + Lambda_i_forearm_25 * R_P_forearm_22
+        - minus_M_i_forearm_26 * R_T_upper_arm_yz;
+    const ella_real t134 = Lambda_i_forearm_24 * R_P_forearm_31 + Lambda_i_forearm_25 * R_P_forearm_32
+        - minus_M_i_forearm_26 * R_T_upper_arm_zz;
+    const ella_real Lambda_forearm_4 = R_P_forearm_11 * t129 + R_P_forearm_12 * t132;
+    const ella_real Lambda_forearm_5 = R_P_forearm_11 * t130 + R_P_forearm_12 * t133;
+    const ella_real Lambda_forearm_6 = R_P_forearm_11 * t131 + R_P_forearm_12 * t134;
+    const ella_real Lambda_forearm_9 = R_P_forearm_21 * t129 + R_P_forearm_22 * t132;
+    const ella_real Lambda_forearm_10 = R_P_forearm_21 * t130 + R_P_forearm_22 * t133;
+    const ella_real Lambda_forearm_11 = R_P_forearm_21 * t131 + R_P_forearm_22 * t134;
+    const ella_real Lambda_forearm_13 = R_P_forearm_31 * t129 + R_P_forearm_32 * t132;
+    const ella_real Lambda_forearm_14 = R_P_forearm_31 * t130 + R_P_forearm_32 * t133;
+    const ella_real Lambda_forearm_15 = R_P_forearm_31 * t131 + R_P_forearm_32 * t134;
+    const ella_real t135 = (Lambda_i_forearm_44 - M_i_forearm_66) * REAL(0.5);
+    const ella_real t136 = t135 * R_P_forearm_11 + Lambda_i_forearm_45 * R_P_forearm_12;
+    const ella_real t137 = t135 * R_P_forearm_21 + Lambda_i_forearm_45 * R_P_forearm_22;
+    const ella_real t138 = t135 * R_P_forearm_31 + Lambda_i_forearm_45 * R_P_forearm_32;
+    const ella_real t139 = (Lambda_i_forearm_55 - M_i_forearm_66) * REAL(0.5);
+    const ella_real t140 = t139 * R_P_forearm_12;
+    const ella_real t141 = t139 * R_P_forearm_22;
+    const ella_real t142 = t139 * R_P_forearm_32;
+    const ella_real Lambda_forearm_16 = (R_P_forearm_11 * t136 + R_P_forearm_12 * t140) * 2 + M_i_forearm_66;
+    const ella_real Lambda_forearm_17 = R_P_forearm_11 * t137 + R_P_forearm_12 * t141
+        + (R_P_forearm_21 * t136 + R_P_forearm_22 * t140);
+    const ella_real Lambda_forearm_18 = R_P_forearm_11 * t138 + R_P_forearm_12 * t142
+        + (R_P_forearm_31 * t136 + R_P_forearm_32 * t140);
+    const ella_real Lambda_forearm_19 = (R_P_forearm_21 * t137 + R_P_forearm_22 * t141) * 2 + M_i_forearm_66;
+    const ella_real Lambda_forearm_20 = R_P_forearm_21 * t138 + R_P_forearm_22 * t142
+        + (R_P_forearm_31 * t137 + R_P_forearm_32 * t141);
+    const ella_real Lambda_forearm_21 = (R_P_forearm_31 * t138 + R_P_forearm_32 * t142) * 2 + M_i_forearm_66;
+    const ella_real p_forearm_1 = R_P_forearm_11 * p_i_forearm_1 + R_P_forearm_12 * p_i_forearm_2
         + R_T_upper_arm_xz * input->tau[2];
     const ella_real p_forearm_2 = R_P_forearm_21 * p_i_forearm_1 + R_P_forearm_22 * p_i_forearm_2
         + R_T_upper_arm_yz * input->tau[2];
     const ella_real p_forearm_3 = R_P_forearm_31 * p_i_forearm_1 + R_P_forearm_32 * p_i_forearm_2
         + R_T_upper_arm_zz * input->tau[2];
-    const ella_real p_forearm_4 = R_P_forearm_11 * p_i_forearm_4 - minus_R_P_forearm_12 * p_i_forearm_5
+    const ella_real p_forearm_4 = R_P_forearm_11 * p_i_forearm_4 + R_P_forearm_12 * p_i_forearm_5
         + R_T_upper_arm_xz * h_i_forearm_6;
     const ella_real p_forearm_5 = R_P_forearm_21 * p_i_forearm_4 + R_P_forearm_22 * p_i_forearm_5
         + R_T_upper_arm_yz * h_i_forearm_6;
@@ -560,333 +783,699 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + R_T_upper_arm_zz * h_i_forearm_6;
 
     /* upper_arm, S: first moment */
-    const ella_real S_upper_arm_x = c->links[0].S_0_x + state->q[3] * c->links[0].sigma_x1;
-    const ella_real S_upper_arm_y = state->q[4] * c->links[0].sigma_y2;
-    const ella_real S_upper_arm_z = state->q[5] * c->links[0].sigma_y2;
+    const ella_real S_upper_arm_y = state->q[3] * c->links[0].sigma_y1 + state->q[4] * c->links[0].sigma_y2
+        + state->q[5] * c->links[0].sigma_y3;
+    const ella_real S_upper_arm_z = state->q[6] * c->links[0].sigma_y1 + state->q[7] * c->links[0].sigma_y2
+        + state->q[8] * c->links[0].sigma_y3;
 
     /* upper_arm, L: first moment weighted by each mode shape (85) */
-    const ella_real L_upper_arm_x1 = c->links[0].chi_1 + c->links[0].mu * state->q[3];
-    const ella_real L_upper_arm_x2 = c->links[0].chi_2 + c->links[0].Gamma_xy_11 * state->q[3];
-    const ella_real L_upper_arm_y1 = c->links[0].Gamma_xy_11 * state->q[4];
+    const ella_real L_upper_arm_y1 = c->links[0].mu * state->q[3];
     const ella_real L_upper_arm_y2 = c->links[0].mu * state->q[4];
-    const ella_real L_upper_arm_z1 = c->links[0].Gamma_xy_11 * state->q[5];
-    const ella_real L_upper_arm_z2 = state->q[5] * c->links[0].mu;
+    const ella_real L_upper_arm_y3 = c->links[0].mu * state->q[5];
+    const ella_real L_upper_arm_z1 = state->q[6] * c->links[0].mu;
+    const ella_real L_upper_arm_z2 = state->q[7] * c->links[0].mu;
+    const ella_real L_upper_arm_z3 = state->q[8] * c->links[0].mu;
 
     /* upper_arm, Ldot: rate of L */
-    const ella_real Ldot_upper_arm_x2 = c->links[0].Gamma_xy_11 * state->v[3];
-    const ella_real Ldot_upper_arm_y1 = c->links[0].Gamma_xy_11 * state->v[4];
+    const ella_real Ldot_upper_arm_y1 = c->links[0].mu * state->v[3];
     const ella_real Ldot_upper_arm_y2 = c->links[0].mu * state->v[4];
-    const ella_real Ldot_upper_arm_z1 = c->links[0].Gamma_xy_11 * state->v[5];
-    const ella_real Ldot_upper_arm_z2 = state->v[5] * c->links[0].mu;
+    const ella_real Ldot_upper_arm_y3 = c->links[0].mu * state->v[5];
+    const ella_real Ldot_upper_arm_z1 = state->v[6] * c->links[0].mu;
+    const ella_real Ldot_upper_arm_z2 = state->v[7] * c->links[0].mu;
+    const ella_real Ldot_upper_arm_z3 = state->v[8] * c->links[0].mu;
 
     /* upper_arm, J: second moment */
-    const ella_real J_upper_arm_xx = c->links[0].J_0_xx + L_upper_arm_x1 * state->q[3]
-        + c->links[0].chi_1 * state->q[3];
-    const ella_real J_upper_arm_xy = L_upper_arm_y1 * state->q[3] + c->links[0].chi_2 * state->q[4];
-    const ella_real J_upper_arm_xz = L_upper_arm_z1 * state->q[3] + c->links[0].chi_2 * state->q[5];
-    const ella_real J_upper_arm_yy = L_upper_arm_y2 * state->q[4];
-    const ella_real J_upper_arm_yz = L_upper_arm_z2 * state->q[4];
-    const ella_real J_upper_arm_zz = L_upper_arm_z2 * state->q[5];
+    const ella_real J_upper_arm_xy = c->links[0].chi_1 * state->q[3] + c->links[0].chi_2 * state->q[4]
+        + c->links[0].chi_3 * state->q[5];
+    const ella_real J_upper_arm_xz = c->links[0].chi_1 * state->q[6] + c->links[0].chi_2 * state->q[7]
+        + c->links[0].chi_3 * state->q[8];
+    const ella_real J_upper_arm_yy = L_upper_arm_y1 * state->q[3] + L_upper_arm_y2 * state->q[4]
+        + L_upper_arm_y3 * state->q[5];
+    const ella_real J_upper_arm_yz = L_upper_arm_z1 * state->q[3] + L_upper_arm_z2 * state->q[4]
+        + L_upper_arm_z3 * state->q[5];
+    const ella_real J_upper_arm_zz = L_upper_arm_z1 * state->q[6] + L_upper_arm_z2 * state->q[7]
+        + L_upper_arm_z3 * state->q[8];
 
     /* upper_arm, I: inertia about the origin, deformed */
     const ella_real I_upper_arm_xx = c->links[0].I_s + J_upper_arm_yy + J_upper_arm_zz;
-    const ella_real I_upper_arm_yy = J_upper_arm_xx + J_upper_arm_zz;
-    const ella_real I_upper_arm_zz = J_upper_arm_xx + J_upper_arm_yy;
+    const ella_real I_upper_arm_yy = c->links[0].J_0_xx + J_upper_arm_zz;
+    const ella_real I_upper_arm_zz = c->links[0].J_0_xx + J_upper_arm_yy;
 
     /* upper_arm, Omega: acceleration of a place by the link's turning */
-    const ella_real t74 = omega_J_upper_arm_y * omega_J_upper_arm_y;
-    const ella_real t75 = state->v[1] * state->v[1];
-    const ella_real minus_Omega_upper_arm_xx = t74 + t75;
+    const ella_real t143 = omega_J_upper_arm_y * omega_J_upper_arm_y;
+    const ella_real t144 = state->v[1] * state->v[1];
+    const ella_real minus_Omega_upper_arm_xx = t143 + t144;
     const ella_real Omega_upper_arm_xy = omega_J_upper_arm_x * omega_J_upper_arm_y;
-    const ella_real t76 = omega_J_upper_arm_x * state->v[1];
-    const ella_real Omega_upper_arm_xz = t76 - minus_beta_omega_upper_arm_y;
-    const ella_real t77 = omega_J_upper_arm_x * omega_J_upper_arm_x;
-    const ella_real minus_Omega_upper_arm_yy = t77 + t75;
-    const ella_real t78 = omega_J_upper_arm_y * state->v[1];
-    const ella_real Omega_upper_arm_yz = t78 - beta_omega_upper_arm_x;
-    const ella_real Omega_upper_arm_zx = t76 + minus_beta_omega_upper_arm_y;
-    const ella_real Omega_upper_arm_zy = beta_omega_upper_arm_x + t78;
-    const ella_real minus_Omega_upper_arm_zz = t77 + t74;
+    const ella_real t145 = omega_J_upper_arm_x * state->v[1];
+    const ella_real Omega_upper_arm_xz = t145 - minus_beta_omega_upper_arm_y;
+    const ella_real t146 = omega_J_upper_arm_x * omega_J_upper_arm_x;
+    const ella_real minus_Omega_upper_arm_yy = t146 + t144;
+    const ella_real t147 = omega_J_upper_arm_y * state->v[1];
+    const ella_real Omega_upper_arm_yz = t147 - beta_omega_upper_arm_x;
+    const ella_real Omega_upper_arm_zx = t145 + minus_beta_omega_upper_arm_y;
+    const ella_real Omega_upper_arm_zy = beta_omega_upper_arm_x + t147;
+    const ella_real minus_Omega_upper_arm_zz = t146 + t143;
 
     /* upper_arm, B: moment of the elastic velocity */
-    const ella_real B_upper_arm_xx = L_upper_arm_x1 * state->v[3];
-    const ella_real B_upper_arm_xy = L_upper_arm_y1 * state->v[3];
-    const ella_real B_upper_arm_xz = L_upper_arm_z1 * state->v[3];
-    const ella_real B_upper_arm_yx = L_upper_arm_x2 * state->v[4];
-    const ella_real B_upper_arm_yy = L_upper_arm_y2 * state->v[4];
-    const ella_real B_upper_arm_yz = L_upper_arm_z2 * state->v[4];
-    const ella_real B_upper_arm_zx = L_upper_arm_x2 * state->v[5];
-    const ella_real B_upper_arm_zy = L_upper_arm_y2 * state->v[5];
-    const ella_real B_upper_arm_zz = L_upper_arm_z2 * state->v[5];
+    const ella_real B_upper_arm_yx = c->links[0].chi_1 * state->v[3] + c->links[0].chi_2 * state->v[4]
+        + c->links[0].chi_3 * state->v[5];
+    const ella_real B_upper_arm_yy = L_upper_arm_y1 * state->v[3] + L_upper_arm_y2 * state->v[4]
+        + L_upper_arm_y3 * state->v[5];
+    const ella_real B_upper_arm_yz = L_upper_arm_z1 * state->v[3] + L_upper_arm_z2 * state->v[4]
+        + L_upper_arm_z3 * state->v[5];
+    const ella_real B_upper_arm_zx = c->links[0].chi_1 * state->v[6] + c->links[0].chi_2 * state->v[7]
+        + c->links[0].chi_3 * state->v[8];
+    const ella_real B_upper_arm_zy = L_upper_arm_y1 * state->v[6] + L_upper_arm_y2 * state->v[7]
+        + L_upper_arm_y3 * state->v[8];
+    const ella_real B_upper_arm_zz = L_upper_arm_z1 * state->v[6] + L_upper_arm_z2 * state->v[7]
+        + L_upper_arm_z3 * state->v[8];
 
     /* upper_arm, h_c: half of the Coriolis wrench */
-    const ella_real t79 = B_upper_arm_yy * omega_J_upper_arm_x + B_upper_arm_zz * omega_J_upper_arm_x
-        - B_upper_arm_xy * omega_J_upper_arm_y;
-    const ella_real h_c_upper_arm_1 = t79 - B_upper_arm_xz * state->v[1];
-    const ella_real t80 = B_upper_arm_xx * omega_J_upper_arm_y + B_upper_arm_zz * omega_J_upper_arm_y
-        - B_upper_arm_yx * omega_J_upper_arm_x;
-    const ella_real h_c_upper_arm_2 = t80 - B_upper_arm_yz * state->v[1];
-    const ella_real t81 = B_upper_arm_xx * state->v[1] + B_upper_arm_yy * state->v[1]
-        - B_upper_arm_zx * omega_J_upper_arm_x;
-    const ella_real h_c_upper_arm_3 = t81 - B_upper_arm_zy * omega_J_upper_arm_y;
+    const ella_real h_c_upper_arm_1 = B_upper_arm_yy * omega_J_upper_arm_x + B_upper_arm_zz * omega_J_upper_arm_x;
+    const ella_real h_c_upper_arm_2 = B_upper_arm_zz * omega_J_upper_arm_y - B_upper_arm_yx * omega_J_upper_arm_x
+        - B_upper_arm_yz * state->v[1];
+    const ella_real h_c_upper_arm_3 = B_upper_arm_yy * state->v[1] - B_upper_arm_zx * omega_J_upper_arm_x
+        - B_upper_arm_zy * omega_J_upper_arm_y;
+
+    /* upper_arm, h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_upper_arm_2 = h_c_upper_arm_2 + state->v[9] * state->v[1] * c->links[0].sigma_t_7;
+    const ella_real h_MD_upper_arm_3 = h_c_upper_arm_3
+        - state->v[9] * omega_J_upper_arm_y * c->links[0].sigma_t_7;
 
     /* upper_arm, H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t82 = h_c_upper_arm_1 + c->links[0].I_s * beta_omega_upper_arm_x
+    const ella_real t148 = h_c_upper_arm_1 + c->links[0].I_s * beta_omega_upper_arm_x
         + J_upper_arm_xy * Omega_upper_arm_zx + J_upper_arm_yy * Omega_upper_arm_zy;
-    const ella_real t83 = t82 + J_upper_arm_yz * (minus_Omega_upper_arm_yy - minus_Omega_upper_arm_zz)
+    const ella_real t149 = t148 + J_upper_arm_yz * (minus_Omega_upper_arm_yy - minus_Omega_upper_arm_zz)
         - S_upper_arm_y * minus_alpha_0_upper_arm_6;
-    const ella_real H_star_upper_arm_1 = t83 - J_upper_arm_xz * Omega_upper_arm_xy
+    const ella_real H_star_upper_arm_1 = t149 - J_upper_arm_xz * Omega_upper_arm_xy
         - J_upper_arm_zz * Omega_upper_arm_yz - S_upper_arm_z * alpha_0_upper_arm_5;
-    const ella_real t84 = h_c_upper_arm_2
+    const ella_real t150 = h_c_upper_arm_2
         + J_upper_arm_xz * (minus_Omega_upper_arm_zz - minus_Omega_upper_arm_xx)
         + J_upper_arm_yz * Omega_upper_arm_xy;
-    const ella_real t85 = c->links[0].I_s * omega_J_upper_arm_x;
-    const ella_real t86 = t84 + J_upper_arm_zz * Omega_upper_arm_xz + S_upper_arm_z * alpha_0_upper_arm_4
-        + t85 * state->v[1];
-    const ella_real H_star_upper_arm_2 = t86 - J_upper_arm_xx * Omega_upper_arm_zx
-        - J_upper_arm_xy * Omega_upper_arm_zy + S_upper_arm_x * minus_alpha_0_upper_arm_6;
-    const ella_real t87 = h_c_upper_arm_3 + J_upper_arm_xx * Omega_upper_arm_xy
+    const ella_real t151 = c->links[0].I_s * omega_J_upper_arm_x;
+    const ella_real t152 = t150 + J_upper_arm_zz * Omega_upper_arm_xz + S_upper_arm_z * alpha_0_upper_arm_4
+        + t151 * state->v[1];
+    const ella_real H_star_upper_arm_2 = t152 - c->links[0].J_0_xx * Omega_upper_arm_zx
+        - J_upper_arm_xy * Omega_upper_arm_zy + c->links[0].S_0_x * minus_alpha_0_upper_arm_6;
+    const ella_real t153 = h_c_upper_arm_3 + c->links[0].J_0_xx * Omega_upper_arm_xy
         + J_upper_arm_xy * (minus_Omega_upper_arm_xx - minus_Omega_upper_arm_yy);
-    const ella_real t88 = t87 + J_upper_arm_xz * Omega_upper_arm_yz + S_upper_arm_x * alpha_0_upper_arm_5
+    const ella_real t154 = t153 + J_upper_arm_xz * Omega_upper_arm_yz + c->links[0].S_0_x * alpha_0_upper_arm_5
         - J_upper_arm_yy * Omega_upper_arm_xy;
-    const ella_real H_star_upper_arm_3 = t88 - J_upper_arm_yz * Omega_upper_arm_xz
-        - S_upper_arm_y * alpha_0_upper_arm_4 - t85 * omega_J_upper_arm_y;
+    const ella_real H_star_upper_arm_3 = t154 - J_upper_arm_yz * Omega_upper_arm_xz
+        - S_upper_arm_y * alpha_0_upper_arm_4 - t151 * omega_J_upper_arm_y;
 
     /* upper_arm, h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_upper_arm_1 = H_star_upper_arm_1 + h_c_upper_arm_1;
-    const ella_real h_V_upper_arm_2 = H_star_upper_arm_2 + h_c_upper_arm_2;
-    const ella_real h_V_upper_arm_3 = H_star_upper_arm_3 + h_c_upper_arm_3;
+    const ella_real h_V_upper_arm_2 = H_star_upper_arm_2 + h_MD_upper_arm_2;
+    const ella_real h_V_upper_arm_3 = H_star_upper_arm_3 + h_MD_upper_arm_3;
 
     /* upper_arm, h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t89 = L_upper_arm_y1 * Omega_upper_arm_xy - L_upper_arm_x1 * minus_Omega_upper_arm_xx
-        + L_upper_arm_z1 * Omega_upper_arm_xz;
-    const ella_real h_eta_upper_arm_1 = t89 + alpha_0_upper_arm_4 * c->links[0].sigma_x1
-        + Ldot_upper_arm_z1 * 2 * omega_J_upper_arm_y - Ldot_upper_arm_y1 * 2 * state->v[1];
-    const ella_real t90 = L_upper_arm_x2 * Omega_upper_arm_xy - L_upper_arm_y2 * minus_Omega_upper_arm_yy
-        + L_upper_arm_z2 * Omega_upper_arm_yz;
-    const ella_real t91 = Ldot_upper_arm_x2 * 2;
-    const ella_real h_eta_upper_arm_2 = t90 + alpha_0_upper_arm_5 * c->links[0].sigma_y2 + t91 * state->v[1]
+    const ella_real t155 = L_upper_arm_z1 * Omega_upper_arm_yz - L_upper_arm_y1 * minus_Omega_upper_arm_yy
+        + Omega_upper_arm_xy * c->links[0].chi_1;
+    const ella_real h_eta_upper_arm_1 = t155 + alpha_0_upper_arm_5 * c->links[0].sigma_y1
+        - Ldot_upper_arm_z1 * 2 * omega_J_upper_arm_x;
+    const ella_real t156 = L_upper_arm_z2 * Omega_upper_arm_yz - L_upper_arm_y2 * minus_Omega_upper_arm_yy
+        + Omega_upper_arm_xy * c->links[0].chi_2;
+    const ella_real h_eta_upper_arm_2 = t156 + alpha_0_upper_arm_5 * c->links[0].sigma_y2
         - Ldot_upper_arm_z2 * 2 * omega_J_upper_arm_x;
-    const ella_real t92 = L_upper_arm_x2 * Omega_upper_arm_zx + L_upper_arm_y2 * Omega_upper_arm_zy
-        - L_upper_arm_z2 * minus_Omega_upper_arm_zz;
-    const ella_real t93 = t92 - minus_alpha_0_upper_arm_6 * c->links[0].sigma_y2
+    const ella_real t157 = L_upper_arm_z3 * Omega_upper_arm_yz - L_upper_arm_y3 * minus_Omega_upper_arm_yy
+        + Omega_upper_arm_xy * c->links[0].chi_3;
+    const ella_real h_eta_upper_arm_3 = t157 + alpha_0_upper_arm_5 * c->links[0].sigma_y3
+        - Ldot_upper_arm_z3 * 2 * omega_J_upper_arm_x;
+    const ella_real t158 = L_upper_arm_y1 * Omega_upper_arm_zy - L_upper_arm_z1 * minus_Omega_upper_arm_zz
+        + Omega_upper_arm_zx * c->links[0].chi_1;
+    const ella_real h_eta_upper_arm_4 = t158 - minus_alpha_0_upper_arm_6 * c->links[0].sigma_y1
+        + Ldot_upper_arm_y1 * 2 * omega_J_upper_arm_x;
+    const ella_real t159 = L_upper_arm_y2 * Omega_upper_arm_zy - L_upper_arm_z2 * minus_Omega_upper_arm_zz
+        + Omega_upper_arm_zx * c->links[0].chi_2;
+    const ella_real h_eta_upper_arm_5 = t159 - minus_alpha_0_upper_arm_6 * c->links[0].sigma_y2
         + Ldot_upper_arm_y2 * 2 * omega_J_upper_arm_x;
-    const ella_real h_eta_upper_arm_3 = t93 - t91 * omega_J_upper_arm_y;
+    const ella_real t160 = L_upper_arm_y3 * Omega_upper_arm_zy - L_upper_arm_z3 * minus_Omega_upper_arm_zz
+        + Omega_upper_arm_zx * c->links[0].chi_3;
+    const ella_real h_eta_upper_arm_6 = t160 - minus_alpha_0_upper_arm_6 * c->links[0].sigma_y3
+        + Ldot_upper_arm_y3 * 2 * omega_J_upper_arm_x;
+    const ella_real h_eta_upper_arm_7 = beta_omega_upper_arm_x * c->links[0].sigma_t_7;
 
     /* upper_arm, tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const ella_real Lambda_T_upper_arm_44 = Lambda_forearm_16 + c->links[0].body0_mass;
     const ella_real Lambda_T_upper_arm_55 = Lambda_forearm_19 + c->links[0].body0_mass;
     const ella_real Lambda_T_upper_arm_66 = Lambda_forearm_21 + c->links[0].body0_mass;
-    const ella_real t94 = R_T_upper_arm_xx * input->w_ext[0][0] - minus_R_T_upper_arm_xy * input->w_ext[0][1]
+    const ella_real t161 = R_T_upper_arm_xx * input->w_ext[0][0] + R_T_upper_arm_xy * input->w_ext[0][1]
         + R_T_upper_arm_xz * input->w_ext[0][2];
-    const ella_real t95 = minus_R_T_upper_arm_xy * input->w_ext[0][0] + R_T_upper_arm_yy * input->w_ext[0][1]
+    const ella_real t162 = R_T_upper_arm_yx * input->w_ext[0][0] + R_T_upper_arm_yy * input->w_ext[0][1]
         + R_T_upper_arm_yz * input->w_ext[0][2];
-    const ella_real t96 = R_T_upper_arm_yz * input->w_ext[0][1] - R_T_upper_arm_xz * input->w_ext[0][0]
+    const ella_real t163 = R_T_upper_arm_zx * input->w_ext[0][0] + R_T_upper_arm_zy * input->w_ext[0][1]
         + R_T_upper_arm_zz * input->w_ext[0][2];
-    const ella_real t97 = R_T_upper_arm_xx * input->w_ext[0][3] - minus_R_T_upper_arm_xy * input->w_ext[0][4]
+    const ella_real t164 = R_T_upper_arm_xx * input->w_ext[0][3] + R_T_upper_arm_xy * input->w_ext[0][4]
         + R_T_upper_arm_xz * input->w_ext[0][5];
-    const ella_real t98 = minus_R_T_upper_arm_xy * input->w_ext[0][3] + R_T_upper_arm_yy * input->w_ext[0][4]
+    const ella_real t165 = R_T_upper_arm_yx * input->w_ext[0][3] + R_T_upper_arm_yy * input->w_ext[0][4]
         + R_T_upper_arm_yz * input->w_ext[0][5];
-    const ella_real t99 = R_T_upper_arm_yz * input->w_ext[0][4] - R_T_upper_arm_xz * input->w_ext[0][3]
+    const ella_real t166 = R_T_upper_arm_zx * input->w_ext[0][3] + R_T_upper_arm_zy * input->w_ext[0][4]
         + R_T_upper_arm_zz * input->w_ext[0][5];
-    const ella_real p_T_upper_arm_1 = p_forearm_1 - t94;
-    const ella_real p_T_upper_arm_2 = p_forearm_2 - t95;
-    const ella_real p_T_upper_arm_3 = p_forearm_3 - t96;
-    const ella_real p_T_upper_arm_4 = p_forearm_4 + c->links[0].body0_mass * alpha_0_T_upper_arm_4 - t97;
-    const ella_real p_T_upper_arm_5 = p_forearm_5 + c->links[0].body0_mass * alpha_0_T_upper_arm_5 - t98;
-    const ella_real p_T_upper_arm_6 = p_forearm_6 + c->links[0].body0_mass * alpha_0_T_upper_arm_6 - t99;
+    const ella_real p_T_upper_arm_1 = p_forearm_1 - t161;
+    const ella_real p_T_upper_arm_2 = p_forearm_2 - t162;
+    const ella_real p_T_upper_arm_3 = p_forearm_3 - t163;
+    const ella_real p_T_upper_arm_4 = p_forearm_4 + c->links[0].body0_mass * alpha_0_T_upper_arm_4 - t164;
+    const ella_real p_T_upper_arm_5 = p_forearm_5 + c->links[0].body0_mass * alpha_0_T_upper_arm_5 - t165;
+    const ella_real p_T_upper_arm_6 = p_forearm_6 + c->links[0].body0_mass * alpha_0_T_upper_arm_6 - t166;
 
     /* upper_arm, modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_upper_arm_11 = J_l_upper_arm_xz * c->links[0].Psi_c_z1;
     const ella_real Theta_upper_arm_12 = J_l_upper_arm_xz * c->links[0].Psi_c_z2;
-    const ella_real minus_Theta_upper_arm_13 = minus_J_l_upper_arm_xy * c->links[0].Psi_c_y3;
+    const ella_real Theta_upper_arm_13 = J_l_upper_arm_xz * c->links[0].Psi_c_z3;
+    const ella_real Theta_upper_arm_14 = J_l_upper_arm_xy * c->links[0].Psi_c_y4;
+    const ella_real Theta_upper_arm_15 = J_l_upper_arm_xy * c->links[0].Psi_c_y5;
+    const ella_real Theta_upper_arm_16 = J_l_upper_arm_xy * c->links[0].Psi_c_y6;
+    const ella_real Theta_upper_arm_17 = J_l_upper_arm_xx * REAL(1.7320508075688772);
+    const ella_real Theta_upper_arm_21 = J_l_upper_arm_yz * c->links[0].Psi_c_z1;
     const ella_real Theta_upper_arm_22 = J_l_upper_arm_yz * c->links[0].Psi_c_z2;
-    const ella_real Theta_upper_arm_23 = J_l_upper_arm_yy * c->links[0].Psi_c_y3;
+    const ella_real Theta_upper_arm_23 = J_l_upper_arm_yz * c->links[0].Psi_c_z3;
+    const ella_real Theta_upper_arm_24 = J_l_upper_arm_yy * c->links[0].Psi_c_y4;
+    const ella_real Theta_upper_arm_25 = J_l_upper_arm_yy * c->links[0].Psi_c_y5;
+    const ella_real Theta_upper_arm_26 = J_l_upper_arm_yy * c->links[0].Psi_c_y6;
+    const ella_real Theta_upper_arm_27 = J_l_upper_arm_yx * REAL(1.7320508075688772);
+    const ella_real Theta_upper_arm_31 = J_l_upper_arm_zz * c->links[0].Psi_c_z1;
     const ella_real Theta_upper_arm_32 = J_l_upper_arm_zz * c->links[0].Psi_c_z2;
-    const ella_real Theta_upper_arm_33 = J_l_upper_arm_yz * c->links[0].Psi_c_y3;
-    const ella_real t100 = r_T_upper_arm_z * Lambda_forearm_17;
-    const ella_real t101 = r_T_upper_arm_y * Lambda_forearm_18;
-    const ella_real t102 = r_T_upper_arm_x * Lambda_forearm_20;
-    const ella_real t103 = Lambda_forearm_5
+    const ella_real Theta_upper_arm_33 = J_l_upper_arm_zz * c->links[0].Psi_c_z3;
+    const ella_real Theta_upper_arm_34 = J_l_upper_arm_zy * c->links[0].Psi_c_y4;
+    const ella_real Theta_upper_arm_35 = J_l_upper_arm_zy * c->links[0].Psi_c_y5;
+    const ella_real Theta_upper_arm_36 = J_l_upper_arm_zy * c->links[0].Psi_c_y6;
+    const ella_real Theta_upper_arm_37 = J_l_upper_arm_zx * REAL(1.7320508075688772);
+    const ella_real t167 = r_T_upper_arm_z * Lambda_forearm_17;
+    const ella_real t168 = r_T_upper_arm_y * Lambda_forearm_18;
+    const ella_real t169 = c->links[0].length * Lambda_forearm_20;
+    const ella_real t170 = Lambda_forearm_5
         + (r_T_upper_arm_y * Lambda_forearm_20 - r_T_upper_arm_z * Lambda_T_upper_arm_55);
-    const ella_real t104 = Lambda_forearm_6
+    const ella_real t171 = Lambda_forearm_6
         + (r_T_upper_arm_y * Lambda_T_upper_arm_66 - r_T_upper_arm_z * Lambda_forearm_20);
-    const ella_real t105 = Lambda_forearm_9
-        + (r_T_upper_arm_z * Lambda_T_upper_arm_44 - r_T_upper_arm_x * Lambda_forearm_18);
-    const ella_real M_loaded_upper_arm_25 = Lambda_forearm_10 + (t100 - t102);
-    const ella_real t106 = Lambda_forearm_11
-        + (r_T_upper_arm_z * Lambda_forearm_18 - r_T_upper_arm_x * Lambda_T_upper_arm_66);
-    const ella_real t107 = Lambda_forearm_13
-        + (r_T_upper_arm_x * Lambda_forearm_17 - r_T_upper_arm_y * Lambda_T_upper_arm_44);
-    const ella_real t108 = Lambda_forearm_14
-        + (r_T_upper_arm_x * Lambda_T_upper_arm_55 - r_T_upper_arm_y * Lambda_forearm_17);
-    const ella_real M_loaded_upper_arm_36 = Lambda_forearm_15 + (t102 - t101);
-    const ella_real t109 = Lambda_forearm_1
+    const ella_real t172 = Lambda_forearm_9
+        + (r_T_upper_arm_z * Lambda_T_upper_arm_44 - c->links[0].length * Lambda_forearm_18);
+    const ella_real M_loaded_upper_arm_25 = Lambda_forearm_10 + (t167 - t169);
+    const ella_real t173 = Lambda_forearm_11
+        + (r_T_upper_arm_z * Lambda_forearm_18 - c->links[0].length * Lambda_T_upper_arm_66);
+    const ella_real t174 = Lambda_forearm_13
+        + (c->links[0].length * Lambda_forearm_17 - r_T_upper_arm_y * Lambda_T_upper_arm_44);
+    const ella_real t175 = Lambda_forearm_14
+        + (c->links[0].length * Lambda_T_upper_arm_55 - r_T_upper_arm_y * Lambda_forearm_17);
+    const ella_real M_loaded_upper_arm_36 = Lambda_forearm_15 + (t169 - t168);
+    const ella_real t176 = Lambda_forearm_1
         - (Lambda_forearm_5 * r_T_upper_arm_z - Lambda_forearm_6 * r_T_upper_arm_y)
-        + (r_T_upper_arm_y * t104 - r_T_upper_arm_z * t103);
-    const ella_real t110 = Lambda_forearm_2
-        - (Lambda_forearm_6 * r_T_upper_arm_x - Lambda_forearm_4 * r_T_upper_arm_z)
-        + (r_T_upper_arm_y * t106 - r_T_upper_arm_z * M_loaded_upper_arm_25);
-    const ella_real t111 = Lambda_forearm_3
-        - (Lambda_forearm_4 * r_T_upper_arm_y - Lambda_forearm_5 * r_T_upper_arm_x)
-        + (r_T_upper_arm_y * M_loaded_upper_arm_36 - r_T_upper_arm_z * t108);
-    const ella_real t112 = Lambda_forearm_7
-        - (Lambda_forearm_11 * r_T_upper_arm_x - Lambda_forearm_9 * r_T_upper_arm_z)
-        + (r_T_upper_arm_z * t105 - r_T_upper_arm_x * t106);
-    const ella_real t113 = Lambda_forearm_8
-        - (Lambda_forearm_9 * r_T_upper_arm_y - Lambda_forearm_10 * r_T_upper_arm_x)
-        + (r_T_upper_arm_z * t107 - r_T_upper_arm_x * M_loaded_upper_arm_36);
-    const ella_real t114 = Lambda_forearm_12
-        - (Lambda_forearm_13 * r_T_upper_arm_y - Lambda_forearm_14 * r_T_upper_arm_x)
-        + (r_T_upper_arm_x * t108 - r_T_upper_arm_y * t107);
-    const ella_real M_loaded_upper_arm_11 = I_upper_arm_xx + t109;
-    const ella_real M_loaded_upper_arm_12 = t110 - J_upper_arm_xy;
-    const ella_real M_loaded_upper_arm_13 = t111 - J_upper_arm_xz;
-    const ella_real M_loaded_upper_arm_22 = I_upper_arm_yy + t112;
-    const ella_real M_loaded_upper_arm_23 = t113 - J_upper_arm_yz;
-    const ella_real M_loaded_upper_arm_33 = I_upper_arm_zz + t114;
+        + (r_T_upper_arm_y * t171 - r_T_upper_arm_z * t170);
+    const ella_real t177 = Lambda_forearm_2
+        - (Lambda_forearm_6 * c->links[0].length - Lambda_forearm_4 * r_T_upper_arm_z)
+        + (r_T_upper_arm_y * t173 - r_T_upper_arm_z * M_loaded_upper_arm_25);
+    const ella_real t178 = Lambda_forearm_3
+        - (Lambda_forearm_4 * r_T_upper_arm_y - Lambda_forearm_5 * c->links[0].length)
+        + (r_T_upper_arm_y * M_loaded_upper_arm_36 - r_T_upper_arm_z * t175);
+    const ella_real t179 = Lambda_forearm_7
+        - (Lambda_forearm_11 * c->links[0].length - Lambda_forearm_9 * r_T_upper_arm_z)
+        + (r_T_upper_arm_z * t172 - c->links[0].length * t173);
+    const ella_real t180 = Lambda_forearm_8
+        - (Lambda_forearm_9 * r_T_upper_arm_y - Lambda_forearm_10 * c->links[0].length)
+        + (r_T_upper_arm_z * t174 - c->links[0].length * M_loaded_upper_arm_36);
+    const ella_real t181 = Lambda_forearm_12
+        - (Lambda_forearm_13 * r_T_upper_arm_y - Lambda_forearm_14 * c->links[0].length);
+    const ella_real M_loaded_upper_arm_11 = I_upper_arm_xx + t176;
+    const ella_real M_loaded_upper_arm_12 = t177 - J_upper_arm_xy;
+    const ella_real M_loaded_upper_arm_13 = t178 - J_upper_arm_xz;
+    const ella_real M_loaded_upper_arm_22 = I_upper_arm_yy + t179;
+    const ella_real M_loaded_upper_arm_23 = t180 - J_upper_arm_yz;
+    const ella_real M_loaded_upper_arm_33 = I_upper_arm_zz
+        + (t181 + (c->links[0].length * t175 - r_T_upper_arm_y * t174));
     const ella_real h_loaded_upper_arm_1 = h_V_upper_arm_1
         + (p_T_upper_arm_1 + (r_T_upper_arm_y * p_T_upper_arm_6 - r_T_upper_arm_z * p_T_upper_arm_5));
     const ella_real h_loaded_upper_arm_2 = h_V_upper_arm_2
-        + (p_T_upper_arm_2 + (r_T_upper_arm_z * p_T_upper_arm_4 - r_T_upper_arm_x * p_T_upper_arm_6));
+        + (p_T_upper_arm_2 + (r_T_upper_arm_z * p_T_upper_arm_4 - c->links[0].length * p_T_upper_arm_6));
     const ella_real h_loaded_upper_arm_3 = h_V_upper_arm_3
-        + (p_T_upper_arm_3 + (r_T_upper_arm_x * p_T_upper_arm_5 - r_T_upper_arm_y * p_T_upper_arm_4));
-    const ella_real t115 = Lambda_forearm_1 * Theta_upper_arm_12 + Lambda_forearm_2 * Theta_upper_arm_22
+        + (p_T_upper_arm_3 + (c->links[0].length * p_T_upper_arm_5 - r_T_upper_arm_y * p_T_upper_arm_4));
+    const ella_real t182 = Lambda_forearm_1 * Theta_upper_arm_11 + Lambda_forearm_2 * Theta_upper_arm_21
+        + Lambda_forearm_3 * Theta_upper_arm_31;
+    const ella_real t183 = t182 + Lambda_forearm_5 * REAL(2.0011941703010714);
+    const ella_real t184 = Lambda_forearm_1 * Theta_upper_arm_12 + Lambda_forearm_2 * Theta_upper_arm_22
         + Lambda_forearm_3 * Theta_upper_arm_32;
-    const ella_real t116 = t115 + Lambda_forearm_5 * 2;
-    const ella_real t117 = Lambda_forearm_2 * Theta_upper_arm_23 - Lambda_forearm_1 * minus_Theta_upper_arm_13
+    const ella_real t185 = t184 + Lambda_forearm_5 * REAL(2.0700807911885764);
+    const ella_real t186 = Lambda_forearm_1 * Theta_upper_arm_13 + Lambda_forearm_2 * Theta_upper_arm_23
         + Lambda_forearm_3 * Theta_upper_arm_33;
-    const ella_real t118 = t117 + Lambda_forearm_6 * 2;
-    const ella_real t119 = Lambda_forearm_2 * Theta_upper_arm_12 + Lambda_forearm_7 * Theta_upper_arm_22
+    const ella_real t187 = t186 + Lambda_forearm_5 * REAL(3.5651069283690613);
+    const ella_real t188 = Lambda_forearm_1 * Theta_upper_arm_14 + Lambda_forearm_2 * Theta_upper_arm_24
+        + Lambda_forearm_3 * Theta_upper_arm_34;
+    const ella_real t189 = t188 + Lambda_forearm_6 * REAL(2.0011941703010714);
+    const ella_real t190 = Lambda_forearm_1 * Theta_upper_arm_15 + Lambda_forearm_2 * Theta_upper_arm_25
+        + Lambda_forearm_3 * Theta_upper_arm_35;
+    const ella_real t191 = t190 + Lambda_forearm_6 * REAL(2.0700807911885764);
+    const ella_real t192 = Lambda_forearm_1 * Theta_upper_arm_16 + Lambda_forearm_2 * Theta_upper_arm_26
+        + Lambda_forearm_3 * Theta_upper_arm_36;
+    const ella_real t193 = t192 + Lambda_forearm_6 * REAL(3.5651069283690613);
+    const ella_real t194 = Lambda_forearm_1 * Theta_upper_arm_17 + Lambda_forearm_2 * Theta_upper_arm_27
+        + Lambda_forearm_3 * Theta_upper_arm_37;
+    const ella_real t195 = Lambda_forearm_2 * Theta_upper_arm_11 + Lambda_forearm_7 * Theta_upper_arm_21
+        + Lambda_forearm_8 * Theta_upper_arm_31;
+    const ella_real t196 = t195 + Lambda_forearm_10 * REAL(2.0011941703010714);
+    const ella_real t197 = Lambda_forearm_2 * Theta_upper_arm_12 + Lambda_forearm_7 * Theta_upper_arm_22
         + Lambda_forearm_8 * Theta_upper_arm_32;
-    const ella_real t120 = t119 + Lambda_forearm_10 * 2;
-    const ella_real t121 = Lambda_forearm_7 * Theta_upper_arm_23 - Lambda_forearm_2 * minus_Theta_upper_arm_13
+    const ella_real t198 = t197 + Lambda_forearm_10 * REAL(2.0700807911885764);
+    const ella_real t199 = Lambda_forearm_2 * Theta_upper_arm_13 + Lambda_forearm_7 * Theta_upper_arm_23
         + Lambda_forearm_8 * Theta_upper_arm_33;
-    const ella_real t122 = t121 + Lambda_forearm_11 * 2;
-    const ella_real t123 = Lambda_forearm_3 * Theta_upper_arm_12 + Lambda_forearm_8 * Theta_upper_arm_22
+    const ella_real t200 = t199 + Lambda_forearm_10 * REAL(3.5651069283690613);
+    const ella_real t201 = Lambda_forearm_2 * Theta_upper_arm_14 + Lambda_forearm_7 * Theta_upper_arm_24
+        + Lambda_forearm_8 * Theta_upper_arm_34;
+    const ella_real t202 = t201 + Lambda_forearm_11 * REAL(2.0011941703010714);
+    const ella_real t203 = Lambda_forearm_2 * Theta_upper_arm_15 + Lambda_forearm_7 * Theta_upper_arm_25
+        + Lambda_forearm_8 * Theta_upper_arm_35;
+    const ella_real t204 = t203 + Lambda_forearm_11 * REAL(2.0700807911885764);
+    const ella_real t205 = Lambda_forearm_2 * Theta_upper_arm_16 + Lambda_forearm_7 * Theta_upper_arm_26
+        + Lambda_forearm_8 * Theta_upper_arm_36;
+    const ella_real t206 = t205 + Lambda_forearm_11 * REAL(3.5651069283690613);
+    const ella_real t207 = Lambda_forearm_2 * Theta_upper_arm_17 + Lambda_forearm_7 * Theta_upper_arm_27
+        + Lambda_forearm_8 * Theta_upper_arm_37;
+    const ella_real t208 = Lambda_forearm_3 * Theta_upper_arm_11 + Lambda_forearm_8 * Theta_upper_arm_21
+        + Lambda_forearm_12 * Theta_upper_arm_31;
+    const ella_real t209 = t208 + Lambda_forearm_14 * REAL(2.0011941703010714);
+    const ella_real t210 = Lambda_forearm_3 * Theta_upper_arm_12 + Lambda_forearm_8 * Theta_upper_arm_22
         + Lambda_forearm_12 * Theta_upper_arm_32;
-    const ella_real t124 = t123 + Lambda_forearm_14 * 2;
-    const ella_real t125 = Lambda_forearm_8 * Theta_upper_arm_23 - Lambda_forearm_3 * minus_Theta_upper_arm_13
+    const ella_real t211 = t210 + Lambda_forearm_14 * REAL(2.0700807911885764);
+    const ella_real t212 = Lambda_forearm_3 * Theta_upper_arm_13 + Lambda_forearm_8 * Theta_upper_arm_23
         + Lambda_forearm_12 * Theta_upper_arm_33;
-    const ella_real t126 = t125 + Lambda_forearm_15 * 2;
-    const ella_real t127 = Lambda_T_upper_arm_44 * REAL(1.4142135623730951);
-    const ella_real t128 = Lambda_forearm_4 * Theta_upper_arm_12 + Lambda_forearm_9 * Theta_upper_arm_22
+    const ella_real t213 = t212 + Lambda_forearm_14 * REAL(3.5651069283690613);
+    const ella_real t214 = Lambda_forearm_3 * Theta_upper_arm_14 + Lambda_forearm_8 * Theta_upper_arm_24
+        + Lambda_forearm_12 * Theta_upper_arm_34;
+    const ella_real t215 = t214 + Lambda_forearm_15 * REAL(2.0011941703010714);
+    const ella_real t216 = Lambda_forearm_3 * Theta_upper_arm_15 + Lambda_forearm_8 * Theta_upper_arm_25
+        + Lambda_forearm_12 * Theta_upper_arm_35;
+    const ella_real t217 = t216 + Lambda_forearm_15 * REAL(2.0700807911885764);
+    const ella_real t218 = Lambda_forearm_3 * Theta_upper_arm_16 + Lambda_forearm_8 * Theta_upper_arm_26
+        + Lambda_forearm_12 * Theta_upper_arm_36;
+    const ella_real t219 = t218 + Lambda_forearm_15 * REAL(3.5651069283690613);
+    const ella_real t220 = Lambda_forearm_3 * Theta_upper_arm_17 + Lambda_forearm_8 * Theta_upper_arm_27
+        + Lambda_forearm_12 * Theta_upper_arm_37;
+    const ella_real t221 = Lambda_forearm_4 * Theta_upper_arm_11 + Lambda_forearm_9 * Theta_upper_arm_21
+        + Lambda_forearm_13 * Theta_upper_arm_31;
+    const ella_real C_upper_arm_41 = t221 + Lambda_forearm_17 * REAL(2.0011941703010714);
+    const ella_real t222 = Lambda_forearm_4 * Theta_upper_arm_12 + Lambda_forearm_9 * Theta_upper_arm_22
         + Lambda_forearm_13 * Theta_upper_arm_32;
-    const ella_real C_upper_arm_42 = t128 + Lambda_forearm_17 * 2;
-    const ella_real t129 = Lambda_forearm_9 * Theta_upper_arm_23 - Lambda_forearm_4 * minus_Theta_upper_arm_13
+    const ella_real C_upper_arm_42 = t222 + Lambda_forearm_17 * REAL(2.0700807911885764);
+    const ella_real t223 = Lambda_forearm_4 * Theta_upper_arm_13 + Lambda_forearm_9 * Theta_upper_arm_23
         + Lambda_forearm_13 * Theta_upper_arm_33;
-    const ella_real C_upper_arm_43 = t129 + Lambda_forearm_18 * 2;
-    const ella_real C_upper_arm_51 = Lambda_forearm_17 * REAL(1.4142135623730951);
-    const ella_real t130 = Lambda_forearm_5 * Theta_upper_arm_12 + Lambda_forearm_10 * Theta_upper_arm_22
+    const ella_real C_upper_arm_43 = t223 + Lambda_forearm_17 * REAL(3.5651069283690613);
+    const ella_real t224 = Lambda_forearm_4 * Theta_upper_arm_14 + Lambda_forearm_9 * Theta_upper_arm_24
+        + Lambda_forearm_13 * Theta_upper_arm_34;
+    const ella_real C_upper_arm_44 = t224 + Lambda_forearm_18 * REAL(2.0011941703010714);
+    const ella_real t225 = Lambda_forearm_4 * Theta_upper_arm_15 + Lambda_forearm_9 * Theta_upper_arm_25
+        + Lambda_forearm_13 * Theta_upper_arm_35;
+    const ella_real C_upper_arm_45 = t225 + Lambda_forearm_18 * REAL(2.0700807911885764);
+    const ella_real t226 = Lambda_forearm_4 * Theta_upper_arm_16 + Lambda_forearm_9 * Theta_upper_arm_26
+        + Lambda_forearm_13 * Theta_upper_arm_36;
+    const ella_real C_upper_arm_46 = t226 + Lambda_forearm_18 * REAL(3.5651069283690613);
+    const ella_real C_upper_arm_47 = Lambda_forearm_4 * Theta_upper_arm_17
+        + Lambda_forearm_9 * Theta_upper_arm_27 + Lambda_forearm_13 * Theta_upper_arm_37;
+    const ella_real t227 = Lambda_forearm_5 * Theta_upper_arm_11 + Lambda_forearm_10 * Theta_upper_arm_21
+        + Lambda_forearm_14 * Theta_upper_arm_31;
+    const ella_real t228 = t227 + Lambda_T_upper_arm_55 * REAL(2.0011941703010714);
+    const ella_real t229 = Lambda_forearm_5 * Theta_upper_arm_12 + Lambda_forearm_10 * Theta_upper_arm_22
         + Lambda_forearm_14 * Theta_upper_arm_32;
-    const ella_real t131 = t130 + Lambda_T_upper_arm_55 * 2;
-    const ella_real t132 = Lambda_forearm_10 * Theta_upper_arm_23 - Lambda_forearm_5 * minus_Theta_upper_arm_13
+    const ella_real t230 = t229 + Lambda_T_upper_arm_55 * REAL(2.0700807911885764);
+    const ella_real t231 = Lambda_forearm_5 * Theta_upper_arm_13 + Lambda_forearm_10 * Theta_upper_arm_23
         + Lambda_forearm_14 * Theta_upper_arm_33;
-    const ella_real t133 = Lambda_forearm_20 * 2;
-    const ella_real C_upper_arm_53 = t132 + t133;
-    const ella_real C_upper_arm_61 = Lambda_forearm_18 * REAL(1.4142135623730951);
-    const ella_real t134 = Lambda_forearm_6 * Theta_upper_arm_12 + Lambda_forearm_11 * Theta_upper_arm_22
+    const ella_real t232 = t231 + Lambda_T_upper_arm_55 * REAL(3.5651069283690613);
+    const ella_real t233 = Lambda_forearm_5 * Theta_upper_arm_14 + Lambda_forearm_10 * Theta_upper_arm_24
+        + Lambda_forearm_14 * Theta_upper_arm_34;
+    const ella_real t234 = Lambda_forearm_20 * REAL(2.0011941703010714);
+    const ella_real C_upper_arm_54 = t233 + t234;
+    const ella_real t235 = Lambda_forearm_5 * Theta_upper_arm_15 + Lambda_forearm_10 * Theta_upper_arm_25
+        + Lambda_forearm_14 * Theta_upper_arm_35;
+    const ella_real t236 = Lambda_forearm_20 * REAL(2.0700807911885764);
+    const ella_real C_upper_arm_55 = t235 + t236;
+    const ella_real t237 = Lambda_forearm_5 * Theta_upper_arm_16 + Lambda_forearm_10 * Theta_upper_arm_26
+        + Lambda_forearm_14 * Theta_upper_arm_36;
+    const ella_real t238 = Lambda_forearm_20 * REAL(3.5651069283690613);
+    const ella_real C_upper_arm_56 = t237 + t238;
+    const ella_real C_upper_arm_57 = Lambda_forearm_5 * Theta_upper_arm_17
+        + Lambda_forearm_10 * Theta_upper_arm_27 + Lambda_forearm_14 * Theta_upper_arm_37;
+    const ella_real t239 = Lambda_forearm_6 * Theta_upper_arm_11 + Lambda_forearm_11 * Theta_upper_arm_21
+        + Lambda_forearm_15 * Theta_upper_arm_31;
+    const ella_real C_upper_arm_61 = t239 + t234;
+    const ella_real t240 = Lambda_forearm_6 * Theta_upper_arm_12 + Lambda_forearm_11 * Theta_upper_arm_22
         + Lambda_forearm_15 * Theta_upper_arm_32;
-    const ella_real C_upper_arm_62 = t134 + t133;
-    const ella_real t135 = Lambda_forearm_11 * Theta_upper_arm_23 - Lambda_forearm_6 * minus_Theta_upper_arm_13
+    const ella_real C_upper_arm_62 = t240 + t236;
+    const ella_real t241 = Lambda_forearm_6 * Theta_upper_arm_13 + Lambda_forearm_11 * Theta_upper_arm_23
         + Lambda_forearm_15 * Theta_upper_arm_33;
-    const ella_real t136 = t135 + Lambda_T_upper_arm_66 * 2;
-    const ella_real C_upper_arm_11 = Lambda_forearm_4 * REAL(1.4142135623730951)
-        + (r_T_upper_arm_y * C_upper_arm_61 - r_T_upper_arm_z * C_upper_arm_51);
-    const ella_real t137 = Lambda_forearm_9 * REAL(1.4142135623730951)
-        + (r_T_upper_arm_z * t127 - r_T_upper_arm_x * C_upper_arm_61);
-    const ella_real t138 = Lambda_forearm_13 * REAL(1.4142135623730951)
-        + (r_T_upper_arm_x * C_upper_arm_51 - r_T_upper_arm_y * t127);
-    const ella_real C_upper_arm_22 = t120 + (r_T_upper_arm_z * C_upper_arm_42 - r_T_upper_arm_x * C_upper_arm_62);
-    const ella_real C_upper_arm_33 = t126 + (r_T_upper_arm_x * C_upper_arm_53 - r_T_upper_arm_y * C_upper_arm_43);
-    const ella_real C_upper_arm_12 = t116 + (r_T_upper_arm_y * C_upper_arm_62 - r_T_upper_arm_z * t131)
+    const ella_real C_upper_arm_63 = t241 + t238;
+    const ella_real t242 = Lambda_forearm_6 * Theta_upper_arm_14 + Lambda_forearm_11 * Theta_upper_arm_24
+        + Lambda_forearm_15 * Theta_upper_arm_34;
+    const ella_real t243 = t242 + Lambda_T_upper_arm_66 * REAL(2.0011941703010714);
+    const ella_real t244 = Lambda_forearm_6 * Theta_upper_arm_15 + Lambda_forearm_11 * Theta_upper_arm_25
+        + Lambda_forearm_15 * Theta_upper_arm_35;
+    const ella_real t245 = t244 + Lambda_T_upper_arm_66 * REAL(2.0700807911885764);
+    const ella_real t246 = Lambda_forearm_6 * Theta_upper_arm_16 + Lambda_forearm_11 * Theta_upper_arm_26
+        + Lambda_forearm_15 * Theta_upper_arm_36;
+    const ella_real t247 = t246 + Lambda_T_upper_arm_66 * REAL(3.5651069283690613);
+    const ella_real C_upper_arm_67 = Lambda_forearm_6 * Theta_upper_arm_17
+        + Lambda_forearm_11 * Theta_upper_arm_27 + Lambda_forearm_15 * Theta_upper_arm_37;
+    const ella_real C_upper_arm_21 = t196
+        + (r_T_upper_arm_z * C_upper_arm_41 - c->links[0].length * C_upper_arm_61);
+    const ella_real C_upper_arm_22 = t198
+        + (r_T_upper_arm_z * C_upper_arm_42 - c->links[0].length * C_upper_arm_62);
+    const ella_real C_upper_arm_23 = t200
+        + (r_T_upper_arm_z * C_upper_arm_43 - c->links[0].length * C_upper_arm_63);
+    const ella_real C_upper_arm_34 = t215
+        + (c->links[0].length * C_upper_arm_54 - r_T_upper_arm_y * C_upper_arm_44);
+    const ella_real C_upper_arm_35 = t217
+        + (c->links[0].length * C_upper_arm_55 - r_T_upper_arm_y * C_upper_arm_45);
+    const ella_real C_upper_arm_36 = t219
+        + (c->links[0].length * C_upper_arm_56 - r_T_upper_arm_y * C_upper_arm_46);
+    const ella_real C_upper_arm_27 = t207
+        + (r_T_upper_arm_z * C_upper_arm_47 - c->links[0].length * C_upper_arm_67);
+    const ella_real C_upper_arm_37 = t220
+        + (c->links[0].length * C_upper_arm_57 - r_T_upper_arm_y * C_upper_arm_47);
+    const ella_real C_upper_arm_11 = t183 + (r_T_upper_arm_y * C_upper_arm_61 - r_T_upper_arm_z * t228)
+        - L_upper_arm_z1;
+    const ella_real C_upper_arm_12 = t185 + (r_T_upper_arm_y * C_upper_arm_62 - r_T_upper_arm_z * t230)
         - L_upper_arm_z2;
-    const ella_real C_upper_arm_13 = L_upper_arm_y2
-        + (t118 + (r_T_upper_arm_y * t136 - r_T_upper_arm_z * C_upper_arm_53));
-    const ella_real C_upper_arm_21 = L_upper_arm_z1 + t137;
-    const ella_real C_upper_arm_23 = t122 + (r_T_upper_arm_z * C_upper_arm_43 - r_T_upper_arm_x * t136)
-        - L_upper_arm_x2;
-    const ella_real C_upper_arm_31 = t138 - L_upper_arm_y1;
-    const ella_real C_upper_arm_32 = L_upper_arm_x2
-        + (t124 + (r_T_upper_arm_x * t131 - r_T_upper_arm_y * C_upper_arm_42));
-    const ella_real modal_inertia_upper_arm_11 = Lambda_T_upper_arm_44 * REAL(2.0000000000000004) + m_eta[0];
+    const ella_real C_upper_arm_13 = t187 + (r_T_upper_arm_y * C_upper_arm_63 - r_T_upper_arm_z * t232)
+        - L_upper_arm_z3;
+    const ella_real C_upper_arm_14 = L_upper_arm_y1
+        + (t189 + (r_T_upper_arm_y * t243 - r_T_upper_arm_z * C_upper_arm_54));
+    const ella_real C_upper_arm_15 = L_upper_arm_y2
+        + (t191 + (r_T_upper_arm_y * t245 - r_T_upper_arm_z * C_upper_arm_55));
+    const ella_real C_upper_arm_16 = L_upper_arm_y3
+        + (t193 + (r_T_upper_arm_y * t247 - r_T_upper_arm_z * C_upper_arm_56));
+    const ella_real C_upper_arm_17 = c->links[0].sigma_t_7
+        + (t194 + (r_T_upper_arm_y * C_upper_arm_67 - r_T_upper_arm_z * C_upper_arm_57));
+    const ella_real C_upper_arm_24 = t202 + (r_T_upper_arm_z * C_upper_arm_44 - c->links[0].length * t243)
+        - c->links[0].chi_1;
+    const ella_real C_upper_arm_25 = t204 + (r_T_upper_arm_z * C_upper_arm_45 - c->links[0].length * t245)
+        - c->links[0].chi_2;
+    const ella_real C_upper_arm_26 = t206 + (r_T_upper_arm_z * C_upper_arm_46 - c->links[0].length * t247)
+        - c->links[0].chi_3;
+    const ella_real C_upper_arm_31 = c->links[0].chi_1
+        + (t209 + (c->links[0].length * t228 - r_T_upper_arm_y * C_upper_arm_41));
+    const ella_real C_upper_arm_32 = c->links[0].chi_2
+        + (t211 + (c->links[0].length * t230 - r_T_upper_arm_y * C_upper_arm_42));
+    const ella_real C_upper_arm_33 = c->links[0].chi_3
+        + (t213 + (c->links[0].length * t232 - r_T_upper_arm_y * C_upper_arm_43));
+    const ella_real t248 = Theta_upper_arm_11 * t183 + Theta_upper_arm_21 * t196 + Theta_upper_arm_31 * t209
+        + t228 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_11 = t248 + m_eta[0];
     bad |= (unsigned long)(!(modal_inertia_upper_arm_11 > 0)) << 0;
-    const ella_real modal_inertia_upper_arm_12 = C_upper_arm_42 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_upper_arm_13 = C_upper_arm_43 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_upper_arm_22 = Theta_upper_arm_12 * t116 + Theta_upper_arm_22 * t120
-        + Theta_upper_arm_32 * t124 + t131 * 2 + m_eta[1];
-    const ella_real modal_inertia_upper_arm_23 = Theta_upper_arm_12 * t118 + Theta_upper_arm_22 * t122
-        + Theta_upper_arm_32 * t126 + C_upper_arm_53 * 2;
-    const ella_real t139 = Theta_upper_arm_23 * t122 - minus_Theta_upper_arm_13 * t118
-        + Theta_upper_arm_33 * t126 + t136 * 2;
-    const ella_real modal_inertia_upper_arm_33 = t139 + m_eta[2];
-    const ella_real t140 = Theta_upper_arm_12 * p_T_upper_arm_1 + Theta_upper_arm_22 * p_T_upper_arm_2
+    const ella_real modal_inertia_upper_arm_12 = Theta_upper_arm_11 * t185 + Theta_upper_arm_21 * t198
+        + Theta_upper_arm_31 * t211 + t230 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_13 = Theta_upper_arm_11 * t187 + Theta_upper_arm_21 * t200
+        + Theta_upper_arm_31 * t213 + t232 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_14 = Theta_upper_arm_11 * t189 + Theta_upper_arm_21 * t202
+        + Theta_upper_arm_31 * t215 + C_upper_arm_54 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_15 = Theta_upper_arm_11 * t191 + Theta_upper_arm_21 * t204
+        + Theta_upper_arm_31 * t217 + C_upper_arm_55 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_16 = Theta_upper_arm_11 * t193 + Theta_upper_arm_21 * t206
+        + Theta_upper_arm_31 * t219 + C_upper_arm_56 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_17 = Theta_upper_arm_11 * t194 + Theta_upper_arm_21 * t207
+        + Theta_upper_arm_31 * t220 + C_upper_arm_57 * REAL(2.0011941703010714);
+    const ella_real t249 = Theta_upper_arm_12 * t185 + Theta_upper_arm_22 * t198 + Theta_upper_arm_32 * t211
+        + t230 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_22 = t249 + m_eta[1];
+    const ella_real modal_inertia_upper_arm_23 = Theta_upper_arm_12 * t187 + Theta_upper_arm_22 * t200
+        + Theta_upper_arm_32 * t213 + t232 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_24 = Theta_upper_arm_12 * t189 + Theta_upper_arm_22 * t202
+        + Theta_upper_arm_32 * t215 + C_upper_arm_54 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_25 = Theta_upper_arm_12 * t191 + Theta_upper_arm_22 * t204
+        + Theta_upper_arm_32 * t217 + C_upper_arm_55 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_26 = Theta_upper_arm_12 * t193 + Theta_upper_arm_22 * t206
+        + Theta_upper_arm_32 * t219 + C_upper_arm_56 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_27 = Theta_upper_arm_12 * t194 + Theta_upper_arm_22 * t207
+        + Theta_upper_arm_32 * t220 + C_upper_arm_57 * REAL(2.0700807911885764);
+    const ella_real t250 = Theta_upper_arm_13 * t187 + Theta_upper_arm_23 * t200 + Theta_upper_arm_33 * t213
+        + t232 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_33 = t250 + m_eta[2];
+    const ella_real modal_inertia_upper_arm_34 = Theta_upper_arm_13 * t189 + Theta_upper_arm_23 * t202
+        + Theta_upper_arm_33 * t215 + C_upper_arm_54 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_35 = Theta_upper_arm_13 * t191 + Theta_upper_arm_23 * t204
+        + Theta_upper_arm_33 * t217 + C_upper_arm_55 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_36 = Theta_upper_arm_13 * t193 + Theta_upper_arm_23 * t206
+        + Theta_upper_arm_33 * t219 + C_upper_arm_56 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_37 = Theta_upper_arm_13 * t194 + Theta_upper_arm_23 * t207
+        + Theta_upper_arm_33 * t220 + C_upper_arm_57 * REAL(3.5651069283690613);
+    const ella_real t251 = Theta_upper_arm_14 * t189 + Theta_upper_arm_24 * t202 + Theta_upper_arm_34 * t215
+        + t243 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_44 = t251 + m_eta[3];
+    const ella_real modal_inertia_upper_arm_45 = Theta_upper_arm_14 * t191 + Theta_upper_arm_24 * t204
+        + Theta_upper_arm_34 * t217 + t245 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_46 = Theta_upper_arm_14 * t193 + Theta_upper_arm_24 * t206
+        + Theta_upper_arm_34 * t219 + t247 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_upper_arm_47 = Theta_upper_arm_14 * t194 + Theta_upper_arm_24 * t207
+        + Theta_upper_arm_34 * t220 + C_upper_arm_67 * REAL(2.0011941703010714);
+    const ella_real t252 = Theta_upper_arm_15 * t191 + Theta_upper_arm_25 * t204 + Theta_upper_arm_35 * t217
+        + t245 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_55 = t252 + m_eta[4];
+    const ella_real modal_inertia_upper_arm_56 = Theta_upper_arm_15 * t193 + Theta_upper_arm_25 * t206
+        + Theta_upper_arm_35 * t219 + t247 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_upper_arm_57 = Theta_upper_arm_15 * t194 + Theta_upper_arm_25 * t207
+        + Theta_upper_arm_35 * t220 + C_upper_arm_67 * REAL(2.0700807911885764);
+    const ella_real t253 = Theta_upper_arm_16 * t193 + Theta_upper_arm_26 * t206 + Theta_upper_arm_36 * t219
+        + t247 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_66 = t253 + m_eta[5];
+    const ella_real modal_inertia_upper_arm_67 = Theta_upper_arm_16 * t194 + Theta_upper_arm_26 * t207
+        + Theta_upper_arm_36 * t220 + C_upper_arm_67 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_upper_arm_77 = Theta_upper_arm_17 * t194 + Theta_upper_arm_27 * t207
+        + Theta_upper_arm_37 * t220 + m_eta[6];
+    const ella_real t254 = Theta_upper_arm_11 * p_T_upper_arm_1 + Theta_upper_arm_21 * p_T_upper_arm_2
+        + Theta_upper_arm_31 * p_T_upper_arm_3;
+    const ella_real t255 = Theta_upper_arm_12 * p_T_upper_arm_1 + Theta_upper_arm_22 * p_T_upper_arm_2
         + Theta_upper_arm_32 * p_T_upper_arm_3;
-    const ella_real t141 = Theta_upper_arm_23 * p_T_upper_arm_2 - minus_Theta_upper_arm_13 * p_T_upper_arm_1
+    const ella_real t256 = Theta_upper_arm_13 * p_T_upper_arm_1 + Theta_upper_arm_23 * p_T_upper_arm_2
         + Theta_upper_arm_33 * p_T_upper_arm_3;
+    const ella_real t257 = Theta_upper_arm_14 * p_T_upper_arm_1 + Theta_upper_arm_24 * p_T_upper_arm_2
+        + Theta_upper_arm_34 * p_T_upper_arm_3;
+    const ella_real t258 = Theta_upper_arm_15 * p_T_upper_arm_1 + Theta_upper_arm_25 * p_T_upper_arm_2
+        + Theta_upper_arm_35 * p_T_upper_arm_3;
+    const ella_real t259 = Theta_upper_arm_16 * p_T_upper_arm_1 + Theta_upper_arm_26 * p_T_upper_arm_2
+        + Theta_upper_arm_36 * p_T_upper_arm_3;
+    const ella_real t260 = Theta_upper_arm_17 * p_T_upper_arm_1 + Theta_upper_arm_27 * p_T_upper_arm_2
+        + Theta_upper_arm_37 * p_T_upper_arm_3;
     const ella_real h_phi_upper_arm_1 = h_eta_upper_arm_1 + work->f_eta[0]
-        + p_T_upper_arm_4 * REAL(1.4142135623730951);
-    const ella_real h_phi_upper_arm_2 = h_eta_upper_arm_2 + work->f_eta[1] + (t140 + p_T_upper_arm_5 * 2);
-    const ella_real h_phi_upper_arm_3 = h_eta_upper_arm_3 + work->f_eta[2] + (t141 + p_T_upper_arm_6 * 2);
+        + (t254 + p_T_upper_arm_5 * REAL(2.0011941703010714));
+    const ella_real h_phi_upper_arm_2 = h_eta_upper_arm_2 + work->f_eta[1]
+        + (t255 + p_T_upper_arm_5 * REAL(2.0700807911885764));
+    const ella_real h_phi_upper_arm_3 = h_eta_upper_arm_3 + work->f_eta[2]
+        + (t256 + p_T_upper_arm_5 * REAL(3.5651069283690613));
+    const ella_real h_phi_upper_arm_4 = h_eta_upper_arm_4 + work->f_eta[3]
+        + (t257 + p_T_upper_arm_6 * REAL(2.0011941703010714));
+    const ella_real h_phi_upper_arm_5 = h_eta_upper_arm_5 + work->f_eta[4]
+        + (t258 + p_T_upper_arm_6 * REAL(2.0700807911885764));
+    const ella_real h_phi_upper_arm_6 = h_eta_upper_arm_6 + work->f_eta[5]
+        + (t259 + p_T_upper_arm_6 * REAL(3.5651069283690613));
+    const ella_real h_phi_upper_arm_7 = h_eta_upper_arm_7 + work->f_eta[6] + t260;
     const ella_real modes_inverse_upper_arm_1 = 1 / modal_inertia_upper_arm_11;
     const ella_real modes_L_upper_arm_21 = modal_inertia_upper_arm_12 * modes_inverse_upper_arm_1;
     const ella_real modes_L_upper_arm_31 = modal_inertia_upper_arm_13 * modes_inverse_upper_arm_1;
-    const ella_real t142 = modal_inertia_upper_arm_22 - modal_inertia_upper_arm_12 * modes_L_upper_arm_21;
-    bad |= (unsigned long)(!(t142 > 0)) << 0;
-    const ella_real modes_inverse_upper_arm_2 = 1 / t142;
-    const ella_real t143 = modal_inertia_upper_arm_23 - modal_inertia_upper_arm_12 * modes_L_upper_arm_31;
-    const ella_real modes_L_upper_arm_32 = t143 * modes_inverse_upper_arm_2;
-    const ella_real t144 = modal_inertia_upper_arm_33
-        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_31 + t143 * modes_L_upper_arm_32);
-    bad |= (unsigned long)(!(t144 > 0)) << 0;
-    const ella_real modes_inverse_upper_arm_3 = 1 / t144;
-    const ella_real t145 = C_upper_arm_12 - modes_L_upper_arm_21 * C_upper_arm_11;
-    const ella_real t146 = C_upper_arm_22 - modes_L_upper_arm_21 * C_upper_arm_21;
-    const ella_real t147 = C_upper_arm_32 - modes_L_upper_arm_21 * C_upper_arm_31;
-    const ella_real t148 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11 - modes_L_upper_arm_32 * t145;
-    const ella_real t149 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21 - modes_L_upper_arm_32 * t146;
-    const ella_real t150 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31 - modes_L_upper_arm_32 * t147;
-    const ella_real t151 = h_phi_upper_arm_2 - modes_L_upper_arm_21 * h_phi_upper_arm_1;
-    const ella_real t152 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1
-        - modes_L_upper_arm_32 * t151;
+    const ella_real modes_L_upper_arm_41 = modal_inertia_upper_arm_14 * modes_inverse_upper_arm_1;
+    const ella_real modes_L_upper_arm_51 = modal_inertia_upper_arm_15 * modes_inverse_upper_arm_1;
+    const ella_real modes_L_upper_arm_61 = modal_inertia_upper_arm_16 * modes_inverse_upper_arm_1;
+    const ella_real modes_L_upper_arm_71 = modal_inertia_upper_arm_17 * modes_inverse_upper_arm_1;
+    const ella_real t261 = modal_inertia_upper_arm_22 - modal_inertia_upper_arm_12 * modes_L_upper_arm_21;
+    bad |= (unsigned long)(!(t261 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_2 = 1 / t261;
+    const ella_real t262 = modal_inertia_upper_arm_23 - modal_inertia_upper_arm_12 * modes_L_upper_arm_31;
+    const ella_real modes_L_upper_arm_32 = t262 * modes_inverse_upper_arm_2;
+    const ella_real t263 = modal_inertia_upper_arm_24 - modal_inertia_upper_arm_12 * modes_L_upper_arm_41;
+    const ella_real modes_L_upper_arm_42 = t263 * modes_inverse_upper_arm_2;
+    const ella_real t264 = modal_inertia_upper_arm_25 - modal_inertia_upper_arm_12 * modes_L_upper_arm_51;
+    const ella_real modes_L_upper_arm_52 = t264 * modes_inverse_upper_arm_2;
+    const ella_real t265 = modal_inertia_upper_arm_26 - modal_inertia_upper_arm_12 * modes_L_upper_arm_61;
+    const ella_real modes_L_upper_arm_62 = t265 * modes_inverse_upper_arm_2;
+    const ella_real t266 = modal_inertia_upper_arm_27 - modal_inertia_upper_arm_12 * modes_L_upper_arm_71;
+    const ella_real modes_L_upper_arm_72 = t266 * modes_inverse_upper_arm_2;
+    const ella_real t267 = modal_inertia_upper_arm_33
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_31 + t262 * modes_L_upper_arm_32);
+    bad |= (unsigned long)(!(t267 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_3 = 1 / t267;
+    const ella_real t268 = modal_inertia_upper_arm_34
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_41 + t262 * modes_L_upper_arm_42);
+    const ella_real modes_L_upper_arm_43 = t268 * modes_inverse_upper_arm_3;
+    const ella_real t269 = modal_inertia_upper_arm_35
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_51 + t262 * modes_L_upper_arm_52);
+    const ella_real modes_L_upper_arm_53 = t269 * modes_inverse_upper_arm_3;
+    const ella_real t270 = modal_inertia_upper_arm_36
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_61 + t262 * modes_L_upper_arm_62);
+    const ella_real modes_L_upper_arm_63 = t270 * modes_inverse_upper_arm_3;
+    const ella_real t271 = modal_inertia_upper_arm_37
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_71 + t262 * modes_L_upper_arm_72);
+    const ella_real modes_L_upper_arm_73 = t271 * modes_inverse_upper_arm_3;
+    const ella_real t272 = modal_inertia_upper_arm_14 * modes_L_upper_arm_41 + t263 * modes_L_upper_arm_42
+        + t268 * modes_L_upper_arm_43;
+    const ella_real t273 = modal_inertia_upper_arm_44 - t272;
+    bad |= (unsigned long)(!(t273 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_4 = 1 / t273;
+    const ella_real t274 = modal_inertia_upper_arm_14 * modes_L_upper_arm_51 + t263 * modes_L_upper_arm_52
+        + t268 * modes_L_upper_arm_53;
+    const ella_real t275 = modal_inertia_upper_arm_45 - t274;
+    const ella_real modes_L_upper_arm_54 = t275 * modes_inverse_upper_arm_4;
+    const ella_real t276 = modal_inertia_upper_arm_14 * modes_L_upper_arm_61 + t263 * modes_L_upper_arm_62
+        + t268 * modes_L_upper_arm_63;
+    const ella_real t277 = modal_inertia_upper_arm_46 - t276;
+    const ella_real modes_L_upper_arm_64 = t277 * modes_inverse_upper_arm_4;
+    const ella_real t278 = modal_inertia_upper_arm_14 * modes_L_upper_arm_71 + t263 * modes_L_upper_arm_72
+        + t268 * modes_L_upper_arm_73;
+    const ella_real t279 = modal_inertia_upper_arm_47 - t278;
+    const ella_real modes_L_upper_arm_74 = t279 * modes_inverse_upper_arm_4;
+    const ella_real t280 = modal_inertia_upper_arm_15 * modes_L_upper_arm_51 + t264 * modes_L_upper_arm_52
+        + t269 * modes_L_upper_arm_53;
+    const ella_real t281 = modal_inertia_upper_arm_55 - (t280 + t275 * modes_L_upper_arm_54);
+    bad |= (unsigned long)(!(t281 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_5 = 1 / t281;
+    const ella_real t282 = modal_inertia_upper_arm_15 * modes_L_upper_arm_61 + t264 * modes_L_upper_arm_62
+        + t269 * modes_L_upper_arm_63;
+    const ella_real t283 = modal_inertia_upper_arm_56 - (t282 + t275 * modes_L_upper_arm_64);
+    const ella_real modes_L_upper_arm_65 = t283 * modes_inverse_upper_arm_5;
+    const ella_real t284 = modal_inertia_upper_arm_15 * modes_L_upper_arm_71 + t264 * modes_L_upper_arm_72
+        + t269 * modes_L_upper_arm_73;
+    const ella_real t285 = modal_inertia_upper_arm_57 - (t284 + t275 * modes_L_upper_arm_74);
+    const ella_real modes_L_upper_arm_75 = t285 * modes_inverse_upper_arm_5;
+    const ella_real t286 = modal_inertia_upper_arm_16 * modes_L_upper_arm_61 + t265 * modes_L_upper_arm_62
+        + t270 * modes_L_upper_arm_63;
+    const ella_real t287 = modal_inertia_upper_arm_66
+        - (t286 + t277 * modes_L_upper_arm_64 + t283 * modes_L_upper_arm_65);
+    bad |= (unsigned long)(!(t287 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_6 = 1 / t287;
+    const ella_real t288 = modal_inertia_upper_arm_16 * modes_L_upper_arm_71 + t265 * modes_L_upper_arm_72
+        + t270 * modes_L_upper_arm_73;
+    const ella_real t289 = modal_inertia_upper_arm_67
+        - (t288 + t277 * modes_L_upper_arm_74 + t283 * modes_L_upper_arm_75);
+    const ella_real modes_L_upper_arm_76 = t289 * modes_inverse_upper_arm_6;
+    const ella_real t290 = modal_inertia_upper_arm_17 * modes_L_upper_arm_71 + t266 * modes_L_upper_arm_72
+        + t271 * modes_L_upper_arm_73;
+    const ella_real t291 = modal_inertia_upper_arm_77
+        - (t290 + t279 * modes_L_upper_arm_74 + t285 * modes_L_upper_arm_75 + t289 * modes_L_upper_arm_76);
+    bad |= (unsigned long)(!(t291 > 0)) << 0;
+    const ella_real modes_inverse_upper_arm_7 = 1 / t291;
+    const ella_real t292 = C_upper_arm_12 - modes_L_upper_arm_21 * C_upper_arm_11;
+    const ella_real t293 = C_upper_arm_22 - modes_L_upper_arm_21 * C_upper_arm_21;
+    const ella_real t294 = C_upper_arm_32 - modes_L_upper_arm_21 * C_upper_arm_31;
+    const ella_real t295 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11 - modes_L_upper_arm_32 * t292;
+    const ella_real t296 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21 - modes_L_upper_arm_32 * t293;
+    const ella_real t297 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31 - modes_L_upper_arm_32 * t294;
+    const ella_real t298 = C_upper_arm_14 - modes_L_upper_arm_41 * C_upper_arm_11 - modes_L_upper_arm_42 * t292
+        - modes_L_upper_arm_43 * t295;
+    const ella_real t299 = C_upper_arm_24 - modes_L_upper_arm_41 * C_upper_arm_21 - modes_L_upper_arm_42 * t293
+        - modes_L_upper_arm_43 * t296;
+    const ella_real t300 = C_upper_arm_34 - modes_L_upper_arm_41 * C_upper_arm_31 - modes_L_upper_arm_42 * t294
+        - modes_L_upper_arm_43 * t297;
+    const ella_real t301 = C_upper_arm_15 - modes_L_upper_arm_51 * C_upper_arm_11 - modes_L_upper_arm_52 * t292
+        - modes_L_upper_arm_53 * t295;
+    const ella_real t302 = C_upper_arm_25 - modes_L_upper_arm_51 * C_upper_arm_21 - modes_L_upper_arm_52 * t293
+        - modes_L_upper_arm_53 * t296;
+    const ella_real t303 = C_upper_arm_35 - modes_L_upper_arm_51 * C_upper_arm_31 - modes_L_upper_arm_52 * t294
+        - modes_L_upper_arm_53 * t297;
+    const ella_real t304 = t301 - modes_L_upper_arm_54 * t298;
+    const ella_real t305 = t302 - modes_L_upper_arm_54 * t299;
+    const ella_real t306 = t303 - modes_L_upper_arm_54 * t300;
+    const ella_real t307 = C_upper_arm_16 - modes_L_upper_arm_61 * C_upper_arm_11 - modes_L_upper_arm_62 * t292
+        - modes_L_upper_arm_63 * t295;
+    const ella_real t308 = C_upper_arm_26 - modes_L_upper_arm_61 * C_upper_arm_21 - modes_L_upper_arm_62 * t293
+        - modes_L_upper_arm_63 * t296;
+    const ella_real t309 = C_upper_arm_36 - modes_L_upper_arm_61 * C_upper_arm_31 - modes_L_upper_arm_62 * t294
+        - modes_L_upper_arm_63 * t297;
+    const ella_real t310 = t307 - modes_L_upper_arm_64 * t298 - modes_L_upper_arm_65 * t304;
+    const ella_real t311 = t308 - modes_L_upper_arm_64 * t299 - modes_L_upper_arm_65 * t305;
+    const ella_real t312 = t309 - modes_L_upper_arm_64 * t300 - modes_L_upper_arm_65 * t306;
+    const ella_real t313 = C_upper_arm_17 - modes_L_upper_arm_71 * C_upper_arm_11 - modes_L_upper_arm_72 * t292
+        - modes_L_upper_arm_73 * t295;
+    const ella_real t314 = C_upper_arm_27 - modes_L_upper_arm_71 * C_upper_arm_21 - modes_L_upper_arm_72 * t293
+        - modes_L_upper_arm_73 * t296;
+    const ella_real t315 = C_upper_arm_37 - modes_L_upper_arm_71 * C_upper_arm_31 - modes_L_upper_arm_72 * t294
+        - modes_L_upper_arm_73 * t297;
+    const ella_real t316 = t313 - modes_L_upper_arm_74 * t298 - modes_L_upper_arm_75 * t304
+        - modes_L_upper_arm_76 * t310;
+    const ella_real t317 = t314 - modes_L_upper_arm_74 * t299 - modes_L_upper_arm_75 * t305
+        - modes_L_upper_arm_76 * t311;
+    const ella_real t318 = t315 - modes_L_upper_arm_74 * t300 - modes_L_upper_arm_75 * t306
+        - modes_L_upper_arm_76 * t312;
+    const ella_real t319 = h_phi_upper_arm_2 - modes_L_upper_arm_21 * h_phi_upper_arm_1;
+    const ella_real t320 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1
+        - modes_L_upper_arm_32 * t319;
+    const ella_real t321 = h_phi_upper_arm_4 - modes_L_upper_arm_41 * h_phi_upper_arm_1
+        - modes_L_upper_arm_42 * t319 - modes_L_upper_arm_43 * t320;
+    const ella_real t322 = h_phi_upper_arm_5 - modes_L_upper_arm_51 * h_phi_upper_arm_1
+        - modes_L_upper_arm_52 * t319 - modes_L_upper_arm_53 * t320;
+    const ella_real t323 = t322 - modes_L_upper_arm_54 * t321;
+    const ella_real t324 = h_phi_upper_arm_6 - modes_L_upper_arm_61 * h_phi_upper_arm_1
+        - modes_L_upper_arm_62 * t319 - modes_L_upper_arm_63 * t320;
+    const ella_real t325 = t324 - modes_L_upper_arm_64 * t321 - modes_L_upper_arm_65 * t323;
+    const ella_real t326 = h_phi_upper_arm_7 - modes_L_upper_arm_71 * h_phi_upper_arm_1
+        - modes_L_upper_arm_72 * t319 - modes_L_upper_arm_73 * t320;
+    const ella_real t327 = t326 - modes_L_upper_arm_74 * t321 - modes_L_upper_arm_75 * t323
+        - modes_L_upper_arm_76 * t325;
     const ella_real modes_W_upper_arm_11 = C_upper_arm_11 * modes_inverse_upper_arm_1;
     const ella_real modes_W_upper_arm_12 = C_upper_arm_21 * modes_inverse_upper_arm_1;
     const ella_real modes_W_upper_arm_13 = C_upper_arm_31 * modes_inverse_upper_arm_1;
-    const ella_real modes_W_upper_arm_21 = t145 * modes_inverse_upper_arm_2;
-    const ella_real modes_W_upper_arm_22 = t146 * modes_inverse_upper_arm_2;
-    const ella_real modes_W_upper_arm_23 = t147 * modes_inverse_upper_arm_2;
-    const ella_real modes_W_upper_arm_31 = t148 * modes_inverse_upper_arm_3;
-    const ella_real modes_W_upper_arm_32 = t149 * modes_inverse_upper_arm_3;
-    const ella_real modes_W_upper_arm_33 = t150 * modes_inverse_upper_arm_3;
+    const ella_real modes_W_upper_arm_21 = t292 * modes_inverse_upper_arm_2;
+    const ella_real modes_W_upper_arm_22 = t293 * modes_inverse_upper_arm_2;
+    const ella_real modes_W_upper_arm_23 = t294 * modes_inverse_upper_arm_2;
+    const ella_real modes_W_upper_arm_31 = t295 * modes_inverse_upper_arm_3;
+    const ella_real modes_W_upper_arm_32 = t296 * modes_inverse_upper_arm_3;
+    const ella_real modes_W_upper_arm_33 = t297 * modes_inverse_upper_arm_3;
+    const ella_real modes_W_upper_arm_41 = t298 * modes_inverse_upper_arm_4;
+    const ella_real modes_W_upper_arm_42 = t299 * modes_inverse_upper_arm_4;
+    const ella_real modes_W_upper_arm_43 = t300 * modes_inverse_upper_arm_4;
+    const ella_real modes_W_upper_arm_51 = t304 * modes_inverse_upper_arm_5;
+    const ella_real modes_W_upper_arm_52 = t305 * modes_inverse_upper_arm_5;
+    const ella_real modes_W_upper_arm_53 = t306 * modes_inverse_upper_arm_5;
+    const ella_real modes_W_upper_arm_61 = t310 * modes_inverse_upper_arm_6;
+    const ella_real modes_W_upper_arm_62 = t311 * modes_inverse_upper_arm_6;
+    const ella_real modes_W_upper_arm_63 = t312 * modes_inverse_upper_arm_6;
+    const ella_real modes_W_upper_arm_71 = t316 * modes_inverse_upper_arm_7;
+    const ella_real modes_W_upper_arm_72 = t317 * modes_inverse_upper_arm_7;
+    const ella_real modes_W_upper_arm_73 = t318 * modes_inverse_upper_arm_7;
     const ella_real modes_w_upper_arm_1 = h_phi_upper_arm_1 * modes_inverse_upper_arm_1;
-    const ella_real modes_w_upper_arm_2 = t151 * modes_inverse_upper_arm_2;
-    const ella_real modes_w_upper_arm_3 = t152 * modes_inverse_upper_arm_3;
-    const ella_real t153 = C_upper_arm_11 * modes_W_upper_arm_11 + t145 * modes_W_upper_arm_21
-        + t148 * modes_W_upper_arm_31;
-    const ella_real M_i_upper_arm_11 = M_loaded_upper_arm_11 - t153;
-    const ella_real t154 = C_upper_arm_11 * modes_W_upper_arm_12 + t145 * modes_W_upper_arm_22
-        + t148 * modes_W_upper_arm_32;
-    const ella_real M_i_upper_arm_12 = M_loaded_upper_arm_12 - t154;
-    const ella_real t155 = C_upper_arm_11 * modes_W_upper_arm_13 + t145 * modes_W_upper_arm_23
-        + t148 * modes_W_upper_arm_33;
-    const ella_real M_i_upper_arm_13 = M_loaded_upper_arm_13 - t155;
-    const ella_real t156 = C_upper_arm_21 * modes_W_upper_arm_12 + t146 * modes_W_upper_arm_22
-        + t149 * modes_W_upper_arm_32;
-    const ella_real M_i_upper_arm_22 = M_loaded_upper_arm_22 - t156;
-    const ella_real t157 = C_upper_arm_21 * modes_W_upper_arm_13 + t146 * modes_W_upper_arm_23
-        + t149 * modes_W_upper_arm_33;
-    const ella_real M_i_upper_arm_23 = M_loaded_upper_arm_23 - t157;
-    const ella_real t158 = C_upper_arm_31 * modes_W_upper_arm_13 + t147 * modes_W_upper_arm_23
-        + t150 * modes_W_upper_arm_33;
-    const ella_real M_i_upper_arm_33 = M_loaded_upper_arm_33 - t158;
-    const ella_real t159 = modes_W_upper_arm_11 * h_phi_upper_arm_1 + modes_W_upper_arm_21 * t151
-        + modes_W_upper_arm_31 * t152;
-    const ella_real t160 = modes_W_upper_arm_12 * h_phi_upper_arm_1 + modes_W_upper_arm_22 * t151
-        + modes_W_upper_arm_32 * t152;
-    const ella_real t161 = modes_W_upper_arm_13 * h_phi_upper_arm_1 + modes_W_upper_arm_23 * t151
-        + modes_W_upper_arm_33 * t152;
-    const ella_real h_i_upper_arm_1 = h_loaded_upper_arm_1 - t159;
-    const ella_real h_i_upper_arm_2 = h_loaded_upper_arm_2 - t160;
-    const ella_real h_i_upper_arm_3 = h_loaded_upper_arm_3 - t161;
+    const ella_real modes_w_upper_arm_2 = t319 * modes_inverse_upper_arm_2;
+    const ella_real modes_w_upper_arm_3 = t320 * modes_inverse_upper_arm_3;
+    const ella_real modes_w_upper_arm_4 = t321 * modes_inverse_upper_arm_4;
+    const ella_real modes_w_upper_arm_5 = t323 * modes_inverse_upper_arm_5;
+    const ella_real modes_w_upper_arm_6 = t325 * modes_inverse_upper_arm_6;
+    const ella_real modes_w_upper_arm_7 = t327 * modes_inverse_upper_arm_7;
+    const ella_real t328 = C_upper_arm_11 * modes_W_upper_arm_11 + t292 * modes_W_upper_arm_21
+        + t295 * modes_W_upper_arm_31;
+    const ella_real t329 = t328 + t298 * modes_W_upper_arm_41 + t304 * modes_W_upper_arm_51
+        + t310 * modes_W_upper_arm_61 + t316 * modes_W_upper_arm_71;
+    const ella_real M_i_upper_arm_11 = M_loaded_upper_arm_11 - t329;
+    const ella_real t330 = C_upper_arm_11 * modes_W_upper_arm_12 + t292 * modes_W_upper_arm_22
+        + t295 * modes_W_upper_arm_32;
+    const ella_real t331 = t330 + t298 * modes_W_upper_arm_42 + t304 * modes_W_upper_arm_52
+        + t310 * modes_W_upper_arm_62 + t316 * modes_W_upper_arm_72;
+    const ella_real M_i_upper_arm_12 = M_loaded_upper_arm_12 - t331;
+    const ella_real t332 = C_upper_arm_11 * modes_W_upper_arm_13 + t292 * modes_W_upper_arm_23
+        + t295 * modes_W_upper_arm_33;
+    const ella_real t333 = t332 + t298 * modes_W_upper_arm_43 + t304 * modes_W_upper_arm_53
+        + t310 * modes_W_upper_arm_63 + t316 * modes_W_upper_arm_73;
+    const ella_real M_i_upper_arm_13 = M_loaded_upper_arm_13 - t333;
+    const ella_real t334 = C_upper_arm_21 * modes_W_upper_arm_12 + t293 * modes_W_upper_arm_22
+        + t296 * modes_W_upper_arm_32;
+    const ella_real t335 = t334 + t299 * modes_W_upper_arm_42 + t305 * modes_W_upper_arm_52
+        + t311 * modes_W_upper_arm_62 + t317 * modes_W_upper_arm_72;
+    const ella_real M_i_upper_arm_22 = M_loaded_upper_arm_22 - t335;
+    const ella_real t336 = C_upper_arm_21 * modes_W_upper_arm_13 + t293 * modes_W_upper_arm_23
+        + t296 * modes_W_upper_arm_33;
+    const ella_real t337 = t336 + t299 * modes_W_upper_arm_43 + t305 * modes_W_upper_arm_53
+        + t311 * modes_W_upper_arm_63 + t317 * modes_W_upper_arm_73;
+    const ella_real M_i_upper_arm_23 = M_loaded_upper_arm_23 - t337;
+    const ella_real t338 = C_upper_arm_31 * modes_W_upper_arm_13 + t294 * modes_W_upper_arm_23
+        + t297 * modes_W_upper_arm_33;
+    const ella_real t339 = t338 + t300 * modes_W_upper_arm_43 + t306 * modes_W_upper_arm_53
+        + t312 * modes_W_upper_arm_63 + t318 * modes_W_upper_arm_73;
+    const ella_real M_i_upper_arm_33 = M_loaded_upper_arm_33 - t339;
+    const ella_real t340 = modes_W_upper_arm_11 * h_phi_upper_arm_1 + modes_W_upper_arm_21 * t319
+        + modes_W_upper_arm_31 * t320;
+    const ella_real t341 = t340 + modes_W_upper_arm_41 * t321 + modes_W_upper_arm_51 * t323
+        + modes_W_upper_arm_61 * t325 + modes_W_upper_arm_71 * t327;
+    const ella_real t342 = modes_W_upper_arm_12 * h_phi_upper_arm_1 + modes_W_upper_arm_22 * t319
+        + modes_W_upper_arm_32 * t320;
+    const ella_real t343 = t342 + modes_W_upper_arm_42 * t321 + modes_W_upper_arm_52 * t323
+        + modes_W_upper_arm_62 * t325 + modes_W_upper_arm_72 * t327;
+    const ella_real t344 = modes_W_upper_arm_13 * h_phi_upper_arm_1 + modes_W_upper_arm_23 * t319
+        + modes_W_upper_arm_33 * t320;
+    const ella_real t345 = t344 + modes_W_upper_arm_43 * t321 + modes_W_upper_arm_53 * t323
+        + modes_W_upper_arm_63 * t325 + modes_W_upper_arm_73 * t327;
+    const ella_real h_i_upper_arm_1 = h_loaded_upper_arm_1 - t341;
+    const ella_real h_i_upper_arm_2 = h_loaded_upper_arm_2 - t343;
+    const ella_real h_i_upper_arm_3 = h_loaded_upper_arm_3 - t345;
 
     /* upper_arm, joint: its accelerations eliminated from its rows (43) */
     const ella_real U_upper_arm_11 = M_i_upper_arm_11 * R_rel_upper_arm_yx
@@ -897,18 +1486,18 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + M_i_upper_arm_23 * R_rel_upper_arm_yy;
     const ella_real joint_inertia_upper_arm_11 = R_rel_upper_arm_yx * U_upper_arm_11
         + R_rel_upper_arm_yy * U_upper_arm_21;
-    const ella_real t162 = t53 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33);
-    bad |= (unsigned long)(!(joint_inertia_upper_arm_11 - t162 > 0)) << 0;
+    const ella_real t346 = t122 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33);
+    bad |= (unsigned long)(!(joint_inertia_upper_arm_11 - t346 > 0)) << 0;
     const ella_real joint_inverse_upper_arm_1 = 1 / joint_inertia_upper_arm_11;
     const ella_real joint_L_upper_arm_21 = U_upper_arm_31 * joint_inverse_upper_arm_1;
-    const ella_real t163 = M_i_upper_arm_33 - U_upper_arm_31 * joint_L_upper_arm_21;
-    bad |= (unsigned long)(!(t163 - t162 > 0)) << 0;
-    const ella_real joint_inverse_upper_arm_2 = 1 / t163;
-    const ella_real t164 = input->tau[0]
+    const ella_real t347 = M_i_upper_arm_33 - U_upper_arm_31 * joint_L_upper_arm_21;
+    bad |= (unsigned long)(!(t347 - t346 > 0)) << 0;
+    const ella_real joint_inverse_upper_arm_2 = 1 / t347;
+    const ella_real t348 = input->tau[0]
         - (R_rel_upper_arm_yx * h_i_upper_arm_1 + R_rel_upper_arm_yy * h_i_upper_arm_2);
-    const ella_real t165 = input->tau[1] - h_i_upper_arm_3 - joint_L_upper_arm_21 * t164;
-    const ella_real joint_w_upper_arm_1 = t164 * joint_inverse_upper_arm_1;
-    const ella_real joint_w_upper_arm_2 = t165 * joint_inverse_upper_arm_2;
+    const ella_real t349 = input->tau[1] - h_i_upper_arm_3 - joint_L_upper_arm_21 * t348;
+    const ella_real joint_w_upper_arm_1 = t348 * joint_inverse_upper_arm_1;
+    const ella_real joint_w_upper_arm_2 = t349 * joint_inverse_upper_arm_2;
     output->vdot[1] = joint_w_upper_arm_2;
 
     /* upper_arm, joint: acceleration that the parent's tip imparts, joint accelerations (48) */
@@ -918,163 +1507,295 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     /* upper_arm, link: what is added to the acceleration of F_i, modal accelerations (83) */
     const ella_real delta_upper_arm_1 = R_rel_upper_arm_yx * qddot_upper_arm_1;
     const ella_real delta_upper_arm_2 = R_rel_upper_arm_yy * qddot_upper_arm_1;
-    const ella_real t166 = modes_W_upper_arm_11 * delta_upper_arm_1 + modes_W_upper_arm_12 * delta_upper_arm_2
+    const ella_real t350 = modes_W_upper_arm_11 * delta_upper_arm_1 + modes_W_upper_arm_12 * delta_upper_arm_2
         + modes_W_upper_arm_13 * joint_w_upper_arm_2;
-    const ella_real t167 = modes_W_upper_arm_21 * delta_upper_arm_1 + modes_W_upper_arm_22 * delta_upper_arm_2
+    const ella_real t351 = modes_W_upper_arm_21 * delta_upper_arm_1 + modes_W_upper_arm_22 * delta_upper_arm_2
         + modes_W_upper_arm_23 * joint_w_upper_arm_2;
-    const ella_real t168 = modes_W_upper_arm_31 * delta_upper_arm_1 + modes_W_upper_arm_32 * delta_upper_arm_2
+    const ella_real t352 = modes_W_upper_arm_31 * delta_upper_arm_1 + modes_W_upper_arm_32 * delta_upper_arm_2
         + modes_W_upper_arm_33 * joint_w_upper_arm_2;
-    const ella_real minus_etaddot_upper_arm_3 = modes_w_upper_arm_3 + t168;
+    const ella_real t353 = modes_W_upper_arm_41 * delta_upper_arm_1 + modes_W_upper_arm_42 * delta_upper_arm_2
+        + modes_W_upper_arm_43 * joint_w_upper_arm_2;
+    const ella_real t354 = modes_W_upper_arm_51 * delta_upper_arm_1 + modes_W_upper_arm_52 * delta_upper_arm_2
+        + modes_W_upper_arm_53 * joint_w_upper_arm_2;
+    const ella_real t355 = modes_W_upper_arm_61 * delta_upper_arm_1 + modes_W_upper_arm_62 * delta_upper_arm_2
+        + modes_W_upper_arm_63 * joint_w_upper_arm_2;
+    const ella_real t356 = modes_W_upper_arm_71 * delta_upper_arm_1 + modes_W_upper_arm_72 * delta_upper_arm_2
+        + modes_W_upper_arm_73 * joint_w_upper_arm_2;
+    const ella_real minus_etaddot_upper_arm_7 = modes_w_upper_arm_7 + t356;
+    output->vdot[9] = -minus_etaddot_upper_arm_7;
+    const ella_real minus_etaddot_upper_arm_6 = modes_w_upper_arm_6 + t355
+        - modes_L_upper_arm_76 * minus_etaddot_upper_arm_7;
+    output->vdot[8] = -minus_etaddot_upper_arm_6;
+    const ella_real minus_etaddot_upper_arm_5 = modes_w_upper_arm_5 + t354
+        - modes_L_upper_arm_65 * minus_etaddot_upper_arm_6 - modes_L_upper_arm_75 * minus_etaddot_upper_arm_7;
+    output->vdot[7] = -minus_etaddot_upper_arm_5;
+    const ella_real t357 = modes_w_upper_arm_4 + t353 - modes_L_upper_arm_54 * minus_etaddot_upper_arm_5
+        - modes_L_upper_arm_64 * minus_etaddot_upper_arm_6;
+    const ella_real minus_etaddot_upper_arm_4 = t357 - modes_L_upper_arm_74 * minus_etaddot_upper_arm_7;
+    output->vdot[6] = -minus_etaddot_upper_arm_4;
+    const ella_real t358 = modes_w_upper_arm_3 + t352 - modes_L_upper_arm_43 * minus_etaddot_upper_arm_4
+        - modes_L_upper_arm_53 * minus_etaddot_upper_arm_5;
+    const ella_real minus_etaddot_upper_arm_3 = t358 - modes_L_upper_arm_63 * minus_etaddot_upper_arm_6
+        - modes_L_upper_arm_73 * minus_etaddot_upper_arm_7;
     output->vdot[5] = -minus_etaddot_upper_arm_3;
-    const ella_real minus_etaddot_upper_arm_2 = modes_w_upper_arm_2 + t167
-        - modes_L_upper_arm_32 * minus_etaddot_upper_arm_3;
+    const ella_real t359 = modes_w_upper_arm_2 + t351 - modes_L_upper_arm_32 * minus_etaddot_upper_arm_3
+        - modes_L_upper_arm_42 * minus_etaddot_upper_arm_4;
+    const ella_real t360 = t359 - modes_L_upper_arm_52 * minus_etaddot_upper_arm_5
+        - modes_L_upper_arm_62 * minus_etaddot_upper_arm_6;
+    const ella_real minus_etaddot_upper_arm_2 = t360 - modes_L_upper_arm_72 * minus_etaddot_upper_arm_7;
     output->vdot[4] = -minus_etaddot_upper_arm_2;
-    const ella_real minus_etaddot_upper_arm_1 = modes_w_upper_arm_1 + t166
-        - modes_L_upper_arm_21 * minus_etaddot_upper_arm_2 - modes_L_upper_arm_31 * minus_etaddot_upper_arm_3;
+    const ella_real t361 = modes_w_upper_arm_1 + t350 - modes_L_upper_arm_21 * minus_etaddot_upper_arm_2
+        - modes_L_upper_arm_31 * minus_etaddot_upper_arm_3;
+    const ella_real t362 = t361 - modes_L_upper_arm_41 * minus_etaddot_upper_arm_4
+        - modes_L_upper_arm_51 * minus_etaddot_upper_arm_5;
+    const ella_real minus_etaddot_upper_arm_1 = t362 - modes_L_upper_arm_61 * minus_etaddot_upper_arm_6
+        - modes_L_upper_arm_71 * minus_etaddot_upper_arm_7;
     output->vdot[3] = -minus_etaddot_upper_arm_1;
 
     /* upper_arm, tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t169 = c->links[0].Psi_c_y3 * minus_etaddot_upper_arm_3;
-    const ella_real t170 = c->links[0].Psi_c_z2 * minus_etaddot_upper_arm_2;
-    const ella_real delta_T_upper_arm_1 = delta_upper_arm_1
-        + (minus_J_l_upper_arm_xy * t169 - J_l_upper_arm_xz * t170);
-    const ella_real delta_T_upper_arm_2 = delta_upper_arm_2 - (J_l_upper_arm_yy * t169 + J_l_upper_arm_yz * t170);
-    const ella_real delta_T_upper_arm_3 = joint_w_upper_arm_2
-        - (J_l_upper_arm_yz * t169 + J_l_upper_arm_zz * t170);
+    const ella_real t363 = minus_etaddot_upper_arm_7 * REAL(1.7320508075688772);
+    const ella_real t364 = c->links[0].Psi_c_y4 * minus_etaddot_upper_arm_4
+        + c->links[0].Psi_c_y5 * minus_etaddot_upper_arm_5;
+    const ella_real t365 = t364 + c->links[0].Psi_c_y6 * minus_etaddot_upper_arm_6;
+    const ella_real t366 = c->links[0].Psi_c_z1 * minus_etaddot_upper_arm_1
+        + c->links[0].Psi_c_z2 * minus_etaddot_upper_arm_2;
+    const ella_real t367 = t366 + c->links[0].Psi_c_z3 * minus_etaddot_upper_arm_3;
+    const ella_real t368 = minus_etaddot_upper_arm_1 * REAL(2.0011941703010714)
+        + minus_etaddot_upper_arm_2 * REAL(2.0700807911885764);
+    const ella_real t369 = minus_etaddot_upper_arm_4 * REAL(2.0011941703010714)
+        + minus_etaddot_upper_arm_5 * REAL(2.0700807911885764);
     const ella_real delta_T_upper_arm_4 = delta_upper_arm_2 * r_T_upper_arm_z
-        - joint_w_upper_arm_2 * r_T_upper_arm_y - minus_etaddot_upper_arm_1 * REAL(1.4142135623730951);
-    const ella_real delta_T_upper_arm_5 = joint_w_upper_arm_2 * r_T_upper_arm_x
-        - delta_upper_arm_1 * r_T_upper_arm_z - minus_etaddot_upper_arm_2 * 2;
+        - joint_w_upper_arm_2 * r_T_upper_arm_y;
+    const ella_real delta_T_upper_arm_1 = delta_upper_arm_1
+        - (J_l_upper_arm_xx * t363 + J_l_upper_arm_xy * t365 + J_l_upper_arm_xz * t367);
+    const ella_real delta_T_upper_arm_2 = delta_upper_arm_2
+        - (J_l_upper_arm_yx * t363 + J_l_upper_arm_yy * t365 + J_l_upper_arm_yz * t367);
+    const ella_real delta_T_upper_arm_3 = joint_w_upper_arm_2
+        - (J_l_upper_arm_zx * t363 + J_l_upper_arm_zy * t365 + J_l_upper_arm_zz * t367);
+    const ella_real delta_T_upper_arm_5 = joint_w_upper_arm_2 * c->links[0].length
+        - delta_upper_arm_1 * r_T_upper_arm_z - (t368 + minus_etaddot_upper_arm_3 * REAL(3.5651069283690613));
     const ella_real delta_T_upper_arm_6 = delta_upper_arm_1 * r_T_upper_arm_y
-        - delta_upper_arm_2 * r_T_upper_arm_x - minus_etaddot_upper_arm_3 * 2;
+        - delta_upper_arm_2 * c->links[0].length - (t369 + minus_etaddot_upper_arm_6 * REAL(3.5651069283690613));
 
     /* forearm, joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real carried_forearm_1 = R_P_forearm_11 * delta_T_upper_arm_1
         + R_P_forearm_21 * delta_T_upper_arm_2 + R_P_forearm_31 * delta_T_upper_arm_3;
-    const ella_real carried_forearm_2 = R_P_forearm_22 * delta_T_upper_arm_2
-        - minus_R_P_forearm_12 * delta_T_upper_arm_1 + R_P_forearm_32 * delta_T_upper_arm_3;
+    const ella_real carried_forearm_2 = R_P_forearm_12 * delta_T_upper_arm_1
+        + R_P_forearm_22 * delta_T_upper_arm_2 + R_P_forearm_32 * delta_T_upper_arm_3;
     const ella_real carried_forearm_3 = R_T_upper_arm_xz * delta_T_upper_arm_1
         + R_T_upper_arm_yz * delta_T_upper_arm_2 + R_T_upper_arm_zz * delta_T_upper_arm_3;
     const ella_real carried_forearm_4 = R_P_forearm_11 * delta_T_upper_arm_4
         + R_P_forearm_21 * delta_T_upper_arm_5 + R_P_forearm_31 * delta_T_upper_arm_6;
-    const ella_real carried_forearm_5 = R_P_forearm_22 * delta_T_upper_arm_5
-        - minus_R_P_forearm_12 * delta_T_upper_arm_4 + R_P_forearm_32 * delta_T_upper_arm_6;
+    const ella_real carried_forearm_5 = R_P_forearm_12 * delta_T_upper_arm_4
+        + R_P_forearm_22 * delta_T_upper_arm_5 + R_P_forearm_32 * delta_T_upper_arm_6;
     const ella_real carried_forearm_6 = R_T_upper_arm_xz * delta_T_upper_arm_4
         + R_T_upper_arm_yz * delta_T_upper_arm_5 + R_T_upper_arm_zz * delta_T_upper_arm_6;
-    const ella_real t171 = joint_W_forearm_11 * carried_forearm_1 + joint_W_forearm_12 * carried_forearm_2
-        + carried_forearm_3;
+    const ella_real t370 = carried_forearm_3
+        - (minus_joint_W_forearm_11 * carried_forearm_1 + minus_joint_W_forearm_12 * carried_forearm_2);
     const ella_real qddot_forearm_1 = joint_w_forearm_1
-        - (t171 + joint_W_forearm_14 * carried_forearm_4 + joint_W_forearm_15 * carried_forearm_5);
+        - (t370 - minus_joint_W_forearm_14 * carried_forearm_4 + joint_W_forearm_15 * carried_forearm_5);
     output->vdot[2] = qddot_forearm_1;
 
     /* forearm, link: what is added to the acceleration of F_i, modal accelerations (83) */
     const ella_real delta_forearm_3 = carried_forearm_3 + qddot_forearm_1;
-    const ella_real t172 = modes_W_forearm_12 * carried_forearm_2 - minus_modes_W_forearm_13 * delta_forearm_3
-        + modes_W_forearm_14 * carried_forearm_4;
-    const ella_real t173 = modes_W_forearm_23 * delta_forearm_3 - minus_modes_W_forearm_21 * carried_forearm_1
+    const ella_real t371 = modes_W_forearm_13 * delta_forearm_3 - minus_modes_W_forearm_11 * carried_forearm_1
+        + modes_W_forearm_15 * carried_forearm_5;
+    const ella_real t372 = modes_W_forearm_21 * carried_forearm_1 + modes_W_forearm_23 * delta_forearm_3
         + modes_W_forearm_25 * carried_forearm_5;
-    const ella_real t174 = modes_W_forearm_31 * carried_forearm_1 - minus_modes_W_forearm_32 * carried_forearm_2
-        + modes_W_forearm_36 * carried_forearm_6;
-    const ella_real minus_etaddot_forearm_1 = modes_w_forearm_1 + t172;
-    output->vdot[6] = -minus_etaddot_forearm_1;
-    const ella_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t173;
-    output->vdot[7] = -minus_etaddot_forearm_2;
-    const ella_real minus_etaddot_forearm_3 = modes_w_forearm_3 + t174;
-    output->vdot[8] = -minus_etaddot_forearm_3;
+    const ella_real t373 = modes_W_forearm_31 * carried_forearm_1 + modes_W_forearm_33 * delta_forearm_3
+        + modes_W_forearm_35 * carried_forearm_5;
+    const ella_real t374 = modes_W_forearm_41 * carried_forearm_1 - minus_modes_W_forearm_42 * carried_forearm_2
+        + modes_W_forearm_46 * carried_forearm_6;
+    const ella_real t375 = modes_W_forearm_51 * carried_forearm_1 + modes_W_forearm_52 * carried_forearm_2
+        + modes_W_forearm_56 * carried_forearm_6;
+    const ella_real t376 = modes_W_forearm_61 * carried_forearm_1 + modes_W_forearm_62 * carried_forearm_2
+        + modes_W_forearm_66 * carried_forearm_6;
+    const ella_real minus_etaddot_forearm_3 = modes_w_forearm_3 + t373;
+    output->vdot[12] = -minus_etaddot_forearm_3;
+    const ella_real minus_etaddot_forearm_6 = modes_w_forearm_6 + t376;
+    output->vdot[15] = -minus_etaddot_forearm_6;
+    const ella_real minus_etaddot_forearm_7 = modes_w_forearm_7 + modes_W_forearm_71 * carried_forearm_1;
+    output->vdot[16] = -minus_etaddot_forearm_7;
+    const ella_real minus_etaddot_forearm_5 = modes_w_forearm_5 + t375
+        - modes_L_forearm_65 * minus_etaddot_forearm_6;
+    output->vdot[14] = -minus_etaddot_forearm_5;
+    const ella_real minus_etaddot_forearm_4 = modes_w_forearm_4 + t374
+        - modes_L_forearm_54 * minus_etaddot_forearm_5 - modes_L_forearm_64 * minus_etaddot_forearm_6;
+    output->vdot[13] = -minus_etaddot_forearm_4;
+    const ella_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t372
+        - modes_L_forearm_32 * minus_etaddot_forearm_3;
+    output->vdot[11] = -minus_etaddot_forearm_2;
+    const ella_real minus_etaddot_forearm_1 = modes_w_forearm_1 + t371
+        - modes_L_forearm_21 * minus_etaddot_forearm_2 - modes_L_forearm_31 * minus_etaddot_forearm_3;
+    output->vdot[10] = -minus_etaddot_forearm_1;
 
     if (wanted & ELLA_WRENCHES) {
         /* upper_arm, Sdot: rate of the first moment */
-        const ella_real Sdot_upper_arm_x = state->v[3] * c->links[0].sigma_x1;
-        const ella_real Sdot_upper_arm_y = state->v[4] * c->links[0].sigma_y2;
-        const ella_real Sdot_upper_arm_z = state->v[5] * c->links[0].sigma_y2;
+        const ella_real Sdot_upper_arm_y = state->v[3] * c->links[0].sigma_y1 + state->v[4] * c->links[0].sigma_y2
+            + state->v[5] * c->links[0].sigma_y3;
+        const ella_real Sdot_upper_arm_z = state->v[6] * c->links[0].sigma_y1 + state->v[7] * c->links[0].sigma_y2
+            + state->v[8] * c->links[0].sigma_y3;
 
         /* upper_arm, h_c: half of the Coriolis wrench */
         const ella_real h_c_upper_arm_4 = Sdot_upper_arm_z * omega_J_upper_arm_y - Sdot_upper_arm_y * state->v[1];
-        const ella_real h_c_upper_arm_5 = Sdot_upper_arm_x * state->v[1] - Sdot_upper_arm_z * omega_J_upper_arm_x;
-        const ella_real h_c_upper_arm_6 = Sdot_upper_arm_y * omega_J_upper_arm_x
-            - Sdot_upper_arm_x * omega_J_upper_arm_y;
+        const ella_real minus_h_c_upper_arm_5 = Sdot_upper_arm_z * omega_J_upper_arm_x;
+        const ella_real h_c_upper_arm_6 = Sdot_upper_arm_y * omega_J_upper_arm_x;
 
         /* upper_arm, H_star: gyroscopic wrench and weight, angular acceleration included */
-        const ella_real t175 = h_c_upper_arm_4 - minus_Omega_upper_arm_xx * S_upper_arm_x
-            + Omega_upper_arm_xy * S_upper_arm_y + Omega_upper_arm_xz * S_upper_arm_z;
-        const ella_real H_star_upper_arm_4 = t175 + alpha_0_upper_arm_4 * c->links[0].mu;
-        const ella_real t176 = h_c_upper_arm_5 + Omega_upper_arm_xy * S_upper_arm_x
-            - minus_Omega_upper_arm_yy * S_upper_arm_y + Omega_upper_arm_yz * S_upper_arm_z;
-        const ella_real H_star_upper_arm_5 = t176 + alpha_0_upper_arm_5 * c->links[0].mu;
-        const ella_real t177 = h_c_upper_arm_6 + Omega_upper_arm_zx * S_upper_arm_x
+        const ella_real t377 = h_c_upper_arm_4 - minus_Omega_upper_arm_xx * c->links[0].S_0_x
+            + Omega_upper_arm_xy * S_upper_arm_y;
+        const ella_real H_star_upper_arm_4 = t377 + Omega_upper_arm_xz * S_upper_arm_z
+            + alpha_0_upper_arm_4 * c->links[0].mu;
+        const ella_real t378 = Omega_upper_arm_xy * c->links[0].S_0_x - minus_h_c_upper_arm_5
+            - minus_Omega_upper_arm_yy * S_upper_arm_y;
+        const ella_real H_star_upper_arm_5 = t378 + Omega_upper_arm_yz * S_upper_arm_z
+            + alpha_0_upper_arm_5 * c->links[0].mu;
+        const ella_real t379 = h_c_upper_arm_6 + Omega_upper_arm_zx * c->links[0].S_0_x
             + Omega_upper_arm_zy * S_upper_arm_y - minus_Omega_upper_arm_zz * S_upper_arm_z;
-        const ella_real H_star_upper_arm_6 = t177 - minus_alpha_0_upper_arm_6 * c->links[0].mu;
+        const ella_real H_star_upper_arm_6 = t379 - minus_alpha_0_upper_arm_6 * c->links[0].mu;
 
         /* upper_arm, h_V: bias of the twist rows, angular acceleration included */
         const ella_real h_V_upper_arm_4 = H_star_upper_arm_4 + h_c_upper_arm_4;
-        const ella_real h_V_upper_arm_5 = H_star_upper_arm_5 + h_c_upper_arm_5;
+        const ella_real h_V_upper_arm_5 = H_star_upper_arm_5 - minus_h_c_upper_arm_5;
         const ella_real h_V_upper_arm_6 = H_star_upper_arm_6 + h_c_upper_arm_6;
 
         /* upper_arm, modes: the tip load folded in, modal accelerations eliminated (83) */
-        const ella_real M_loaded_upper_arm_14 = Lambda_forearm_4 + (t101 - t100);
-        const ella_real M_loaded_upper_arm_15 = t103 - S_upper_arm_z;
-        const ella_real M_loaded_upper_arm_16 = S_upper_arm_y + t104;
-        const ella_real M_loaded_upper_arm_24 = S_upper_arm_z + t105;
-        const ella_real M_loaded_upper_arm_26 = t106 - S_upper_arm_x;
-        const ella_real M_loaded_upper_arm_34 = t107 - S_upper_arm_y;
-        const ella_real M_loaded_upper_arm_35 = S_upper_arm_x + t108;
+        const ella_real M_loaded_upper_arm_14 = Lambda_forearm_4 + (t168 - t167);
+        const ella_real M_loaded_upper_arm_15 = t170 - S_upper_arm_z;
+        const ella_real M_loaded_upper_arm_16 = S_upper_arm_y + t171;
+        const ella_real M_loaded_upper_arm_24 = S_upper_arm_z + t172;
+        const ella_real M_loaded_upper_arm_26 = t173 - c->links[0].S_0_x;
+        const ella_real M_loaded_upper_arm_34 = t174 - S_upper_arm_y;
+        const ella_real M_loaded_upper_arm_35 = c->links[0].S_0_x + t175;
         const ella_real h_loaded_upper_arm_4 = h_V_upper_arm_4 + p_T_upper_arm_4;
         const ella_real h_loaded_upper_arm_5 = h_V_upper_arm_5 + p_T_upper_arm_5;
         const ella_real h_loaded_upper_arm_6 = h_V_upper_arm_6 + p_T_upper_arm_6;
-        const ella_real C_upper_arm_41 = c->links[0].sigma_x1 + t127;
-        const ella_real C_upper_arm_52 = c->links[0].sigma_y2 + t131;
-        const ella_real C_upper_arm_63 = c->links[0].sigma_y2 + t136;
-        const ella_real t178 = C_upper_arm_42 - modes_L_upper_arm_21 * C_upper_arm_41;
-        const ella_real t179 = C_upper_arm_52 - modes_L_upper_arm_21 * C_upper_arm_51;
-        const ella_real t180 = C_upper_arm_62 - modes_L_upper_arm_21 * C_upper_arm_61;
+        const ella_real C_upper_arm_51 = c->links[0].sigma_y1 + t228;
+        const ella_real C_upper_arm_52 = c->links[0].sigma_y2 + t230;
+        const ella_real C_upper_arm_53 = c->links[0].sigma_y3 + t232;
+        const ella_real C_upper_arm_64 = c->links[0].sigma_y1 + t243;
+        const ella_real C_upper_arm_65 = c->links[0].sigma_y2 + t245;
+        const ella_real C_upper_arm_66 = c->links[0].sigma_y3 + t247;
+        const ella_real t380 = C_upper_arm_42 - modes_L_upper_arm_21 * C_upper_arm_41;
+        const ella_real t381 = C_upper_arm_52 - modes_L_upper_arm_21 * C_upper_arm_51;
+        const ella_real t382 = C_upper_arm_62 - modes_L_upper_arm_21 * C_upper_arm_61;
+        const ella_real t383 = C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41 - modes_L_upper_arm_32 * t380;
+        const ella_real t384 = C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51 - modes_L_upper_arm_32 * t381;
+        const ella_real t385 = C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61 - modes_L_upper_arm_32 * t382;
+        const ella_real t386 = C_upper_arm_44 - modes_L_upper_arm_41 * C_upper_arm_41 - modes_L_upper_arm_42 * t380
+            - modes_L_upper_arm_43 * t383;
+        const ella_real t387 = C_upper_arm_54 - modes_L_upper_arm_41 * C_upper_arm_51 - modes_L_upper_arm_42 * t381
+            - modes_L_upper_arm_43 * t384;
+        const ella_real t388 = C_upper_arm_64 - modes_L_upper_arm_41 * C_upper_arm_61 - modes_L_upper_arm_42 * t382
+            - modes_L_upper_arm_43 * t385;
+        const ella_real t389 = C_upper_arm_45 - modes_L_upper_arm_51 * C_upper_arm_41 - modes_L_upper_arm_52 * t380
+            - modes_L_upper_arm_53 * t383;
+        const ella_real t390 = C_upper_arm_55 - modes_L_upper_arm_51 * C_upper_arm_51 - modes_L_upper_arm_52 * t381
+            - modes_L_upper_arm_53 * t384;
+        const ella_real t391 = C_upper_arm_65 - modes_L_upper_arm_51 * C_upper_arm_61 - modes_L_upper_arm_52 * t382
+            - modes_L_upper_arm_53 * t385;
+        const ella_real t392 = t389 - modes_L_upper_arm_54 * t386;
+        const ella_real t393 = t390 - modes_L_upper_arm_54 * t387;
+        const ella_real t394 = t391 - modes_L_upper_arm_54 * t388;
+        const ella_real t395 = C_upper_arm_46 - modes_L_upper_arm_61 * C_upper_arm_41 - modes_L_upper_arm_62 * t380
+            - modes_L_upper_arm_63 * t383;
+        const ella_real t396 = C_upper_arm_56 - modes_L_upper_arm_61 * C_upper_arm_51 - modes_L_upper_arm_62 * t381
+            - modes_L_upper_arm_63 * t384;
+        const ella_real t397 = C_upper_arm_66 - modes_L_upper_arm_61 * C_upper_arm_61 - modes_L_upper_arm_62 * t382
+            - modes_L_upper_arm_63 * t385;
+        const ella_real t398 = t395 - modes_L_upper_arm_64 * t386 - modes_L_upper_arm_65 * t392;
+        const ella_real t399 = t396 - modes_L_upper_arm_64 * t387 - modes_L_upper_arm_65 * t393;
+        const ella_real t400 = t397 - modes_L_upper_arm_64 * t388 - modes_L_upper_arm_65 * t394;
+        const ella_real t401 = C_upper_arm_47 - modes_L_upper_arm_71 * C_upper_arm_41 - modes_L_upper_arm_72 * t380
+            - modes_L_upper_arm_73 * t383;
+        const ella_real t402 = C_upper_arm_57 - modes_L_upper_arm_71 * C_upper_arm_51 - modes_L_upper_arm_72 * t381
+            - modes_L_upper_arm_73 * t384;
+        const ella_real t403 = C_upper_arm_67 - modes_L_upper_arm_71 * C_upper_arm_61 - modes_L_upper_arm_72 * t382
+            - modes_L_upper_arm_73 * t385;
         const ella_real modes_W_upper_arm_14 = C_upper_arm_41 * modes_inverse_upper_arm_1;
         const ella_real modes_W_upper_arm_15 = C_upper_arm_51 * modes_inverse_upper_arm_1;
         const ella_real modes_W_upper_arm_16 = C_upper_arm_61 * modes_inverse_upper_arm_1;
-        const ella_real modes_W_upper_arm_24 = t178 * modes_inverse_upper_arm_2;
-        const ella_real modes_W_upper_arm_25 = t179 * modes_inverse_upper_arm_2;
-        const ella_real modes_W_upper_arm_26 = t180 * modes_inverse_upper_arm_2;
-        const ella_real modes_W_upper_arm_34 = (C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41
-            - modes_L_upper_arm_32 * t178) * modes_inverse_upper_arm_3;
-        const ella_real modes_W_upper_arm_35 = (C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51
-            - modes_L_upper_arm_32 * t179) * modes_inverse_upper_arm_3;
-        const ella_real modes_W_upper_arm_36 = (C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61
-            - modes_L_upper_arm_32 * t180) * modes_inverse_upper_arm_3;
-        const ella_real t181 = C_upper_arm_11 * modes_W_upper_arm_14 + t145 * modes_W_upper_arm_24
-            + t148 * modes_W_upper_arm_34;
-        const ella_real M_i_upper_arm_14 = M_loaded_upper_arm_14 - t181;
-        const ella_real t182 = C_upper_arm_11 * modes_W_upper_arm_15 + t145 * modes_W_upper_arm_25
-            + t148 * modes_W_upper_arm_35;
-        const ella_real M_i_upper_arm_15 = M_loaded_upper_arm_15 - t182;
-        const ella_real t183 = C_upper_arm_11 * modes_W_upper_arm_16 + t145 * modes_W_upper_arm_26
-            + t148 * modes_W_upper_arm_36;
-        const ella_real M_i_upper_arm_16 = M_loaded_upper_arm_16 - t183;
-        const ella_real t184 = C_upper_arm_21 * modes_W_upper_arm_14 + t146 * modes_W_upper_arm_24
-            + t149 * modes_W_upper_arm_34;
-        const ella_real M_i_upper_arm_24 = M_loaded_upper_arm_24 - t184;
-        const ella_real t185 = C_upper_arm_21 * modes_W_upper_arm_15 + t146 * modes_W_upper_arm_25
-            + t149 * modes_W_upper_arm_35;
-        const ella_real M_i_upper_arm_25 = M_loaded_upper_arm_25 - t185;
-        const ella_real t186 = C_upper_arm_21 * modes_W_upper_arm_16 + t146 * modes_W_upper_arm_26
-            + t149 * modes_W_upper_arm_36;
-        const ella_real M_i_upper_arm_26 = M_loaded_upper_arm_26 - t186;
-        const ella_real t187 = C_upper_arm_31 * modes_W_upper_arm_14 + t147 * modes_W_upper_arm_24
-            + t150 * modes_W_upper_arm_34;
-        const ella_real M_i_upper_arm_34 = M_loaded_upper_arm_34 - t187;
-        const ella_real t188 = C_upper_arm_31 * modes_W_upper_arm_15 + t147 * modes_W_upper_arm_25
-            + t150 * modes_W_upper_arm_35;
-        const ella_real M_i_upper_arm_35 = M_loaded_upper_arm_35 - t188;
-        const ella_real t189 = C_upper_arm_31 * modes_W_upper_arm_16 + t147 * modes_W_upper_arm_26
-            + t150 * modes_W_upper_arm_36;
-        const ella_real M_i_upper_arm_36 = M_loaded_upper_arm_36 - t189;
-        const ella_real t190 = modes_W_upper_arm_14 * h_phi_upper_arm_1 + modes_W_upper_arm_24 * t151
-            + modes_W_upper_arm_34 * t152;
-        const ella_real t191 = modes_W_upper_arm_15 * h_phi_upper_arm_1 + modes_W_upper_arm_25 * t151
-            + modes_W_upper_arm_35 * t152;
-        const ella_real t192 = modes_W_upper_arm_16 * h_phi_upper_arm_1 + modes_W_upper_arm_26 * t151
-            + modes_W_upper_arm_36 * t152;
-        const ella_real h_i_upper_arm_4 = h_loaded_upper_arm_4 - t190;
-        const ella_real h_i_upper_arm_5 = h_loaded_upper_arm_5 - t191;
-        const ella_real h_i_upper_arm_6 = h_loaded_upper_arm_6 - t192;
+        const ella_real modes_W_upper_arm_24 = t380 * modes_inverse_upper_arm_2;
+        const ella_real modes_W_upper_arm_25 = t381 * modes_inverse_upper_arm_2;
+        const ella_real modes_W_upper_arm_26 = t382 * modes_inverse_upper_arm_2;
+        const ella_real modes_W_upper_arm_34 = t383 * modes_inverse_upper_arm_3;
+        const ella_real modes_W_upper_arm_35 = t384 * modes_inverse_upper_arm_3;
+        const ella_real modes_W_upper_arm_36 = t385 * modes_inverse_upper_arm_3;
+        const ella_real modes_W_upper_arm_44 = t386 * modes_inverse_upper_arm_4;
+        const ella_real modes_W_upper_arm_45 = t387 * modes_inverse_upper_arm_4;
+        const ella_real modes_W_upper_arm_46 = t388 * modes_inverse_upper_arm_4;
+        const ella_real modes_W_upper_arm_54 = t392 * modes_inverse_upper_arm_5;
+        const ella_real modes_W_upper_arm_55 = t393 * modes_inverse_upper_arm_5;
+        const ella_real modes_W_upper_arm_56 = t394 * modes_inverse_upper_arm_5;
+        const ella_real modes_W_upper_arm_64 = t398 * modes_inverse_upper_arm_6;
+        const ella_real modes_W_upper_arm_65 = t399 * modes_inverse_upper_arm_6;
+        const ella_real modes_W_upper_arm_66 = t400 * modes_inverse_upper_arm_6;
+        const ella_real modes_W_upper_arm_74 = (t401 - modes_L_upper_arm_74 * t386 - modes_L_upper_arm_75 * t392
+            - modes_L_upper_arm_76 * t398) * modes_inverse_upper_arm_7;
+        const ella_real modes_W_upper_arm_75 = (t402 - modes_L_upper_arm_74 * t387 - modes_L_upper_arm_75 * t393
+            - modes_L_upper_arm_76 * t399) * modes_inverse_upper_arm_7;
+        const ella_real modes_W_upper_arm_76 = (t403 - modes_L_upper_arm_74 * t388 - modes_L_upper_arm_75 * t394
+            - modes_L_upper_arm_76 * t400) * modes_inverse_upper_arm_7;
+        const ella_real t404 = C_upper_arm_11 * modes_W_upper_arm_14 + t292 * modes_W_upper_arm_24
+            + t295 * modes_W_upper_arm_34;
+        const ella_real t405 = t404 + t298 * modes_W_upper_arm_44 + t304 * modes_W_upper_arm_54
+            + t310 * modes_W_upper_arm_64 + t316 * modes_W_upper_arm_74;
+        const ella_real M_i_upper_arm_14 = M_loaded_upper_arm_14 - t405;
+        const ella_real t406 = C_upper_arm_11 * modes_W_upper_arm_15 + t292 * modes_W_upper_arm_25
+            + t295 * modes_W_upper_arm_35;
+        const ella_real t407 = t406 + t298 * modes_W_upper_arm_45 + t304 * modes_W_upper_arm_55
+            + t310 * modes_W_upper_arm_65 + t316 * modes_W_upper_arm_75;
+        const ella_real M_i_upper_arm_15 = M_loaded_upper_arm_15 - t407;
+        const ella_real t408 = C_upper_arm_11 * modes_W_upper_arm_16 + t292 * modes_W_upper_arm_26
+            + t295 * modes_W_upper_arm_36;
+        const ella_real t409 = t408 + t298 * modes_W_upper_arm_46 + t304 * modes_W_upper_arm_56
+            + t310 * modes_W_upper_arm_66 + t316 * modes_W_upper_arm_76;
+        const ella_real M_i_upper_arm_16 = M_loaded_upper_arm_16 - t409;
+        const ella_real t410 = C_upper_arm_21 * modes_W_upper_arm_14 + t293 * modes_W_upper_arm_24
+            + t296 * modes_W_upper_arm_34;
+        const ella_real t411 = t410 + t299 * modes_W_upper_arm_44 + t305 * modes_W_upper_arm_54
+            + t311 * modes_W_upper_arm_64 + t317 * modes_W_upper_arm_74;
+        const ella_real M_i_upper_arm_24 = M_loaded_upper_arm_24 - t411;
+        const ella_real t412 = C_upper_arm_21 * modes_W_upper_arm_15 + t293 * modes_W_upper_arm_25
+            + t296 * modes_W_upper_arm_35;
+        const ella_real t413 = t412 + t299 * modes_W_upper_arm_45 + t305 * modes_W_upper_arm_55
+            + t311 * modes_W_upper_arm_65 + t317 * modes_W_upper_arm_75;
+        const ella_real M_i_upper_arm_25 = M_loaded_upper_arm_25 - t413;
+        const ella_real t414 = C_upper_arm_21 * modes_W_upper_arm_16 + t293 * modes_W_upper_arm_26
+            + t296 * modes_W_upper_arm_36;
+        const ella_real t415 = t414 + t299 * modes_W_upper_arm_46 + t305 * modes_W_upper_arm_56
+            + t311 * modes_W_upper_arm_66 + t317 * modes_W_upper_arm_76;
+        const ella_real M_i_upper_arm_26 = M_loaded_upper_arm_26 - t415;
+        const ella_real t416 = C_upper_arm_31 * modes_W_upper_arm_14 + t294 * modes_W_upper_arm_24
+            + t297 * modes_W_upper_arm_34;
+        const ella_real t417 = t416 + t300 * modes_W_upper_arm_44 + t306 * modes_W_upper_arm_54
+            + t312 * modes_W_upper_arm_64 + t318 * modes_W_upper_arm_74;
+        const ella_real M_i_upper_arm_34 = M_loaded_upper_arm_34 - t417;
+        const ella_real t418 = C_upper_arm_31 * modes_W_upper_arm_15 + t294 * modes_W_upper_arm_25
+            + t297 * modes_W_upper_arm_35;
+        const ella_real t419 = t418 + t300 * modes_W_upper_arm_45 + t306 * modes_W_upper_arm_55
+            + t312 * modes_W_upper_arm_65 + t318 * modes_W_upper_arm_75;
+        const ella_real M_i_upper_arm_35 = M_loaded_upper_arm_35 - t419;
+        const ella_real t420 = C_upper_arm_31 * modes_W_upper_arm_16 + t294 * modes_W_upper_arm_26
+            + t297 * modes_W_upper_arm_36;
+        const ella_real t421 = t420 + t300 * modes_W_upper_arm_46 + t306 * modes_W_upper_arm_56
+            + t312 * modes_W_upper_arm_66 + t318 * modes_W_upper_arm_76;
+        const ella_real M_i_upper_arm_36 = M_loaded_upper_arm_36 - t421;
+        const ella_real t422 = modes_W_upper_arm_14 * h_phi_upper_arm_1 + modes_W_upper_arm_24 * t319
+            + modes_W_upper_arm_34 * t320;
+        const ella_real t423 = t422 + modes_W_upper_arm_44 * t321 + modes_W_upper_arm_54 * t323
+            + modes_W_upper_arm_64 * t325 + modes_W_upper_arm_74 * t327;
+        const ella_real t424 = modes_W_upper_arm_15 * h_phi_upper_arm_1 + modes_W_upper_arm_25 * t319
+            + modes_W_upper_arm_35 * t320;
+        const ella_real t425 = t424 + modes_W_upper_arm_45 * t321 + modes_W_upper_arm_55 * t323
+            + modes_W_upper_arm_65 * t325 + modes_W_upper_arm_75 * t327;
+        const ella_real t426 = modes_W_upper_arm_16 * h_phi_upper_arm_1 + modes_W_upper_arm_26 * t319
+            + modes_W_upper_arm_36 * t320;
+        const ella_real t427 = t426 + modes_W_upper_arm_46 * t321 + modes_W_upper_arm_56 * t323
+            + modes_W_upper_arm_66 * t325 + modes_W_upper_arm_76 * t327;
+        const ella_real h_i_upper_arm_4 = h_loaded_upper_arm_4 - t423;
+        const ella_real h_i_upper_arm_5 = h_loaded_upper_arm_5 - t425;
+        const ella_real h_i_upper_arm_6 = h_loaded_upper_arm_6 - t427;
 
         /* upper_arm, joint: its accelerations eliminated from its rows (43) */
         const ella_real U_upper_arm_41 = M_i_upper_arm_14 * R_rel_upper_arm_yx
@@ -1083,83 +1804,105 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
             + M_i_upper_arm_25 * R_rel_upper_arm_yy;
         const ella_real U_upper_arm_61 = M_i_upper_arm_16 * R_rel_upper_arm_yx
             + M_i_upper_arm_26 * R_rel_upper_arm_yy;
-        const ella_real t193 = U_upper_arm_11 * joint_w_upper_arm_1
+        const ella_real t428 = U_upper_arm_11 * joint_w_upper_arm_1
             + (M_i_upper_arm_13 - joint_L_upper_arm_21 * U_upper_arm_11) * joint_w_upper_arm_2;
-        const ella_real t194 = U_upper_arm_21 * joint_w_upper_arm_1
+        const ella_real t429 = U_upper_arm_21 * joint_w_upper_arm_1
             + (M_i_upper_arm_23 - joint_L_upper_arm_21 * U_upper_arm_21) * joint_w_upper_arm_2;
-        const ella_real t195 = U_upper_arm_41 * joint_w_upper_arm_1
+        const ella_real t430 = U_upper_arm_41 * joint_w_upper_arm_1
             + (M_i_upper_arm_34 - joint_L_upper_arm_21 * U_upper_arm_41) * joint_w_upper_arm_2;
-        const ella_real t196 = U_upper_arm_51 * joint_w_upper_arm_1
+        const ella_real t431 = U_upper_arm_51 * joint_w_upper_arm_1
             + (M_i_upper_arm_35 - joint_L_upper_arm_21 * U_upper_arm_51) * joint_w_upper_arm_2;
-        const ella_real t197 = U_upper_arm_61 * joint_w_upper_arm_1
+        const ella_real t432 = U_upper_arm_61 * joint_w_upper_arm_1
             + (M_i_upper_arm_36 - joint_L_upper_arm_21 * U_upper_arm_61) * joint_w_upper_arm_2;
-        const ella_real p_i_upper_arm_1 = h_i_upper_arm_1 + t193;
+        const ella_real p_i_upper_arm_1 = h_i_upper_arm_1 + t428;
         output->wrench[0][0] = p_i_upper_arm_1;
-        const ella_real p_i_upper_arm_2 = h_i_upper_arm_2 + t194;
+        const ella_real p_i_upper_arm_2 = h_i_upper_arm_2 + t429;
         output->wrench[0][1] = p_i_upper_arm_2;
-        const ella_real p_i_upper_arm_3 = h_i_upper_arm_3 + (U_upper_arm_31 * joint_w_upper_arm_1 + t165);
+        const ella_real p_i_upper_arm_3 = h_i_upper_arm_3 + (U_upper_arm_31 * joint_w_upper_arm_1 + t349);
         output->wrench[0][2] = p_i_upper_arm_3;
-        const ella_real p_i_upper_arm_4 = h_i_upper_arm_4 + t195;
+        const ella_real p_i_upper_arm_4 = h_i_upper_arm_4 + t430;
         output->wrench[0][3] = p_i_upper_arm_4;
-        const ella_real p_i_upper_arm_5 = h_i_upper_arm_5 + t196;
+        const ella_real p_i_upper_arm_5 = h_i_upper_arm_5 + t431;
         output->wrench[0][4] = p_i_upper_arm_5;
-        const ella_real p_i_upper_arm_6 = h_i_upper_arm_6 + t197;
+        const ella_real p_i_upper_arm_6 = h_i_upper_arm_6 + t432;
         output->wrench[0][5] = p_i_upper_arm_6;
 
         /* joint wrench (48)_forearm */
-        const ella_real t198 = Lambda_i_forearm_11 * carried_forearm_1 + Lambda_i_forearm_12 * carried_forearm_2
-            - minus_Lambda_i_forearm_14 * carried_forearm_4;
-        const ella_real t199 = Lambda_i_forearm_12 * carried_forearm_1 + Lambda_i_forearm_22 * carried_forearm_2
-            + Lambda_i_forearm_24 * carried_forearm_4;
-        const ella_real t200 = Lambda_i_forearm_24 * carried_forearm_2
+        const ella_real t433 = Lambda_i_forearm_11 * carried_forearm_1
+            - minus_Lambda_i_forearm_12 * carried_forearm_2 - minus_Lambda_i_forearm_14 * carried_forearm_4;
+        const ella_real t434 = Lambda_i_forearm_22 * carried_forearm_2
+            - minus_Lambda_i_forearm_12 * carried_forearm_1 + Lambda_i_forearm_24 * carried_forearm_4;
+        const ella_real t435 = Lambda_i_forearm_24 * carried_forearm_2
             - minus_Lambda_i_forearm_14 * carried_forearm_1 + Lambda_i_forearm_44 * carried_forearm_4;
-        const ella_real t201 = Lambda_i_forearm_15 * carried_forearm_1
-            - minus_Lambda_i_forearm_25 * carried_forearm_2 - minus_Lambda_i_forearm_45 * carried_forearm_4;
-        const ella_real t202 = M_i_forearm_16 * carried_forearm_1 + M_i_forearm_26 * carried_forearm_2
+        const ella_real t436 = Lambda_i_forearm_15 * carried_forearm_1 + Lambda_i_forearm_25 * carried_forearm_2
+            + Lambda_i_forearm_45 * carried_forearm_4;
+        const ella_real t437 = M_i_forearm_16 * carried_forearm_1 - minus_M_i_forearm_26 * carried_forearm_2
             + M_i_forearm_66 * carried_forearm_6;
-        const ella_real wrench_forearm_1 = t198 + Lambda_i_forearm_15 * carried_forearm_5
+        const ella_real wrench_forearm_1 = t433 + Lambda_i_forearm_15 * carried_forearm_5
             + M_i_forearm_16 * carried_forearm_6 + p_i_forearm_1;
         output->wrench[1][0] = wrench_forearm_1;
-        const ella_real wrench_forearm_2 = t199 - minus_Lambda_i_forearm_25 * carried_forearm_5
-            + M_i_forearm_26 * carried_forearm_6 + p_i_forearm_2;
+        const ella_real wrench_forearm_2 = t434 + Lambda_i_forearm_25 * carried_forearm_5
+            - minus_M_i_forearm_26 * carried_forearm_6 + p_i_forearm_2;
         output->wrench[1][1] = wrench_forearm_2;
-        const ella_real wrench_forearm_4 = t200 - minus_Lambda_i_forearm_45 * carried_forearm_5 + p_i_forearm_4;
+        const ella_real wrench_forearm_4 = t435 + Lambda_i_forearm_45 * carried_forearm_5 + p_i_forearm_4;
         output->wrench[1][3] = wrench_forearm_4;
-        const ella_real wrench_forearm_5 = t201 + Lambda_i_forearm_55 * carried_forearm_5 + p_i_forearm_5;
+        const ella_real wrench_forearm_5 = t436 + Lambda_i_forearm_55 * carried_forearm_5 + p_i_forearm_5;
         output->wrench[1][4] = wrench_forearm_5;
-        const ella_real wrench_forearm_6 = t202 + h_i_forearm_6;
+        const ella_real wrench_forearm_6 = t437 + h_i_forearm_6;
         output->wrench[1][5] = wrench_forearm_6;
 
         /* outputs */
         output->wrench[1][2] = input->tau[2];
+
+        if (wanted & ELLA_MOTION) {
+            const ella_real motion_upper_arm_4 = S_upper_arm_z * delta_upper_arm_2 - S_upper_arm_y * joint_w_upper_arm_2
+                + h_V_upper_arm_4;
+            work->motion[0][3] = motion_upper_arm_4;
+
+            /* forearm, link: what is added to the acceleration of F_i, modal accelerations (83) */
+            const ella_real alpha_forearm_4 = carried_forearm_4 + alpha_0_forearm_4;
+            work->motion[1][2] = alpha_forearm_4;
+
+            const ella_real t438 = S_forearm_z * carried_forearm_2 - S_forearm_y * delta_forearm_3
+                + c->links[1].mu * carried_forearm_4;
+            const ella_real motion_forearm_4 = t438 + h_V_forearm_4;
+            work->motion[1][3] = motion_forearm_4;
+
+            /* outputs */
+            work->motion[0][0] = omega_J_upper_arm_y;
+            work->motion[0][1] = state->v[1];
+            work->motion[0][2] = alpha_0_upper_arm_4;
+            work->motion[1][0] = omega_R_forearm_2;
+            work->motion[1][1] = omega_forearm_z;
+        }
     }
 
     if (wanted & ELLA_TIP_POSE) {
         /* upper_arm, pose: rotation and position of the tip section in the inertial frame (Ad) */
         const ella_real R_tip_upper_arm_xx = R_rel_upper_arm_xx * R_T_upper_arm_xx
-            - minus_R_rel_upper_arm_xy * minus_R_T_upper_arm_xy - R_rel_upper_arm_xz * R_T_upper_arm_xz;
-        const ella_real R_tip_upper_arm_xy = R_rel_upper_arm_xz * R_T_upper_arm_yz
-            - (minus_R_rel_upper_arm_xy * R_T_upper_arm_yy + R_rel_upper_arm_xx * minus_R_T_upper_arm_xy);
+            - minus_R_rel_upper_arm_xy * R_T_upper_arm_yx + R_rel_upper_arm_xz * R_T_upper_arm_zx;
+        const ella_real R_tip_upper_arm_xy = R_rel_upper_arm_xx * R_T_upper_arm_xy
+            - minus_R_rel_upper_arm_xy * R_T_upper_arm_yy + R_rel_upper_arm_xz * R_T_upper_arm_zy;
         const ella_real R_tip_upper_arm_xz = R_rel_upper_arm_xx * R_T_upper_arm_xz
             - minus_R_rel_upper_arm_xy * R_T_upper_arm_yz + R_rel_upper_arm_xz * R_T_upper_arm_zz;
         const ella_real R_tip_upper_arm_yx = R_rel_upper_arm_yx * R_T_upper_arm_xx
-            + R_rel_upper_arm_yy * minus_R_T_upper_arm_xy;
-        const ella_real R_tip_upper_arm_yy = R_rel_upper_arm_yy * R_T_upper_arm_yy
-            - R_rel_upper_arm_yx * minus_R_T_upper_arm_xy;
+            + R_rel_upper_arm_yy * R_T_upper_arm_yx;
+        const ella_real R_tip_upper_arm_yy = R_rel_upper_arm_yx * R_T_upper_arm_xy
+            + R_rel_upper_arm_yy * R_T_upper_arm_yy;
         const ella_real R_tip_upper_arm_yz = R_rel_upper_arm_yx * R_T_upper_arm_xz
             + R_rel_upper_arm_yy * R_T_upper_arm_yz;
-        const ella_real R_tip_upper_arm_zx = R_rel_upper_arm_zy * minus_R_T_upper_arm_xy
-            - minus_R_rel_upper_arm_zx * R_T_upper_arm_xx - R_rel_upper_arm_zz * R_T_upper_arm_xz;
+        const ella_real R_tip_upper_arm_zx = R_rel_upper_arm_zy * R_T_upper_arm_yx
+            - minus_R_rel_upper_arm_zx * R_T_upper_arm_xx + R_rel_upper_arm_zz * R_T_upper_arm_zx;
         const ella_real R_tip_upper_arm_zy = R_rel_upper_arm_zy * R_T_upper_arm_yy
-            + minus_R_rel_upper_arm_zx * minus_R_T_upper_arm_xy + R_rel_upper_arm_zz * R_T_upper_arm_yz;
+            - minus_R_rel_upper_arm_zx * R_T_upper_arm_xy + R_rel_upper_arm_zz * R_T_upper_arm_zy;
         const ella_real R_tip_upper_arm_zz = R_rel_upper_arm_zy * R_T_upper_arm_yz
             - minus_R_rel_upper_arm_zx * R_T_upper_arm_xz + R_rel_upper_arm_zz * R_T_upper_arm_zz;
-        const ella_real r_tip_upper_arm_x = R_rel_upper_arm_xx * r_T_upper_arm_x
+        const ella_real r_tip_upper_arm_x = R_rel_upper_arm_xx * c->links[0].length
             - minus_R_rel_upper_arm_xy * r_T_upper_arm_y + R_rel_upper_arm_xz * r_T_upper_arm_z;
-        const ella_real r_tip_upper_arm_y = R_rel_upper_arm_yx * r_T_upper_arm_x
+        const ella_real r_tip_upper_arm_y = R_rel_upper_arm_yx * c->links[0].length
             + R_rel_upper_arm_yy * r_T_upper_arm_y;
         const ella_real r_tip_upper_arm_z = R_rel_upper_arm_zy * r_T_upper_arm_y
-            - minus_R_rel_upper_arm_zx * r_T_upper_arm_x + R_rel_upper_arm_zz * r_T_upper_arm_z;
+            - minus_R_rel_upper_arm_zx * c->links[0].length + R_rel_upper_arm_zz * r_T_upper_arm_z;
 
         /* forearm, pose: rotation and position of F_i in the inertial frame (Ad) */
         const ella_real R_forearm_xx = R_tip_upper_arm_xx * R_rel_forearm_xx
@@ -1176,41 +1919,44 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
             - R_tip_upper_arm_zx * minus_R_rel_forearm_xy;
 
         /* forearm, pose: rotation and position of the tip section in the inertial frame (Ad) */
-        const ella_real R_tip_forearm_xx = R_forearm_xx * R_T_forearm_xx + R_forearm_xy * minus_R_T_forearm_xy
-            - R_tip_upper_arm_xz * R_T_forearm_xz;
+        const ella_real R_tip_forearm_xx = R_forearm_xx * R_T_forearm_xx + R_forearm_xy * R_T_forearm_yx
+            + R_tip_upper_arm_xz * R_T_forearm_zx;
         output->tip_rotation[0][0] = R_tip_forearm_xx;
-        const ella_real R_tip_forearm_xy = R_forearm_xy * R_T_forearm_yy - R_forearm_xx * minus_R_T_forearm_xy
-            + R_tip_upper_arm_xz * R_T_forearm_yz;
+        const ella_real R_tip_forearm_xy = R_forearm_xx * R_T_forearm_xy + R_forearm_xy * R_T_forearm_yy
+            + R_tip_upper_arm_xz * R_T_forearm_zy;
         output->tip_rotation[0][1] = R_tip_forearm_xy;
         const ella_real R_tip_forearm_xz = R_forearm_xx * R_T_forearm_xz + R_forearm_xy * R_T_forearm_yz
             + R_tip_upper_arm_xz * R_T_forearm_zz;
         output->tip_rotation[0][2] = R_tip_forearm_xz;
-        const ella_real R_tip_forearm_yx = R_forearm_yx * R_T_forearm_xx + R_forearm_yy * minus_R_T_forearm_xy
-            - R_tip_upper_arm_yz * R_T_forearm_xz;
+        const ella_real R_tip_forearm_yx = R_forearm_yx * R_T_forearm_xx + R_forearm_yy * R_T_forearm_yx
+            + R_tip_upper_arm_yz * R_T_forearm_zx;
         output->tip_rotation[1][0] = R_tip_forearm_yx;
-        const ella_real R_tip_forearm_yy = R_forearm_yy * R_T_forearm_yy - R_forearm_yx * minus_R_T_forearm_xy
-            + R_tip_upper_arm_yz * R_T_forearm_yz;
+        const ella_real R_tip_forearm_yy = R_forearm_yx * R_T_forearm_xy + R_forearm_yy * R_T_forearm_yy
+            + R_tip_upper_arm_yz * R_T_forearm_zy;
         output->tip_rotation[1][1] = R_tip_forearm_yy;
         const ella_real R_tip_forearm_yz = R_forearm_yx * R_T_forearm_xz + R_forearm_yy * R_T_forearm_yz
             + R_tip_upper_arm_yz * R_T_forearm_zz;
         output->tip_rotation[1][2] = R_tip_forearm_yz;
-        const ella_real R_tip_forearm_zx = R_forearm_zx * R_T_forearm_xx + R_forearm_zy * minus_R_T_forearm_xy
-            - R_tip_upper_arm_zz * R_T_forearm_xz;
+        const ella_real R_tip_forearm_zx = R_forearm_zx * R_T_forearm_xx + R_forearm_zy * R_T_forearm_yx
+            + R_tip_upper_arm_zz * R_T_forearm_zx;
         output->tip_rotation[2][0] = R_tip_forearm_zx;
-        const ella_real R_tip_forearm_zy = R_forearm_zy * R_T_forearm_yy - R_forearm_zx * minus_R_T_forearm_xy
-            + R_tip_upper_arm_zz * R_T_forearm_yz;
+        const ella_real R_tip_forearm_zy = R_forearm_zx * R_T_forearm_xy + R_forearm_zy * R_T_forearm_yy
+            + R_tip_upper_arm_zz * R_T_forearm_zy;
         output->tip_rotation[2][1] = R_tip_forearm_zy;
         const ella_real R_tip_forearm_zz = R_forearm_zx * R_T_forearm_xz + R_forearm_zy * R_T_forearm_yz
             + R_tip_upper_arm_zz * R_T_forearm_zz;
         output->tip_rotation[2][2] = R_tip_forearm_zz;
-        const ella_real r_tip_forearm_x = r_tip_upper_arm_x
-            + (R_forearm_xx * r_T_forearm_x + R_forearm_xy * r_T_forearm_y + R_tip_upper_arm_xz * r_T_forearm_z);
+        const ella_real t439 = R_forearm_xx * c->links[1].length + R_forearm_xy * r_T_forearm_y
+            + R_tip_upper_arm_xz * r_T_forearm_z;
+        const ella_real t440 = R_forearm_yx * c->links[1].length + R_forearm_yy * r_T_forearm_y
+            + R_tip_upper_arm_yz * r_T_forearm_z;
+        const ella_real t441 = R_forearm_zx * c->links[1].length + R_forearm_zy * r_T_forearm_y
+            + R_tip_upper_arm_zz * r_T_forearm_z;
+        const ella_real r_tip_forearm_x = r_tip_upper_arm_x + t439;
         output->tip_position[0] = r_tip_forearm_x;
-        const ella_real r_tip_forearm_y = r_tip_upper_arm_y
-            + (R_forearm_yx * r_T_forearm_x + R_forearm_yy * r_T_forearm_y + R_tip_upper_arm_yz * r_T_forearm_z);
+        const ella_real r_tip_forearm_y = r_tip_upper_arm_y + t440;
         output->tip_position[1] = r_tip_forearm_y;
-        const ella_real r_tip_forearm_z = r_tip_upper_arm_z
-            + (R_forearm_zx * r_T_forearm_x + R_forearm_zy * r_T_forearm_y + R_tip_upper_arm_zz * r_T_forearm_z);
+        const ella_real r_tip_forearm_z = r_tip_upper_arm_z + t441;
         output->tip_position[2] = r_tip_forearm_z;
     }
 
@@ -1224,6 +1970,25 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         return ELLA_SINGULAR;
     }
     return ELLA_OK;
+}
+
+const ella_real ella_measure_bounds[ELLA_NMEASURES] = { REAL(0.1), REAL(0.35), REAL(0.02), REAL(0.2) };
+
+ella_status ella_validity(const ella_constants *c, const ella_state *state, const ella_output *output,
+    const ella_work *work, ella_measures *measures)
+{
+    ella_call call = { 0 };
+    ella_status status;
+    int fault = 0;
+    if (!c || !state || !output || !work || !measures) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    call.eta = state->q + ELLA_NTAU;
+    call.given_wrench = &output->wrench[0][0];
+    call.given_motion = &work->motion[0][0];
+    call.measures = &measures->value[0][0];
+    status = ella_measuring(c, &call, 0, &fault);
+    return ella_finite(call.measures, ELLA_NMEASURES * ELLA_NLINKS) ? status : ELLA_NONFINITE;
 }
 
 ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
@@ -1253,7 +2018,8 @@ ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *sta
     call.force_eta = force + ELLA_NTAU;
     call.wrench = wrench ? &wrench[0][0] : 0;
     status = ella_inverse(c, &call, chain, &fault);
-    if (status == ELLA_OK && !(ella_finite(force, ELLA_NV) && ella_finite(call.w_ext, 6 * ELLA_NLINKS))) {
+    if (status == ELLA_OK && !(ella_finite(force, ELLA_NV) && ella_finite(call.w_ext, 6 * ELLA_NLINKS)
+        && (!wrench || ella_finite(&wrench[0][0], 6 * ELLA_NLINKS)))) {
         return ELLA_NONFINITE;
     }
     return status;
@@ -1274,6 +2040,9 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
     call.m_eta = c->M_eta;
     call.given_qddot = unit;
     call.given_etaddot = unit + ELLA_NTAU;
+    if (!ella_finite(state->q, ELLA_NQ)) {
+        return ELLA_NONFINITE;
+    }
     status = ella_inertia_posture(c, &call, chain, &fault);
     for (j = 0; j < ELLA_NV && status == ELLA_OK; ++j) {
         unit[j] = 1;

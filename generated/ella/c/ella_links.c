@@ -6,31 +6,40 @@
 #include "ella_links.h"
 
 static const int Q_OFFSET[ELLA_NLINKS] = { 0, 2 };
-static const int ETA_OFFSET[ELLA_NLINKS] = { 0, 3 };
+static const int ETA_OFFSET[ELLA_NLINKS] = { 0, 7 };
 
 /* Where the entries of M_sys that a link computes stand among the structural nonzeros. */
 static const int M_PLACE[ELLA_NNZ] = {
-    0, 3, 1, 4, 6, 11, 27, 12, 28, 57, 70, 83, 19, 35, 49, 20, 36, 50, 21, 37,
-    51, 64, 77, 90, 22, 38, 52, 65, 78, 91, 23, 39, 53, 66, 79, 92, 222, 236, 223, 237,
-    210, 224, 238, 211, 225, 239, 212, 226, 240, 2, 5, 7, 8, 9, 10, 13, 29, 43, 58, 71,
-    84, 14, 30, 44, 59, 72, 85, 15, 31, 45, 60, 73, 86, 16, 32, 46, 61, 74, 87, 17,
-    33, 47, 62, 75, 88, 18, 34, 48, 63, 76, 89, 204, 216, 230, 205, 217, 231, 206, 218, 232,
-    207, 219, 233, 208, 220, 234, 209, 221, 235, 96, 102, 108, 115, 125, 135, 97, 103, 109, 116, 126,
-    136, 98, 104, 110, 117, 127, 137, 118, 128, 138, 119, 129, 139, 120, 130, 140, 24, 40, 54, 67,
-    80, 93, 25, 41, 55, 68, 81, 94, 26, 42, 56, 69, 82, 95, 213, 227, 241, 214, 228, 242,
-    215, 229, 243, 122, 132, 142, 100, 106, 113, 123, 133, 143, 101, 107, 114, 124, 134, 144, 111, 145,
-    155, 174, 184, 194, 99, 105, 112, 121, 131, 141, 146, 156, 165, 175, 185, 195, 147, 157, 166, 176,
-    186, 196, 148, 158, 167, 177, 187, 197, 149, 159, 168, 178, 188, 198, 150, 160, 169, 179, 189, 199,
-    151, 161, 170, 180, 190, 200, 244, 253, 262, 245, 254, 263, 246, 255, 264, 247, 256, 265, 248, 257,
-    266, 249, 258, 267, 152, 162, 171, 181, 191, 201, 153, 163, 172, 182, 192, 202, 154, 164, 173, 183,
-    193, 203, 250, 259, 268, 251, 260, 269, 252, 261, 270,
+    0, 3, 1, 4, 6, 11, 31, 12, 32, 67, 83, 99, 19, 39, 56, 20, 40, 57, 21, 41,
+    58, 74, 90, 106, 22, 42, 59, 75, 91, 107, 23, 43, 60, 76, 92, 108, 272, 289, 306, 323,
+    340, 357, 369, 273, 290, 307, 324, 341, 358, 370, 274, 291, 308, 325, 342, 359, 275, 292, 309, 326,
+    343, 360, 276, 293, 310, 327, 344, 361, 2, 5, 7, 8, 9, 10, 13, 33, 50, 68, 84, 100,
+    14, 34, 51, 69, 85, 101, 15, 35, 52, 70, 86, 102, 16, 36, 53, 71, 87, 103, 17, 37,
+    54, 72, 88, 104, 18, 38, 55, 73, 89, 105, 266, 283, 300, 317, 334, 351, 368, 267, 284, 301,
+    318, 335, 352, 268, 285, 302, 319, 336, 353, 269, 286, 303, 320, 337, 354, 270, 287, 304, 321, 338,
+    355, 271, 288, 305, 322, 339, 356, 115, 126, 137, 149, 162, 175, 116, 127, 138, 150, 163, 176, 117,
+    128, 139, 151, 164, 177, 152, 165, 178, 153, 166, 179, 154, 167, 180, 24, 44, 61, 77, 93, 109,
+    25, 45, 62, 78, 94, 110, 26, 46, 63, 79, 95, 111, 27, 47, 64, 80, 96, 112, 28, 48,
+    65, 81, 97, 113, 29, 49, 66, 82, 98, 114, 30, 277, 294, 311, 328, 345, 362, 278, 295, 312,
+    329, 346, 363, 279, 296, 313, 330, 347, 364, 280, 297, 314, 331, 348, 365, 281, 298, 315, 332, 349,
+    366, 282, 299, 316, 333, 350, 367, 371, 119, 130, 142, 156, 169, 182, 120, 131, 143, 157, 170, 183,
+    121, 132, 144, 158, 171, 184, 122, 133, 145, 159, 172, 185, 123, 134, 146, 160, 173, 186, 124, 135,
+    147, 161, 174, 187, 125, 136, 148, 140, 188, 202, 227, 240, 253, 118, 129, 141, 155, 168, 181, 189,
+    203, 215, 228, 241, 254, 190, 204, 216, 229, 242, 255, 191, 205, 217, 230, 243, 256, 192, 206, 218,
+    231, 244, 257, 193, 207, 219, 232, 245, 258, 194, 208, 220, 233, 246, 259, 372, 384, 396, 408, 420,
+    432, 444, 373, 385, 397, 409, 421, 433, 374, 386, 398, 410, 422, 434, 375, 387, 399, 411, 423, 435,
+    376, 388, 400, 412, 424, 436, 377, 389, 401, 413, 425, 437, 195, 209, 221, 234, 247, 260, 196, 210,
+    222, 235, 248, 261, 197, 211, 223, 236, 249, 262, 198, 212, 224, 237, 250, 263, 199, 213, 225, 238,
+    251, 264, 200, 214, 226, 239, 252, 265, 201, 378, 390, 402, 414, 426, 438, 379, 391, 403, 415, 427,
+    439, 380, 392, 404, 416, 428, 440, 381, 393, 405, 417, 429, 441, 382, 394, 406, 418, 430, 442, 383,
+    395, 407, 419, 431, 443, 445,
 };
-static const int M_OFFSET[ELLA_NLINKS] = { 0, 178 };
+static const int M_OFFSET[ELLA_NLINKS] = { 0, 287 };
 
-/* dae kinematics, links like upper_arm: 161 operations */
+/* dae kinematics, links like upper_arm: 253 operations */
 ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
     ella_node *restrict tip, const ella_real q[restrict 2], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 2])
+    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], ella_real qdot[restrict 2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -74,92 +83,138 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    link->r_T[0] = r_T_y;
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+    link->r_T[1] = r_T_z;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t4 = theta_x * theta_x;
+    const ella_real t5 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t4 + t5;
+    const ella_real t6 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t6;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real t4 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t4;
+    const ella_real t7 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t7;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real t5 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t5;
+    const ella_real t8 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t8;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t5 + t6;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t4 + t6;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    link->J_l[0] = J_l_xx;
+    const ella_real t9 = c3 * theta_hat2_12;
+    const ella_real t10 = c2 * theta_z;
+    const ella_real J_l_xy = t9 - t10;
+    link->J_l[1] = J_l_xy;
+    const ella_real t11 = c2 * theta_y;
+    const ella_real t12 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t11 + t12;
     link->J_l[2] = J_l_xz;
+    const ella_real J_l_yx = t10 + t9;
+    link->J_l[3] = J_l_yx;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
+    link->J_l[4] = J_l_yy;
+    const ella_real t13 = c3 * theta_hat2_23;
+    const ella_real t14 = c2 * theta_x;
+    const ella_real J_l_yz = t13 - t14;
+    link->J_l[5] = J_l_yz;
+    const ella_real J_l_zx = t12 - t11;
+    link->J_l[6] = J_l_zx;
+    const ella_real J_l_zy = t14 + t13;
+    link->J_l[7] = J_l_zy;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
+    link->J_l[8] = J_l_zz;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
     tip->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    tip->R_T[1] = -minus_R_T_xy;
-    tip->R_T[3] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real t15 = c2 * theta_hat2_12;
+    const ella_real t16 = c1 * theta_z;
+    const ella_real R_T_xy = t15 - t16;
+    link->R_T[1] = R_T_xy;
+    tip->R_T[1] = R_T_xy;
+    const ella_real t17 = c1 * theta_y;
+    const ella_real t18 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t17 + t18;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
-    tip->R_T[6] = -R_T_xz;
+    const ella_real R_T_yx = t16 + t15;
+    link->R_T[3] = R_T_yx;
+    tip->R_T[3] = R_T_yx;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
+    link->R_T[4] = R_T_yy;
     tip->R_T[4] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
+    const ella_real t19 = c2 * theta_hat2_23;
+    const ella_real t20 = c1 * theta_x;
+    const ella_real R_T_yz = t19 - t20;
+    link->R_T[5] = R_T_yz;
     tip->R_T[5] = R_T_yz;
-    tip->R_T[7] = R_T_yz;
+    const ella_real R_T_zx = t18 - t17;
+    link->R_T[6] = R_T_zx;
+    tip->R_T[6] = R_T_zx;
+    const ella_real R_T_zy = t20 + t19;
+    link->R_T[7] = R_T_zy;
+    tip->R_T[7] = R_T_zy;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
+    link->R_T[8] = R_T_zz;
     tip->R_T[8] = R_T_zz;
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t6 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t6;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t6;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t6;
+    const ella_real t21 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t22 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t23 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real t24 = theta_y * t22 - theta_z * t23;
+    const ella_real omega_s_x = thetadot_x + c2 * t21 + c3 * t24;
+    const ella_real t25 = theta_z * t21 - theta_x * t22;
+    const ella_real omega_s_y = thetadot_y + c2 * t23 + c3 * t25;
+    const ella_real t26 = theta_x * t23 - theta_y * t21;
+    const ella_real omega_s_z = thetadot_z + c2 * t22 + c3 * t26;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t5 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t8 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t4 * REAL(1.5) - t5 * REAL(0.5));
+    const ella_real c3dot = xdot * (t7 * REAL(1.5) - t8 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t6;
-    const ella_real alpha_s_y = c3 * thetadot_z * t6 + c3dot * theta_z * t6;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t6 + c3dot * theta_y * t6;
+    const ella_real alpha_s_x = c2dot * t21 + c3 * (thetadot_y * t22 - thetadot_z * t23) + c3dot * t24;
+    const ella_real alpha_s_y = c2dot * t23 + c3 * (thetadot_z * t21 - thetadot_x * t22) + c3dot * t25;
+    const ella_real alpha_s_z = c2dot * t22 + c3 * (thetadot_x * t23 - thetadot_y * t21) + c3dot * t26;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_1 = omega_J_x + omega_s_x;
@@ -172,17 +227,17 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     tip->alpha_0[0] = alpha_0_T_1;
     const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (twist[2] * omega_s_x - omega_J_x * omega_s_z);
     tip->alpha_0[1] = alpha_0_T_2;
-    const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
+    const ella_real alpha_0_T_3 = alpha_s_z + (omega_J_x * omega_s_y - omega_J_y * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t7 = omega_J_y * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t8 = twist[2] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t9 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t9 - twist[2] * t8);
+    const ella_real t27 = omega_J_y * r_T_z - twist[2] * r_T_y;
+    const ella_real t28 = twist[2] * c->length - omega_J_x * r_T_z + udot_T_y * 2;
+    const ella_real t29 = omega_J_x * r_T_y - omega_J_y * c->length + udot_T_z * 2;
+    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t29 - twist[2] * t28);
     tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t7 - omega_J_x * t9);
+    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t27 - omega_J_x * t29);
     tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t8 - omega_J_y * t7);
+    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * c->length)
+        + (omega_J_x * t28 - omega_J_y * t27);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -191,10 +246,10 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     return ELLA_OK;
 }
 
-/* dae kinematics, links like forearm: 143 operations */
+/* dae kinematics, links like forearm: 192 operations */
 ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
     ella_node *restrict tip, const ella_real q[restrict 1], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], ella_real qdot[restrict 1])
+    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], ella_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -242,21 +297,30 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    link->r_T[0] = r_T_x;
-    const ella_real r_T_y = eta[1] * 2;
-    link->r_T[1] = r_T_y;
-    const ella_real r_T_z = eta[2] * 2;
-    link->r_T[2] = r_T_z;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    link->r_T[0] = r_T_y;
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+    link->r_T[1] = r_T_z;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -266,46 +330,76 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    link->J_l[1] = minus_J_l_xy;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    link->J_l[0] = J_l_xx;
+    const ella_real t4 = c3 * theta_hat2_12;
+    const ella_real t5 = c2 * theta_z;
+    const ella_real J_l_xy = t4 - t5;
+    link->J_l[1] = J_l_xy;
+    const ella_real t6 = c2 * theta_y;
+    const ella_real t7 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t6 + t7;
     link->J_l[2] = J_l_xz;
+    const ella_real J_l_yx = t5 + t4;
+    link->J_l[3] = J_l_yx;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    link->J_l[3] = J_l_yy;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
-    link->J_l[4] = J_l_yz;
+    link->J_l[4] = J_l_yy;
+    const ella_real t8 = c3 * theta_hat2_23;
+    const ella_real t9 = c2 * theta_x;
+    const ella_real J_l_yz = t8 - t9;
+    link->J_l[5] = J_l_yz;
+    const ella_real J_l_zx = t7 - t6;
+    link->J_l[6] = J_l_zx;
+    const ella_real J_l_zy = t9 + t8;
+    link->J_l[7] = J_l_zy;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-    link->J_l[5] = J_l_zz;
+    link->J_l[8] = J_l_zz;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    link->R_T[1] = minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real t10 = c2 * theta_hat2_12;
+    const ella_real t11 = c1 * theta_z;
+    const ella_real R_T_xy = t10 - t11;
+    link->R_T[1] = R_T_xy;
+    const ella_real t12 = c1 * theta_y;
+    const ella_real t13 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t12 + t13;
     link->R_T[2] = R_T_xz;
+    const ella_real R_T_yx = t11 + t10;
+    link->R_T[3] = R_T_yx;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    link->R_T[3] = R_T_yy;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    link->R_T[4] = R_T_yz;
+    link->R_T[4] = R_T_yy;
+    const ella_real t14 = c2 * theta_hat2_23;
+    const ella_real t15 = c1 * theta_x;
+    const ella_real R_T_yz = t14 - t15;
+    link->R_T[5] = R_T_yz;
+    const ella_real R_T_zx = t13 - t12;
+    link->R_T[6] = R_T_zx;
+    const ella_real R_T_zy = t15 + t14;
+    link->R_T[7] = R_T_zy;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-    link->R_T[5] = R_T_zz;
+    link->R_T[8] = R_T_zz;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t1 = omega_R_2 * r_T_z - twist[2] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t2 = twist[2] * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
-    const ella_real t3 = omega_R_1 * r_T_y - omega_R_2 * r_T_x + etadot[2] * 4;
+    const ella_real t16 = omega_R_2 * r_T_z - twist[2] * r_T_y;
+    const ella_real t17 = twist[2] * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
+    const ella_real t18 = omega_R_1 * r_T_y - omega_R_2 * c->length + udot_T_z * 2;
     const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t3 - twist[2] * t2);
+        + (omega_R_2 * t18 - twist[2] * t17);
     tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * r_T_x - alpha_0_1 * r_T_z)
-        + (twist[2] * t1 - omega_R_1 * t3);
+    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
+        + (twist[2] * t16 - omega_R_1 * t18);
     tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * r_T_x)
-        + (omega_R_1 * t2 - omega_R_2 * t1);
+    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
+        + (omega_R_1 * t17 - omega_R_2 * t16);
     tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
@@ -316,48 +410,46 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     return ELLA_OK;
 }
 
-/* eliminate, links like upper_arm: 830 operations */
+/* eliminate, links like upper_arm: 1943 operations */
 ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
-    const ella_real eta[restrict 3], const ella_real etadot[restrict 3], const ella_real w_ext[restrict 6],
-    const ella_real m_eta[restrict 3], const ella_real f_eta[restrict 3], const ella_real tau[restrict 2])
+    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], const ella_real w_ext[restrict 6],
+    const ella_real m_eta[restrict 7], const ella_real f_eta[restrict 7], const ella_real tau[restrict 2])
 {
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+    const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+    const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
@@ -375,26 +467,24 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
     const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const ella_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
@@ -404,186 +494,450 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t7 + t8 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
-        - S_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
+    const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
     const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t8 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
     const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t10 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t10 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t11 = Ldot_x2 * 2;
-    const ella_real t12 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + t11 * link->omega[2];
-    const ella_real h_eta_2 = t12 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t13 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3
+        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+    const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
         + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t13 - t11 * link->omega[1];
+    const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
+        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const ella_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
     const ella_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
     const ella_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
     const ella_real p_T_1 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
     const ella_real p_T_2 = tip->p[1]
-        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
     const ella_real p_T_3 = tip->p[2]
-        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
     const ella_real p_T_4 = tip->p[3] + c->body0_mass * tip->alpha_0[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
     const ella_real p_T_5 = tip->p[4] + c->body0_mass * tip->alpha_0[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
     const ella_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
     const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real t14 = link->r_T[2] * tip->Lambda[16];
-    const ella_real t15 = link->r_T[1] * tip->Lambda[17];
-    const ella_real t16 = link->r_T[0] * tip->Lambda[19];
-    const ella_real M_loaded_14 = tip->Lambda[3] + (t15 - t14);
-    const ella_real t17 = tip->Lambda[4] + (link->r_T[1] * tip->Lambda[19] - link->r_T[2] * Lambda_T_55);
-    const ella_real t18 = tip->Lambda[5] + (link->r_T[1] * Lambda_T_66 - link->r_T[2] * tip->Lambda[19]);
-    const ella_real t19 = tip->Lambda[8] + (link->r_T[2] * Lambda_T_44 - link->r_T[0] * tip->Lambda[17]);
-    const ella_real M_loaded_25 = tip->Lambda[9] + (t14 - t16);
-    const ella_real t20 = tip->Lambda[10] + (link->r_T[2] * tip->Lambda[17] - link->r_T[0] * Lambda_T_66);
-    const ella_real t21 = tip->Lambda[12] + (link->r_T[0] * tip->Lambda[16] - link->r_T[1] * Lambda_T_44);
-    const ella_real t22 = tip->Lambda[13] + (link->r_T[0] * Lambda_T_55 - link->r_T[1] * tip->Lambda[16]);
-    const ella_real M_loaded_36 = tip->Lambda[14] + (t16 - t15);
-    const ella_real t23 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[2] - tip->Lambda[5] * link->r_T[1])
-        + (link->r_T[1] * t18 - link->r_T[2] * t17);
-    const ella_real t24 = tip->Lambda[1] - (tip->Lambda[5] * link->r_T[0] - tip->Lambda[3] * link->r_T[2])
-        + (link->r_T[1] * t20 - link->r_T[2] * M_loaded_25);
-    const ella_real t25 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[1] - tip->Lambda[4] * link->r_T[0])
-        + (link->r_T[1] * M_loaded_36 - link->r_T[2] * t22);
-    const ella_real t26 = tip->Lambda[6] - (tip->Lambda[10] * link->r_T[0] - tip->Lambda[8] * link->r_T[2])
-        + (link->r_T[2] * t19 - link->r_T[0] * t20);
-    const ella_real t27 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[1] - tip->Lambda[9] * link->r_T[0])
-        + (link->r_T[2] * t21 - link->r_T[0] * M_loaded_36);
-    const ella_real t28 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[1] - tip->Lambda[13] * link->r_T[0])
-        + (link->r_T[0] * t22 - link->r_T[1] * t21);
-    const ella_real M_loaded_11 = I_xx + t23;
-    const ella_real M_loaded_12 = t24 - J_xy;
-    const ella_real M_loaded_13 = t25 - J_xz;
-    const ella_real M_loaded_15 = t17 - S_z;
-    const ella_real M_loaded_16 = S_y + t18;
-    const ella_real M_loaded_22 = I_yy + t26;
-    const ella_real M_loaded_23 = t27 - J_yz;
-    const ella_real M_loaded_24 = S_z + t19;
-    const ella_real M_loaded_26 = t20 - S_x;
-    const ella_real M_loaded_33 = I_zz + t28;
-    const ella_real M_loaded_34 = t21 - S_y;
-    const ella_real M_loaded_35 = S_x + t22;
-    const ella_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5));
-    const ella_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6));
-    const ella_real h_loaded_3 = h_V_3 + (p_T_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4));
+    const ella_real Theta_13 = link->J_l[2] * c->Psi_c_z3;
+    const ella_real Theta_14 = link->J_l[1] * c->Psi_c_y4;
+    const ella_real Theta_15 = link->J_l[1] * c->Psi_c_y5;
+    const ella_real Theta_16 = link->J_l[1] * c->Psi_c_y6;
+    const ella_real Theta_17 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
+    const ella_real Theta_22 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real Theta_23 = link->J_l[5] * c->Psi_c_z3;
+    const ella_real Theta_24 = link->J_l[4] * c->Psi_c_y4;
+    const ella_real Theta_25 = link->J_l[4] * c->Psi_c_y5;
+    const ella_real Theta_26 = link->J_l[4] * c->Psi_c_y6;
+    const ella_real Theta_27 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
+    const ella_real Theta_32 = link->J_l[8] * c->Psi_c_z2;
+    const ella_real Theta_33 = link->J_l[8] * c->Psi_c_z3;
+    const ella_real Theta_34 = link->J_l[7] * c->Psi_c_y4;
+    const ella_real Theta_35 = link->J_l[7] * c->Psi_c_y5;
+    const ella_real Theta_36 = link->J_l[7] * c->Psi_c_y6;
+    const ella_real Theta_37 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real t10 = link->r_T[1] * tip->Lambda[16];
+    const ella_real t11 = link->r_T[0] * tip->Lambda[17];
+    const ella_real t12 = c->length * tip->Lambda[19];
+    const ella_real M_loaded_14 = tip->Lambda[3] + (t11 - t10);
+    const ella_real t13 = tip->Lambda[4] + (link->r_T[0] * tip->Lambda[19] - link->r_T[1] * Lambda_T_55);
+    const ella_real t14 = tip->Lambda[5] + (link->r_T[0] * Lambda_T_66 - link->r_T[1] * tip->Lambda[19]);
+    const ella_real t15 = tip->Lambda[8] + (link->r_T[1] * Lambda_T_44 - c->length * tip->Lambda[17]);
+    const ella_real M_loaded_25 = tip->Lambda[9] + (t10 - t12);
+    const ella_real t16 = tip->Lambda[10] + (link->r_T[1] * tip->Lambda[17] - c->length * Lambda_T_66);
+    const ella_real t17 = tip->Lambda[12] + (c->length * tip->Lambda[16] - link->r_T[0] * Lambda_T_44);
+    const ella_real t18 = tip->Lambda[13] + (c->length * Lambda_T_55 - link->r_T[0] * tip->Lambda[16]);
+    const ella_real M_loaded_36 = tip->Lambda[14] + (t12 - t11);
+    const ella_real t19 = tip->Lambda[0] - (tip->Lambda[4] * link->r_T[1] - tip->Lambda[5] * link->r_T[0])
+        + (link->r_T[0] * t14 - link->r_T[1] * t13);
+    const ella_real t20 = tip->Lambda[1] - (tip->Lambda[5] * c->length - tip->Lambda[3] * link->r_T[1])
+        + (link->r_T[0] * t16 - link->r_T[1] * M_loaded_25);
+    const ella_real t21 = tip->Lambda[2] - (tip->Lambda[3] * link->r_T[0] - tip->Lambda[4] * c->length)
+        + (link->r_T[0] * M_loaded_36 - link->r_T[1] * t18);
+    const ella_real t22 = tip->Lambda[6] - (tip->Lambda[10] * c->length - tip->Lambda[8] * link->r_T[1])
+        + (link->r_T[1] * t15 - c->length * t16);
+    const ella_real t23 = tip->Lambda[7] - (tip->Lambda[8] * link->r_T[0] - tip->Lambda[9] * c->length)
+        + (link->r_T[1] * t17 - c->length * M_loaded_36);
+    const ella_real t24 = tip->Lambda[11] - (tip->Lambda[12] * link->r_T[0] - tip->Lambda[13] * c->length)
+        + (c->length * t18 - link->r_T[0] * t17);
+    const ella_real M_loaded_11 = I_xx + t19;
+    const ella_real M_loaded_12 = t20 - J_xy;
+    const ella_real M_loaded_13 = t21 - J_xz;
+    const ella_real M_loaded_15 = t13 - S_z;
+    const ella_real M_loaded_16 = S_y + t14;
+    const ella_real M_loaded_22 = I_yy + t22;
+    const ella_real M_loaded_23 = t23 - J_yz;
+    const ella_real M_loaded_24 = S_z + t15;
+    const ella_real M_loaded_26 = t16 - c->S_0_x;
+    const ella_real M_loaded_33 = I_zz + t24;
+    const ella_real M_loaded_34 = t17 - S_y;
+    const ella_real M_loaded_35 = c->S_0_x + t18;
+    const ella_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
+    const ella_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
+    const ella_real h_loaded_3 = h_V_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
     const ella_real h_loaded_4 = h_V_4 + p_T_4;
     const ella_real h_loaded_5 = h_V_5 + p_T_5;
     const ella_real h_loaded_6 = h_V_6 + p_T_6;
-    const ella_real t29 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
-        + tip->Lambda[4] * 2;
-    const ella_real t30 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13 + tip->Lambda[2] * Theta_33
-        + tip->Lambda[5] * 2;
-    const ella_real t31 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
-        + tip->Lambda[9] * 2;
-    const ella_real t32 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13 + tip->Lambda[7] * Theta_33
-        + tip->Lambda[10] * 2;
-    const ella_real t33 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
-        + tip->Lambda[13] * 2;
-    const ella_real t34 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13
-        + tip->Lambda[11] * Theta_33 + tip->Lambda[14] * 2;
-    const ella_real t35 = Lambda_T_44 * REAL(1.4142135623730951);
+    const ella_real t25 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
+        + tip->Lambda[4] * REAL(2.0011941703010714);
+    const ella_real t26 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
+        + tip->Lambda[4] * REAL(2.0700807911885764);
+    const ella_real t27 = tip->Lambda[0] * Theta_13 + tip->Lambda[1] * Theta_23 + tip->Lambda[2] * Theta_33
+        + tip->Lambda[4] * REAL(3.5651069283690613);
+    const ella_real t28 = tip->Lambda[0] * Theta_14 + tip->Lambda[1] * Theta_24 + tip->Lambda[2] * Theta_34
+        + tip->Lambda[5] * REAL(2.0011941703010714);
+    const ella_real t29 = tip->Lambda[0] * Theta_15 + tip->Lambda[1] * Theta_25 + tip->Lambda[2] * Theta_35
+        + tip->Lambda[5] * REAL(2.0700807911885764);
+    const ella_real t30 = tip->Lambda[0] * Theta_16 + tip->Lambda[1] * Theta_26 + tip->Lambda[2] * Theta_36
+        + tip->Lambda[5] * REAL(3.5651069283690613);
+    const ella_real t31 = tip->Lambda[0] * Theta_17 + tip->Lambda[1] * Theta_27 + tip->Lambda[2] * Theta_37;
+    const ella_real t32 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
+        + tip->Lambda[9] * REAL(2.0011941703010714);
+    const ella_real t33 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
+        + tip->Lambda[9] * REAL(2.0700807911885764);
+    const ella_real t34 = tip->Lambda[1] * Theta_13 + tip->Lambda[6] * Theta_23 + tip->Lambda[7] * Theta_33
+        + tip->Lambda[9] * REAL(3.5651069283690613);
+    const ella_real t35 = tip->Lambda[1] * Theta_14 + tip->Lambda[6] * Theta_24 + tip->Lambda[7] * Theta_34
+        + tip->Lambda[10] * REAL(2.0011941703010714);
+    const ella_real t36 = tip->Lambda[1] * Theta_15 + tip->Lambda[6] * Theta_25 + tip->Lambda[7] * Theta_35
+        + tip->Lambda[10] * REAL(2.0700807911885764);
+    const ella_real t37 = tip->Lambda[1] * Theta_16 + tip->Lambda[6] * Theta_26 + tip->Lambda[7] * Theta_36
+        + tip->Lambda[10] * REAL(3.5651069283690613);
+    const ella_real t38 = tip->Lambda[1] * Theta_17 + tip->Lambda[6] * Theta_27 + tip->Lambda[7] * Theta_37;
+    const ella_real t39 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
+        + tip->Lambda[13] * REAL(2.0011941703010714);
+    const ella_real t40 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
+        + tip->Lambda[13] * REAL(2.0700807911885764);
+    const ella_real t41 = tip->Lambda[2] * Theta_13 + tip->Lambda[7] * Theta_23 + tip->Lambda[11] * Theta_33
+        + tip->Lambda[13] * REAL(3.5651069283690613);
+    const ella_real t42 = tip->Lambda[2] * Theta_14 + tip->Lambda[7] * Theta_24 + tip->Lambda[11] * Theta_34
+        + tip->Lambda[14] * REAL(2.0011941703010714);
+    const ella_real t43 = tip->Lambda[2] * Theta_15 + tip->Lambda[7] * Theta_25 + tip->Lambda[11] * Theta_35
+        + tip->Lambda[14] * REAL(2.0700807911885764);
+    const ella_real t44 = tip->Lambda[2] * Theta_16 + tip->Lambda[7] * Theta_26 + tip->Lambda[11] * Theta_36
+        + tip->Lambda[14] * REAL(3.5651069283690613);
+    const ella_real t45 = tip->Lambda[2] * Theta_17 + tip->Lambda[7] * Theta_27 + tip->Lambda[11] * Theta_37;
+    const ella_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
+        + tip->Lambda[16] * REAL(2.0011941703010714);
     const ella_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
-        + tip->Lambda[16] * 2;
-    const ella_real C_43 = tip->Lambda[8] * Theta_23 - tip->Lambda[3] * minus_Theta_13
-        + tip->Lambda[12] * Theta_33 + tip->Lambda[17] * 2;
-    const ella_real C_51 = tip->Lambda[16] * REAL(1.4142135623730951);
-    const ella_real t36 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
-        + Lambda_T_55 * 2;
-    const ella_real t37 = tip->Lambda[19] * 2;
-    const ella_real C_53 = tip->Lambda[9] * Theta_23 - tip->Lambda[4] * minus_Theta_13
-        + tip->Lambda[13] * Theta_33 + t37;
-    const ella_real C_61 = tip->Lambda[17] * REAL(1.4142135623730951);
+        + tip->Lambda[16] * REAL(2.0700807911885764);
+    const ella_real C_43 = tip->Lambda[3] * Theta_13 + tip->Lambda[8] * Theta_23 + tip->Lambda[12] * Theta_33
+        + tip->Lambda[16] * REAL(3.5651069283690613);
+    const ella_real C_44 = tip->Lambda[3] * Theta_14 + tip->Lambda[8] * Theta_24 + tip->Lambda[12] * Theta_34
+        + tip->Lambda[17] * REAL(2.0011941703010714);
+    const ella_real C_45 = tip->Lambda[3] * Theta_15 + tip->Lambda[8] * Theta_25 + tip->Lambda[12] * Theta_35
+        + tip->Lambda[17] * REAL(2.0700807911885764);
+    const ella_real C_46 = tip->Lambda[3] * Theta_16 + tip->Lambda[8] * Theta_26 + tip->Lambda[12] * Theta_36
+        + tip->Lambda[17] * REAL(3.5651069283690613);
+    const ella_real C_47 = tip->Lambda[3] * Theta_17 + tip->Lambda[8] * Theta_27 + tip->Lambda[12] * Theta_37;
+    const ella_real t46 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
+        + Lambda_T_55 * REAL(2.0011941703010714);
+    const ella_real t47 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
+        + Lambda_T_55 * REAL(2.0700807911885764);
+    const ella_real t48 = tip->Lambda[4] * Theta_13 + tip->Lambda[9] * Theta_23 + tip->Lambda[13] * Theta_33
+        + Lambda_T_55 * REAL(3.5651069283690613);
+    const ella_real t49 = tip->Lambda[19] * REAL(2.0011941703010714);
+    const ella_real C_54 = tip->Lambda[4] * Theta_14 + tip->Lambda[9] * Theta_24 + tip->Lambda[13] * Theta_34
+        + t49;
+    const ella_real t50 = tip->Lambda[19] * REAL(2.0700807911885764);
+    const ella_real C_55 = tip->Lambda[4] * Theta_15 + tip->Lambda[9] * Theta_25 + tip->Lambda[13] * Theta_35
+        + t50;
+    const ella_real t51 = tip->Lambda[19] * REAL(3.5651069283690613);
+    const ella_real C_56 = tip->Lambda[4] * Theta_16 + tip->Lambda[9] * Theta_26 + tip->Lambda[13] * Theta_36
+        + t51;
+    const ella_real C_57 = tip->Lambda[4] * Theta_17 + tip->Lambda[9] * Theta_27 + tip->Lambda[13] * Theta_37;
+    const ella_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21 + tip->Lambda[14] * Theta_31
+        + t49;
     const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32
-        + t37;
-    const ella_real t38 = tip->Lambda[10] * Theta_23 - tip->Lambda[5] * minus_Theta_13
-        + tip->Lambda[14] * Theta_33 + Lambda_T_66 * 2;
-    const ella_real C_11 = tip->Lambda[3] * REAL(1.4142135623730951)
-        + (link->r_T[1] * C_61 - link->r_T[2] * C_51);
-    const ella_real C_22 = t31 + (link->r_T[2] * C_42 - link->r_T[0] * C_62);
-    const ella_real C_33 = t34 + (link->r_T[0] * C_53 - link->r_T[1] * C_43);
-    const ella_real C_12 = t29 + (link->r_T[1] * C_62 - link->r_T[2] * t36) - L_z2;
-    const ella_real C_13 = L_y2 + (t30 + (link->r_T[1] * t38 - link->r_T[2] * C_53));
-    const ella_real C_21 = L_z1
-        + (tip->Lambda[8] * REAL(1.4142135623730951) + (link->r_T[2] * t35 - link->r_T[0] * C_61));
-    const ella_real C_23 = t32 + (link->r_T[2] * C_43 - link->r_T[0] * t38) - L_x2;
-    const ella_real C_31 = tip->Lambda[12] * REAL(1.4142135623730951)
-        + (link->r_T[0] * C_51 - link->r_T[1] * t35) - L_y1;
-    const ella_real C_32 = L_x2 + (t33 + (link->r_T[0] * t36 - link->r_T[1] * C_42));
-    const ella_real C_41 = c->sigma_x1 + t35;
-    const ella_real C_52 = c->sigma_y2 + t36;
-    const ella_real C_63 = c->sigma_y2 + t38;
-    const ella_real modal_inertia_11 = Lambda_T_44 * REAL(2.0000000000000004) + m_eta[0];
+        + t50;
+    const ella_real C_63 = tip->Lambda[5] * Theta_13 + tip->Lambda[10] * Theta_23 + tip->Lambda[14] * Theta_33
+        + t51;
+    const ella_real t52 = tip->Lambda[5] * Theta_14 + tip->Lambda[10] * Theta_24 + tip->Lambda[14] * Theta_34
+        + Lambda_T_66 * REAL(2.0011941703010714);
+    const ella_real t53 = tip->Lambda[5] * Theta_15 + tip->Lambda[10] * Theta_25 + tip->Lambda[14] * Theta_35
+        + Lambda_T_66 * REAL(2.0700807911885764);
+    const ella_real t54 = tip->Lambda[5] * Theta_16 + tip->Lambda[10] * Theta_26 + tip->Lambda[14] * Theta_36
+        + Lambda_T_66 * REAL(3.5651069283690613);
+    const ella_real C_67 = tip->Lambda[5] * Theta_17 + tip->Lambda[10] * Theta_27 + tip->Lambda[14] * Theta_37;
+    const ella_real C_21 = t32 + (link->r_T[1] * C_41 - c->length * C_61);
+    const ella_real C_22 = t33 + (link->r_T[1] * C_42 - c->length * C_62);
+    const ella_real C_23 = t34 + (link->r_T[1] * C_43 - c->length * C_63);
+    const ella_real C_34 = t42 + (c->length * C_54 - link->r_T[0] * C_44);
+    const ella_real C_35 = t43 + (c->length * C_55 - link->r_T[0] * C_45);
+    const ella_real C_36 = t44 + (c->length * C_56 - link->r_T[0] * C_46);
+    const ella_real C_27 = t38 + (link->r_T[1] * C_47 - c->length * C_67);
+    const ella_real C_37 = t45 + (c->length * C_57 - link->r_T[0] * C_47);
+    const ella_real C_11 = t25 + (link->r_T[0] * C_61 - link->r_T[1] * t46) - L_z1;
+    const ella_real C_12 = t26 + (link->r_T[0] * C_62 - link->r_T[1] * t47) - L_z2;
+    const ella_real C_13 = t27 + (link->r_T[0] * C_63 - link->r_T[1] * t48) - L_z3;
+    const ella_real C_14 = L_y1 + (t28 + (link->r_T[0] * t52 - link->r_T[1] * C_54));
+    const ella_real C_15 = L_y2 + (t29 + (link->r_T[0] * t53 - link->r_T[1] * C_55));
+    const ella_real C_16 = L_y3 + (t30 + (link->r_T[0] * t54 - link->r_T[1] * C_56));
+    const ella_real C_17 = c->sigma_t_7 + (t31 + (link->r_T[0] * C_67 - link->r_T[1] * C_57));
+    const ella_real C_24 = t35 + (link->r_T[1] * C_44 - c->length * t52) - c->chi_1;
+    const ella_real C_25 = t36 + (link->r_T[1] * C_45 - c->length * t53) - c->chi_2;
+    const ella_real C_26 = t37 + (link->r_T[1] * C_46 - c->length * t54) - c->chi_3;
+    const ella_real C_31 = c->chi_1 + (t39 + (c->length * t46 - link->r_T[0] * C_41));
+    const ella_real C_32 = c->chi_2 + (t40 + (c->length * t47 - link->r_T[0] * C_42));
+    const ella_real C_33 = c->chi_3 + (t41 + (c->length * t48 - link->r_T[0] * C_43));
+    const ella_real C_51 = c->sigma_y1 + t46;
+    const ella_real C_52 = c->sigma_y2 + t47;
+    const ella_real C_53 = c->sigma_y3 + t48;
+    const ella_real C_64 = c->sigma_y1 + t52;
+    const ella_real C_65 = c->sigma_y2 + t53;
+    const ella_real C_66 = c->sigma_y3 + t54;
+    const ella_real modal_inertia_11 = Theta_11 * t25 + Theta_21 * t32 + Theta_31 * t39
+        + t46 * REAL(2.0011941703010714) + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modal_inertia_12 = C_42 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_13 = C_43 * REAL(1.4142135623730951);
-    const ella_real modal_inertia_22 = Theta_12 * t29 + Theta_22 * t31 + Theta_32 * t33 + t36 * 2 + m_eta[1];
-    const ella_real modal_inertia_23 = Theta_12 * t30 + Theta_22 * t32 + Theta_32 * t34 + C_53 * 2;
-    const ella_real modal_inertia_33 = Theta_23 * t32 - minus_Theta_13 * t30 + Theta_33 * t34 + t38 * 2
-        + m_eta[2];
-    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
+    const ella_real modal_inertia_12 = Theta_11 * t26 + Theta_21 * t33 + Theta_31 * t40
+        + t47 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_13 = Theta_11 * t27 + Theta_21 * t34 + Theta_31 * t41
+        + t48 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_14 = Theta_11 * t28 + Theta_21 * t35 + Theta_31 * t42
+        + C_54 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_15 = Theta_11 * t29 + Theta_21 * t36 + Theta_31 * t43
+        + C_55 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_16 = Theta_11 * t30 + Theta_21 * t37 + Theta_31 * t44
+        + C_56 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_17 = Theta_11 * t31 + Theta_21 * t38 + Theta_31 * t45
+        + C_57 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_22 = Theta_12 * t26 + Theta_22 * t33 + Theta_32 * t40
+        + t47 * REAL(2.0700807911885764) + m_eta[1];
+    const ella_real modal_inertia_23 = Theta_12 * t27 + Theta_22 * t34 + Theta_32 * t41
+        + t48 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_24 = Theta_12 * t28 + Theta_22 * t35 + Theta_32 * t42
+        + C_54 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_25 = Theta_12 * t29 + Theta_22 * t36 + Theta_32 * t43
+        + C_55 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_26 = Theta_12 * t30 + Theta_22 * t37 + Theta_32 * t44
+        + C_56 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_27 = Theta_12 * t31 + Theta_22 * t38 + Theta_32 * t45
+        + C_57 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_33 = Theta_13 * t27 + Theta_23 * t34 + Theta_33 * t41
+        + t48 * REAL(3.5651069283690613) + m_eta[2];
+    const ella_real modal_inertia_34 = Theta_13 * t28 + Theta_23 * t35 + Theta_33 * t42
+        + C_54 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_35 = Theta_13 * t29 + Theta_23 * t36 + Theta_33 * t43
+        + C_55 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_36 = Theta_13 * t30 + Theta_23 * t37 + Theta_33 * t44
+        + C_56 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_37 = Theta_13 * t31 + Theta_23 * t38 + Theta_33 * t45
+        + C_57 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_44 = Theta_14 * t28 + Theta_24 * t35 + Theta_34 * t42
+        + t52 * REAL(2.0011941703010714) + m_eta[3];
+    const ella_real modal_inertia_45 = Theta_14 * t29 + Theta_24 * t36 + Theta_34 * t43
+        + t53 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_46 = Theta_14 * t30 + Theta_24 * t37 + Theta_34 * t44
+        + t54 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_47 = Theta_14 * t31 + Theta_24 * t38 + Theta_34 * t45
+        + C_67 * REAL(2.0011941703010714);
+    const ella_real modal_inertia_55 = Theta_15 * t29 + Theta_25 * t36 + Theta_35 * t43
+        + t53 * REAL(2.0700807911885764) + m_eta[4];
+    const ella_real modal_inertia_56 = Theta_15 * t30 + Theta_25 * t37 + Theta_35 * t44
+        + t54 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_57 = Theta_15 * t31 + Theta_25 * t38 + Theta_35 * t45
+        + C_67 * REAL(2.0700807911885764);
+    const ella_real modal_inertia_66 = Theta_16 * t30 + Theta_26 * t37 + Theta_36 * t44
+        + t54 * REAL(3.5651069283690613) + m_eta[5];
+    const ella_real modal_inertia_67 = Theta_16 * t31 + Theta_26 * t38 + Theta_36 * t45
+        + C_67 * REAL(3.5651069283690613);
+    const ella_real modal_inertia_77 = Theta_17 * t31 + Theta_27 * t38 + Theta_37 * t45 + m_eta[6];
+    const ella_real h_phi_1 = h_eta_1 + f_eta[0]
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.0011941703010714));
     const ella_real h_phi_2 = h_eta_2 + f_eta[1]
-        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * 2);
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * REAL(2.0700807911885764));
     const ella_real h_phi_3 = h_eta_3 + f_eta[2]
-        + (Theta_23 * p_T_2 - minus_Theta_13 * p_T_1 + Theta_33 * p_T_3 + p_T_6 * 2);
+        + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3 + p_T_5 * REAL(3.5651069283690613));
+    const ella_real h_phi_4 = h_eta_4 + f_eta[3]
+        + (Theta_14 * p_T_1 + Theta_24 * p_T_2 + Theta_34 * p_T_3 + p_T_6 * REAL(2.0011941703010714));
+    const ella_real h_phi_5 = h_eta_5 + f_eta[4]
+        + (Theta_15 * p_T_1 + Theta_25 * p_T_2 + Theta_35 * p_T_3 + p_T_6 * REAL(2.0700807911885764));
+    const ella_real h_phi_6 = h_eta_6 + f_eta[5]
+        + (Theta_16 * p_T_1 + Theta_26 * p_T_2 + Theta_36 * p_T_3 + p_T_6 * REAL(3.5651069283690613));
+    const ella_real h_phi_7 = h_eta_7 + f_eta[6] + (Theta_17 * p_T_1 + Theta_27 * p_T_2 + Theta_37 * p_T_3);
     const ella_real modes_inverse_1 = 1 / modal_inertia_11;
     const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
     link->modes_L[0] = modes_L_21;
     const ella_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
     link->modes_L[1] = modes_L_31;
-    const ella_real t39 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t39 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_2 = 1 / t39;
-    const ella_real t40 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const ella_real modes_L_32 = t40 * modes_inverse_2;
+    const ella_real modes_L_41 = modal_inertia_14 * modes_inverse_1;
+    link->modes_L[3] = modes_L_41;
+    const ella_real modes_L_51 = modal_inertia_15 * modes_inverse_1;
+    link->modes_L[6] = modes_L_51;
+    const ella_real modes_L_61 = modal_inertia_16 * modes_inverse_1;
+    link->modes_L[10] = modes_L_61;
+    const ella_real modes_L_71 = modal_inertia_17 * modes_inverse_1;
+    link->modes_L[15] = modes_L_71;
+    const ella_real t55 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t55 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_2 = 1 / t55;
+    const ella_real t56 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const ella_real modes_L_32 = t56 * modes_inverse_2;
     link->modes_L[2] = modes_L_32;
-    const ella_real t41 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t40 * modes_L_32);
-    if (!(t41 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_3 = 1 / t41;
-    const ella_real t42 = C_12 - modes_L_21 * C_11;
-    const ella_real t43 = C_22 - modes_L_21 * C_21;
-    const ella_real t44 = C_32 - modes_L_21 * C_31;
-    const ella_real t45 = C_42 - modes_L_21 * C_41;
-    const ella_real t46 = C_52 - modes_L_21 * C_51;
-    const ella_real t47 = C_62 - modes_L_21 * C_61;
-    const ella_real t48 = C_13 - modes_L_31 * C_11 - modes_L_32 * t42;
-    const ella_real t49 = C_23 - modes_L_31 * C_21 - modes_L_32 * t43;
-    const ella_real t50 = C_33 - modes_L_31 * C_31 - modes_L_32 * t44;
-    const ella_real t51 = h_phi_2 - modes_L_21 * h_phi_1;
-    const ella_real t52 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t51;
+    const ella_real t57 = modal_inertia_24 - modal_inertia_12 * modes_L_41;
+    const ella_real modes_L_42 = t57 * modes_inverse_2;
+    link->modes_L[4] = modes_L_42;
+    const ella_real t58 = modal_inertia_25 - modal_inertia_12 * modes_L_51;
+    const ella_real modes_L_52 = t58 * modes_inverse_2;
+    link->modes_L[7] = modes_L_52;
+    const ella_real t59 = modal_inertia_26 - modal_inertia_12 * modes_L_61;
+    const ella_real modes_L_62 = t59 * modes_inverse_2;
+    link->modes_L[11] = modes_L_62;
+    const ella_real t60 = modal_inertia_27 - modal_inertia_12 * modes_L_71;
+    const ella_real modes_L_72 = t60 * modes_inverse_2;
+    link->modes_L[16] = modes_L_72;
+    const ella_real t61 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t56 * modes_L_32);
+    if (!(t61 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_3 = 1 / t61;
+    const ella_real t62 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t56 * modes_L_42);
+    const ella_real modes_L_43 = t62 * modes_inverse_3;
+    link->modes_L[5] = modes_L_43;
+    const ella_real t63 = modal_inertia_35 - (modal_inertia_13 * modes_L_51 + t56 * modes_L_52);
+    const ella_real modes_L_53 = t63 * modes_inverse_3;
+    link->modes_L[8] = modes_L_53;
+    const ella_real t64 = modal_inertia_36 - (modal_inertia_13 * modes_L_61 + t56 * modes_L_62);
+    const ella_real modes_L_63 = t64 * modes_inverse_3;
+    link->modes_L[12] = modes_L_63;
+    const ella_real t65 = modal_inertia_37 - (modal_inertia_13 * modes_L_71 + t56 * modes_L_72);
+    const ella_real modes_L_73 = t65 * modes_inverse_3;
+    link->modes_L[17] = modes_L_73;
+    const ella_real t66 = modal_inertia_44
+        - (modal_inertia_14 * modes_L_41 + t57 * modes_L_42 + t62 * modes_L_43);
+    if (!(t66 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_4 = 1 / t66;
+    const ella_real t67 = modal_inertia_45
+        - (modal_inertia_14 * modes_L_51 + t57 * modes_L_52 + t62 * modes_L_53);
+    const ella_real modes_L_54 = t67 * modes_inverse_4;
+    link->modes_L[9] = modes_L_54;
+    const ella_real t68 = modal_inertia_46
+        - (modal_inertia_14 * modes_L_61 + t57 * modes_L_62 + t62 * modes_L_63);
+    const ella_real modes_L_64 = t68 * modes_inverse_4;
+    link->modes_L[13] = modes_L_64;
+    const ella_real t69 = modal_inertia_47
+        - (modal_inertia_14 * modes_L_71 + t57 * modes_L_72 + t62 * modes_L_73);
+    const ella_real modes_L_74 = t69 * modes_inverse_4;
+    link->modes_L[18] = modes_L_74;
+    const ella_real t70 = modal_inertia_55
+        - (modal_inertia_15 * modes_L_51 + t58 * modes_L_52 + t63 * modes_L_53 + t67 * modes_L_54);
+    if (!(t70 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_5 = 1 / t70;
+    const ella_real t71 = modal_inertia_56
+        - (modal_inertia_15 * modes_L_61 + t58 * modes_L_62 + t63 * modes_L_63 + t67 * modes_L_64);
+    const ella_real modes_L_65 = t71 * modes_inverse_5;
+    link->modes_L[14] = modes_L_65;
+    const ella_real t72 = modal_inertia_57
+        - (modal_inertia_15 * modes_L_71 + t58 * modes_L_72 + t63 * modes_L_73 + t67 * modes_L_74);
+    const ella_real modes_L_75 = t72 * modes_inverse_5;
+    link->modes_L[19] = modes_L_75;
+    const ella_real t73 = modal_inertia_16 * modes_L_61 + t59 * modes_L_62 + t64 * modes_L_63 + t68 * modes_L_64
+        + t71 * modes_L_65;
+    const ella_real t74 = modal_inertia_66 - t73;
+    if (!(t74 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_6 = 1 / t74;
+    const ella_real t75 = modal_inertia_16 * modes_L_71 + t59 * modes_L_72 + t64 * modes_L_73 + t68 * modes_L_74
+        + t71 * modes_L_75;
+    const ella_real t76 = modal_inertia_67 - t75;
+    const ella_real modes_L_76 = t76 * modes_inverse_6;
+    link->modes_L[20] = modes_L_76;
+    const ella_real t77 = modal_inertia_17 * modes_L_71 + t60 * modes_L_72 + t65 * modes_L_73 + t69 * modes_L_74
+        + t72 * modes_L_75;
+    const ella_real t78 = modal_inertia_77 - (t77 + t76 * modes_L_76);
+    if (!(t78 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_7 = 1 / t78;
+    const ella_real t79 = C_12 - modes_L_21 * C_11;
+    const ella_real t80 = C_22 - modes_L_21 * C_21;
+    const ella_real t81 = C_32 - modes_L_21 * C_31;
+    const ella_real t82 = C_42 - modes_L_21 * C_41;
+    const ella_real t83 = C_52 - modes_L_21 * C_51;
+    const ella_real t84 = C_62 - modes_L_21 * C_61;
+    const ella_real t85 = C_13 - modes_L_31 * C_11 - modes_L_32 * t79;
+    const ella_real t86 = C_23 - modes_L_31 * C_21 - modes_L_32 * t80;
+    const ella_real t87 = C_33 - modes_L_31 * C_31 - modes_L_32 * t81;
+    const ella_real t88 = C_43 - modes_L_31 * C_41 - modes_L_32 * t82;
+    const ella_real t89 = C_53 - modes_L_31 * C_51 - modes_L_32 * t83;
+    const ella_real t90 = C_63 - modes_L_31 * C_61 - modes_L_32 * t84;
+    const ella_real t91 = C_14 - modes_L_41 * C_11 - modes_L_42 * t79 - modes_L_43 * t85;
+    const ella_real t92 = C_24 - modes_L_41 * C_21 - modes_L_42 * t80 - modes_L_43 * t86;
+    const ella_real t93 = C_34 - modes_L_41 * C_31 - modes_L_42 * t81 - modes_L_43 * t87;
+    const ella_real t94 = C_44 - modes_L_41 * C_41 - modes_L_42 * t82 - modes_L_43 * t88;
+    const ella_real t95 = C_54 - modes_L_41 * C_51 - modes_L_42 * t83 - modes_L_43 * t89;
+    const ella_real t96 = C_64 - modes_L_41 * C_61 - modes_L_42 * t84 - modes_L_43 * t90;
+    const ella_real t97 = C_15 - modes_L_51 * C_11 - modes_L_52 * t79 - modes_L_53 * t85 - modes_L_54 * t91;
+    const ella_real t98 = C_25 - modes_L_51 * C_21 - modes_L_52 * t80 - modes_L_53 * t86 - modes_L_54 * t92;
+    const ella_real t99 = C_35 - modes_L_51 * C_31 - modes_L_52 * t81 - modes_L_53 * t87 - modes_L_54 * t93;
+    const ella_real t100 = C_45 - modes_L_51 * C_41 - modes_L_52 * t82 - modes_L_53 * t88 - modes_L_54 * t94;
+    const ella_real t101 = C_55 - modes_L_51 * C_51 - modes_L_52 * t83 - modes_L_53 * t89 - modes_L_54 * t95;
+    const ella_real t102 = C_65 - modes_L_51 * C_61 - modes_L_52 * t84 - modes_L_53 * t90 - modes_L_54 * t96;
+    const ella_real t103 = C_16 - modes_L_61 * C_11 - modes_L_62 * t79 - modes_L_63 * t85 - modes_L_64 * t91
+        - modes_L_65 * t97;
+    const ella_real t104 = C_26 - modes_L_61 * C_21 - modes_L_62 * t80 - modes_L_63 * t86 - modes_L_64 * t92
+        - modes_L_65 * t98;
+    const ella_real t105 = C_36 - modes_L_61 * C_31 - modes_L_62 * t81 - modes_L_63 * t87 - modes_L_64 * t93
+        - modes_L_65 * t99;
+    const ella_real t106 = C_46 - modes_L_61 * C_41 - modes_L_62 * t82 - modes_L_63 * t88 - modes_L_64 * t94
+        - modes_L_65 * t100;
+    const ella_real t107 = C_56 - modes_L_61 * C_51 - modes_L_62 * t83 - modes_L_63 * t89 - modes_L_64 * t95
+        - modes_L_65 * t101;
+    const ella_real t108 = C_66 - modes_L_61 * C_61 - modes_L_62 * t84 - modes_L_63 * t90 - modes_L_64 * t96
+        - modes_L_65 * t102;
+    const ella_real t109 = C_17 - modes_L_71 * C_11 - modes_L_72 * t79 - modes_L_73 * t85 - modes_L_74 * t91
+        - modes_L_75 * t97;
+    const ella_real t110 = C_27 - modes_L_71 * C_21 - modes_L_72 * t80 - modes_L_73 * t86 - modes_L_74 * t92
+        - modes_L_75 * t98;
+    const ella_real t111 = C_37 - modes_L_71 * C_31 - modes_L_72 * t81 - modes_L_73 * t87 - modes_L_74 * t93
+        - modes_L_75 * t99;
+    const ella_real t112 = C_47 - modes_L_71 * C_41 - modes_L_72 * t82 - modes_L_73 * t88 - modes_L_74 * t94
+        - modes_L_75 * t100;
+    const ella_real t113 = C_57 - modes_L_71 * C_51 - modes_L_72 * t83 - modes_L_73 * t89 - modes_L_74 * t95
+        - modes_L_75 * t101;
+    const ella_real t114 = C_67 - modes_L_71 * C_61 - modes_L_72 * t84 - modes_L_73 * t90 - modes_L_74 * t96
+        - modes_L_75 * t102;
+    const ella_real t115 = t109 - modes_L_76 * t103;
+    const ella_real t116 = t110 - modes_L_76 * t104;
+    const ella_real t117 = t111 - modes_L_76 * t105;
+    const ella_real t118 = h_phi_2 - modes_L_21 * h_phi_1;
+    const ella_real t119 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t118;
+    const ella_real t120 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t118 - modes_L_43 * t119;
+    const ella_real t121 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t118 - modes_L_53 * t119
+        - modes_L_54 * t120;
+    const ella_real t122 = h_phi_6 - modes_L_61 * h_phi_1 - modes_L_62 * t118 - modes_L_63 * t119
+        - modes_L_64 * t120 - modes_L_65 * t121;
+    const ella_real t123 = h_phi_7 - modes_L_71 * h_phi_1 - modes_L_72 * t118 - modes_L_73 * t119
+        - modes_L_74 * t120 - modes_L_75 * t121;
+    const ella_real t124 = t123 - modes_L_76 * t122;
     const ella_real modes_W_11 = C_11 * modes_inverse_1;
     link->modes_W[0] = modes_W_11;
     const ella_real modes_W_12 = C_21 * modes_inverse_1;
@@ -593,51 +947,137 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real modes_W_14 = C_41 * modes_inverse_1;
     const ella_real modes_W_15 = C_51 * modes_inverse_1;
     const ella_real modes_W_16 = C_61 * modes_inverse_1;
-    const ella_real modes_W_21 = t42 * modes_inverse_2;
+    const ella_real modes_W_21 = t79 * modes_inverse_2;
     link->modes_W[6] = modes_W_21;
-    const ella_real modes_W_22 = t43 * modes_inverse_2;
+    const ella_real modes_W_22 = t80 * modes_inverse_2;
     link->modes_W[7] = modes_W_22;
-    const ella_real modes_W_23 = t44 * modes_inverse_2;
+    const ella_real modes_W_23 = t81 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
-    const ella_real modes_W_24 = t45 * modes_inverse_2;
-    const ella_real modes_W_25 = t46 * modes_inverse_2;
-    const ella_real modes_W_26 = t47 * modes_inverse_2;
-    const ella_real modes_W_31 = t48 * modes_inverse_3;
+    const ella_real modes_W_24 = t82 * modes_inverse_2;
+    const ella_real modes_W_25 = t83 * modes_inverse_2;
+    const ella_real modes_W_26 = t84 * modes_inverse_2;
+    const ella_real modes_W_31 = t85 * modes_inverse_3;
     link->modes_W[12] = modes_W_31;
-    const ella_real modes_W_32 = t49 * modes_inverse_3;
+    const ella_real modes_W_32 = t86 * modes_inverse_3;
     link->modes_W[13] = modes_W_32;
-    const ella_real modes_W_33 = t50 * modes_inverse_3;
+    const ella_real modes_W_33 = t87 * modes_inverse_3;
     link->modes_W[14] = modes_W_33;
-    const ella_real modes_W_34 = (C_43 - modes_L_31 * C_41 - modes_L_32 * t45) * modes_inverse_3;
-    const ella_real modes_W_35 = (C_53 - modes_L_31 * C_51 - modes_L_32 * t46) * modes_inverse_3;
-    const ella_real modes_W_36 = (C_63 - modes_L_31 * C_61 - modes_L_32 * t47) * modes_inverse_3;
+    const ella_real modes_W_34 = t88 * modes_inverse_3;
+    const ella_real modes_W_35 = t89 * modes_inverse_3;
+    const ella_real modes_W_36 = t90 * modes_inverse_3;
+    const ella_real modes_W_41 = t91 * modes_inverse_4;
+    link->modes_W[18] = modes_W_41;
+    const ella_real modes_W_42 = t92 * modes_inverse_4;
+    link->modes_W[19] = modes_W_42;
+    const ella_real modes_W_43 = t93 * modes_inverse_4;
+    link->modes_W[20] = modes_W_43;
+    const ella_real modes_W_44 = t94 * modes_inverse_4;
+    const ella_real modes_W_45 = t95 * modes_inverse_4;
+    const ella_real modes_W_46 = t96 * modes_inverse_4;
+    const ella_real modes_W_51 = t97 * modes_inverse_5;
+    link->modes_W[24] = modes_W_51;
+    const ella_real modes_W_52 = t98 * modes_inverse_5;
+    link->modes_W[25] = modes_W_52;
+    const ella_real modes_W_53 = t99 * modes_inverse_5;
+    link->modes_W[26] = modes_W_53;
+    const ella_real modes_W_54 = t100 * modes_inverse_5;
+    const ella_real modes_W_55 = t101 * modes_inverse_5;
+    const ella_real modes_W_56 = t102 * modes_inverse_5;
+    const ella_real modes_W_61 = t103 * modes_inverse_6;
+    link->modes_W[30] = modes_W_61;
+    const ella_real modes_W_62 = t104 * modes_inverse_6;
+    link->modes_W[31] = modes_W_62;
+    const ella_real modes_W_63 = t105 * modes_inverse_6;
+    link->modes_W[32] = modes_W_63;
+    const ella_real modes_W_64 = t106 * modes_inverse_6;
+    const ella_real modes_W_65 = t107 * modes_inverse_6;
+    const ella_real modes_W_66 = t108 * modes_inverse_6;
+    const ella_real modes_W_71 = t115 * modes_inverse_7;
+    link->modes_W[36] = modes_W_71;
+    const ella_real modes_W_72 = t116 * modes_inverse_7;
+    link->modes_W[37] = modes_W_72;
+    const ella_real modes_W_73 = t117 * modes_inverse_7;
+    link->modes_W[38] = modes_W_73;
+    const ella_real modes_W_74 = (t112 - modes_L_76 * t106) * modes_inverse_7;
+    const ella_real modes_W_75 = (t113 - modes_L_76 * t107) * modes_inverse_7;
+    const ella_real modes_W_76 = (t114 - modes_L_76 * t108) * modes_inverse_7;
     const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
     link->modes_w[0] = modes_w_1;
-    const ella_real modes_w_2 = t51 * modes_inverse_2;
+    const ella_real modes_w_2 = t118 * modes_inverse_2;
     link->modes_w[1] = modes_w_2;
-    const ella_real modes_w_3 = t52 * modes_inverse_3;
+    const ella_real modes_w_3 = t119 * modes_inverse_3;
     link->modes_w[2] = modes_w_3;
-    const ella_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t42 * modes_W_21 + t48 * modes_W_31);
-    const ella_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t42 * modes_W_22 + t48 * modes_W_32);
-    const ella_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t42 * modes_W_23 + t48 * modes_W_33);
-    const ella_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t42 * modes_W_24 + t48 * modes_W_34);
-    const ella_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t42 * modes_W_25 + t48 * modes_W_35);
-    const ella_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t42 * modes_W_26 + t48 * modes_W_36);
-    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t43 * modes_W_22 + t49 * modes_W_32);
-    const ella_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t43 * modes_W_23 + t49 * modes_W_33);
-    const ella_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t43 * modes_W_24 + t49 * modes_W_34);
-    const ella_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t43 * modes_W_25 + t49 * modes_W_35);
-    const ella_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t43 * modes_W_26 + t49 * modes_W_36);
-    const ella_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t44 * modes_W_23 + t50 * modes_W_33);
-    const ella_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t44 * modes_W_24 + t50 * modes_W_34);
-    const ella_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t44 * modes_W_25 + t50 * modes_W_35);
-    const ella_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t44 * modes_W_26 + t50 * modes_W_36);
-    const ella_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t51 + modes_W_31 * t52);
-    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t51 + modes_W_32 * t52);
-    const ella_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t51 + modes_W_33 * t52);
-    const ella_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t51 + modes_W_34 * t52);
-    const ella_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t51 + modes_W_35 * t52);
-    const ella_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t51 + modes_W_36 * t52);
+    const ella_real modes_w_4 = t120 * modes_inverse_4;
+    link->modes_w[3] = modes_w_4;
+    const ella_real modes_w_5 = t121 * modes_inverse_5;
+    link->modes_w[4] = modes_w_5;
+    const ella_real modes_w_6 = t122 * modes_inverse_6;
+    link->modes_w[5] = modes_w_6;
+    const ella_real modes_w_7 = t124 * modes_inverse_7;
+    link->modes_w[6] = modes_w_7;
+    const ella_real t125 = C_11 * modes_W_11 + t79 * modes_W_21 + t85 * modes_W_31 + t91 * modes_W_41
+        + t97 * modes_W_51 + t103 * modes_W_61;
+    const ella_real M_i_11 = M_loaded_11 - (t125 + t115 * modes_W_71);
+    const ella_real t126 = C_11 * modes_W_12 + t79 * modes_W_22 + t85 * modes_W_32 + t91 * modes_W_42
+        + t97 * modes_W_52 + t103 * modes_W_62;
+    const ella_real M_i_12 = M_loaded_12 - (t126 + t115 * modes_W_72);
+    const ella_real t127 = C_11 * modes_W_13 + t79 * modes_W_23 + t85 * modes_W_33 + t91 * modes_W_43
+        + t97 * modes_W_53 + t103 * modes_W_63;
+    const ella_real M_i_13 = M_loaded_13 - (t127 + t115 * modes_W_73);
+    const ella_real t128 = C_11 * modes_W_14 + t79 * modes_W_24 + t85 * modes_W_34 + t91 * modes_W_44
+        + t97 * modes_W_54 + t103 * modes_W_64;
+    const ella_real M_i_14 = M_loaded_14 - (t128 + t115 * modes_W_74);
+    const ella_real t129 = C_11 * modes_W_15 + t79 * modes_W_25 + t85 * modes_W_35 + t91 * modes_W_45
+        + t97 * modes_W_55 + t103 * modes_W_65;
+    const ella_real M_i_15 = M_loaded_15 - (t129 + t115 * modes_W_75);
+    const ella_real t130 = C_11 * modes_W_16 + t79 * modes_W_26 + t85 * modes_W_36 + t91 * modes_W_46
+        + t97 * modes_W_56 + t103 * modes_W_66;
+    const ella_real M_i_16 = M_loaded_16 - (t130 + t115 * modes_W_76);
+    const ella_real t131 = C_21 * modes_W_12 + t80 * modes_W_22 + t86 * modes_W_32 + t92 * modes_W_42
+        + t98 * modes_W_52 + t104 * modes_W_62;
+    const ella_real M_i_22 = M_loaded_22 - (t131 + t116 * modes_W_72);
+    const ella_real t132 = C_21 * modes_W_13 + t80 * modes_W_23 + t86 * modes_W_33 + t92 * modes_W_43
+        + t98 * modes_W_53 + t104 * modes_W_63;
+    const ella_real M_i_23 = M_loaded_23 - (t132 + t116 * modes_W_73);
+    const ella_real t133 = C_21 * modes_W_14 + t80 * modes_W_24 + t86 * modes_W_34 + t92 * modes_W_44
+        + t98 * modes_W_54 + t104 * modes_W_64;
+    const ella_real M_i_24 = M_loaded_24 - (t133 + t116 * modes_W_74);
+    const ella_real t134 = C_21 * modes_W_15 + t80 * modes_W_25 + t86 * modes_W_35 + t92 * modes_W_45
+        + t98 * modes_W_55 + t104 * modes_W_65;
+    const ella_real M_i_25 = M_loaded_25 - (t134 + t116 * modes_W_75);
+    const ella_real t135 = C_21 * modes_W_16 + t80 * modes_W_26 + t86 * modes_W_36 + t92 * modes_W_46
+        + t98 * modes_W_56 + t104 * modes_W_66;
+    const ella_real M_i_26 = M_loaded_26 - (t135 + t116 * modes_W_76);
+    const ella_real t136 = C_31 * modes_W_13 + t81 * modes_W_23 + t87 * modes_W_33 + t93 * modes_W_43
+        + t99 * modes_W_53 + t105 * modes_W_63;
+    const ella_real M_i_33 = M_loaded_33 - (t136 + t117 * modes_W_73);
+    const ella_real t137 = C_31 * modes_W_14 + t81 * modes_W_24 + t87 * modes_W_34 + t93 * modes_W_44
+        + t99 * modes_W_54 + t105 * modes_W_64;
+    const ella_real M_i_34 = M_loaded_34 - (t137 + t117 * modes_W_74);
+    const ella_real t138 = C_31 * modes_W_15 + t81 * modes_W_25 + t87 * modes_W_35 + t93 * modes_W_45
+        + t99 * modes_W_55 + t105 * modes_W_65;
+    const ella_real M_i_35 = M_loaded_35 - (t138 + t117 * modes_W_75);
+    const ella_real t139 = C_31 * modes_W_16 + t81 * modes_W_26 + t87 * modes_W_36 + t93 * modes_W_46
+        + t99 * modes_W_56 + t105 * modes_W_66;
+    const ella_real M_i_36 = M_loaded_36 - (t139 + t117 * modes_W_76);
+    const ella_real t140 = modes_W_11 * h_phi_1 + modes_W_21 * t118 + modes_W_31 * t119 + modes_W_41 * t120
+        + modes_W_51 * t121;
+    const ella_real t141 = modes_W_12 * h_phi_1 + modes_W_22 * t118 + modes_W_32 * t119 + modes_W_42 * t120
+        + modes_W_52 * t121;
+    const ella_real t142 = modes_W_13 * h_phi_1 + modes_W_23 * t118 + modes_W_33 * t119 + modes_W_43 * t120
+        + modes_W_53 * t121;
+    const ella_real t143 = modes_W_14 * h_phi_1 + modes_W_24 * t118 + modes_W_34 * t119 + modes_W_44 * t120
+        + modes_W_54 * t121;
+    const ella_real t144 = modes_W_15 * h_phi_1 + modes_W_25 * t118 + modes_W_35 * t119 + modes_W_45 * t120
+        + modes_W_55 * t121;
+    const ella_real t145 = modes_W_16 * h_phi_1 + modes_W_26 * t118 + modes_W_36 * t119 + modes_W_46 * t120
+        + modes_W_56 * t121;
+    const ella_real h_i_1 = h_loaded_1 - (t140 + modes_W_61 * t122 + modes_W_71 * t124);
+    const ella_real h_i_2 = h_loaded_2 - (t141 + modes_W_62 * t122 + modes_W_72 * t124);
+    const ella_real h_i_3 = h_loaded_3 - (t142 + modes_W_63 * t122 + modes_W_73 * t124);
+    const ella_real h_i_4 = h_loaded_4 - (t143 + modes_W_64 * t122 + modes_W_74 * t124);
+    const ella_real h_i_5 = h_loaded_5 - (t144 + modes_W_65 * t122 + modes_W_75 * t124);
+    const ella_real h_i_6 = h_loaded_6 - (t145 + modes_W_66 * t122 + modes_W_76 * t124);
 
     /* joint: its accelerations eliminated from its rows (43) */
     const ella_real U_11 = M_i_11 * link->A[0] + M_i_12 * link->A[1];
@@ -647,25 +1087,25 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real U_51 = M_i_15 * link->A[0] + M_i_25 * link->A[1];
     const ella_real U_61 = M_i_16 * link->A[0] + M_i_26 * link->A[1];
     const ella_real joint_inertia_11 = link->A[0] * U_11 + link->A[1] * U_21;
-    const ella_real t53 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
-    if (!(joint_inertia_11 - t53 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t146 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
+    if (!(joint_inertia_11 - t146 > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_1 = 1 / joint_inertia_11;
     const ella_real joint_L_21 = U_31 * joint_inverse_1;
     link->joint_L[0] = joint_L_21;
-    const ella_real t54 = M_i_33 - U_31 * joint_L_21;
-    if (!(t54 - t53 > 0)) { return ELLA_SINGULAR; }
-    const ella_real joint_inverse_2 = 1 / t54;
-    const ella_real t55 = tau[0] - (link->A[0] * h_i_1 + link->A[1] * h_i_2);
-    const ella_real t56 = tau[1] - h_i_3 - joint_L_21 * t55;
-    const ella_real joint_w_1 = t55 * joint_inverse_1;
+    const ella_real t147 = M_i_33 - U_31 * joint_L_21;
+    if (!(t147 - t146 > 0)) { return ELLA_SINGULAR; }
+    const ella_real joint_inverse_2 = 1 / t147;
+    const ella_real t148 = tau[0] - (link->A[0] * h_i_1 + link->A[1] * h_i_2);
+    const ella_real t149 = tau[1] - h_i_3 - joint_L_21 * t148;
+    const ella_real joint_w_1 = t148 * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
-    const ella_real joint_w_2 = t56 * joint_inverse_2;
+    const ella_real joint_w_2 = t149 * joint_inverse_2;
     link->joint_w[1] = joint_w_2;
     const ella_real p_i_1 = h_i_1 + (U_11 * joint_w_1 + (M_i_13 - joint_L_21 * U_11) * joint_w_2);
     link->p_i[0] = p_i_1;
     const ella_real p_i_2 = h_i_2 + (U_21 * joint_w_1 + (M_i_23 - joint_L_21 * U_21) * joint_w_2);
     link->p_i[1] = p_i_2;
-    const ella_real p_i_3 = h_i_3 + (U_31 * joint_w_1 + t56);
+    const ella_real p_i_3 = h_i_3 + (U_31 * joint_w_1 + t149);
     link->p_i[2] = p_i_3;
     const ella_real p_i_4 = h_i_4 + (U_41 * joint_w_1 + (M_i_34 - joint_L_21 * U_41) * joint_w_2);
     link->p_i[3] = p_i_4;
@@ -676,49 +1116,47 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     return ELLA_OK;
 }
 
-/* eliminate, links like forearm: 620 operations */
+/* eliminate, links like forearm: 902 operations */
 ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
-    const ella_node *restrict tip, const ella_real eta[restrict 3], const ella_real etadot[restrict 3],
-    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 3],
-    const ella_real f_eta[restrict 3], const ella_real tau[restrict 1])
+    const ella_node *restrict tip, const ella_real eta[restrict 7], const ella_real etadot[restrict 7],
+    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 7],
+    const ella_real f_eta[restrict 7], const ella_real tau[restrict 1])
 {
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+    const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+    const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
@@ -738,26 +1176,24 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
     const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const ella_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
@@ -767,259 +1203,378 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t8 + t9 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
-        - S_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + J_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
+    const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
     const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t9 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_yx * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
     const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t11 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t11 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t12 = Ldot_x2 * 2;
-    const ella_real t13 = L_x2 * Omega_yx - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + t12 * link->omega[2];
-    const ella_real h_eta_2 = t13 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t14 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_yx * c->chi_3
+        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+    const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
         + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t14 - t12 * link->omega[1];
+    const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
+        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const ella_real minus_p_T_1 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
-    const ella_real minus_p_T_2 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
-    const ella_real minus_p_T_3 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
+    const ella_real minus_p_T_1 = link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
+    const ella_real minus_p_T_2 = link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2];
+    const ella_real minus_p_T_3 = link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2];
     const ella_real p_T_4 = c->body0_mass * tip->alpha_0[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
     const ella_real p_T_5 = c->body0_mass * tip->alpha_0[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
     const ella_real p_T_6 = c->body0_mass * tip->alpha_0[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
+    const ella_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
     const ella_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real t15 = link->r_T[2] * c->body0_mass;
-    const ella_real t16 = link->r_T[1] * c->body0_mass;
-    const ella_real t17 = link->r_T[0] * c->body0_mass;
-    const ella_real t18 = link->r_T[2] * t15;
-    const ella_real t19 = link->r_T[1] * t16;
-    const ella_real t20 = link->r_T[0] * t17;
-    const ella_real M_loaded_11 = I_xx + (t19 + t18);
-    const ella_real minus_M_loaded_12 = link->r_T[1] * t17 + J_xy;
-    const ella_real minus_M_loaded_13 = link->r_T[2] * t17 + J_xz;
-    const ella_real minus_M_loaded_15 = t15 + S_z;
-    const ella_real M_loaded_16 = S_y + t16;
-    const ella_real M_loaded_22 = I_yy + (t18 + t20);
-    const ella_real minus_M_loaded_23 = link->r_T[2] * t16 + J_yz;
-    const ella_real minus_M_loaded_26 = t17 + S_x;
-    const ella_real M_loaded_33 = I_zz + (t20 + t19);
+    const ella_real Theta_13 = link->J_l[2] * c->Psi_c_z3;
+    const ella_real Theta_14 = link->J_l[1] * c->Psi_c_y4;
+    const ella_real Theta_15 = link->J_l[1] * c->Psi_c_y5;
+    const ella_real Theta_16 = link->J_l[1] * c->Psi_c_y6;
+    const ella_real Theta_17 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
+    const ella_real Theta_22 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real Theta_23 = link->J_l[5] * c->Psi_c_z3;
+    const ella_real Theta_24 = link->J_l[4] * c->Psi_c_y4;
+    const ella_real Theta_25 = link->J_l[4] * c->Psi_c_y5;
+    const ella_real Theta_26 = link->J_l[4] * c->Psi_c_y6;
+    const ella_real Theta_27 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
+    const ella_real Theta_32 = link->J_l[8] * c->Psi_c_z2;
+    const ella_real Theta_33 = link->J_l[8] * c->Psi_c_z3;
+    const ella_real Theta_34 = link->J_l[7] * c->Psi_c_y4;
+    const ella_real Theta_35 = link->J_l[7] * c->Psi_c_y5;
+    const ella_real Theta_36 = link->J_l[7] * c->Psi_c_y6;
+    const ella_real Theta_37 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real t11 = link->r_T[1] * c->body0_mass;
+    const ella_real t12 = link->r_T[0] * c->body0_mass;
+    const ella_real t13 = c->length * c->body0_mass;
+    const ella_real t14 = link->r_T[1] * t11;
+    const ella_real t15 = link->r_T[0] * t12;
+    const ella_real t16 = c->length * t13;
+    const ella_real M_loaded_11 = I_xx + (t15 + t14);
+    const ella_real minus_M_loaded_12 = link->r_T[0] * t13 + J_xy;
+    const ella_real minus_M_loaded_13 = link->r_T[1] * t13 + J_xz;
+    const ella_real minus_M_loaded_15 = t11 + S_z;
+    const ella_real M_loaded_16 = S_y + t12;
+    const ella_real M_loaded_22 = I_yy + (t14 + t16);
+    const ella_real minus_M_loaded_23 = link->r_T[1] * t12 + J_yz;
+    const ella_real minus_M_loaded_26 = t13 + c->S_0_x;
+    const ella_real M_loaded_33 = I_zz + (t16 + t15);
     const ella_real M_loaded_44 = c->mu + c->body0_mass;
-    const ella_real h_loaded_1 = h_V_1 + (link->r_T[1] * p_T_6 - link->r_T[2] * p_T_5 - minus_p_T_1);
-    const ella_real h_loaded_2 = h_V_2 + (link->r_T[2] * p_T_4 - link->r_T[0] * p_T_6 - minus_p_T_2);
-    const ella_real h_loaded_3 = h_V_3 + (link->r_T[0] * p_T_5 - link->r_T[1] * p_T_4 - minus_p_T_3);
+    const ella_real h_loaded_1 = h_V_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5 - minus_p_T_1);
+    const ella_real h_loaded_2 = h_V_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6 - minus_p_T_2);
+    const ella_real h_loaded_3 = h_V_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4 - minus_p_T_3);
     const ella_real h_loaded_4 = h_V_4 + p_T_4;
     const ella_real h_loaded_5 = h_V_5 + p_T_5;
     const ella_real h_loaded_6 = h_V_6 + p_T_6;
-    const ella_real t21 = c->body0_mass * REAL(1.4142135623730951);
-    const ella_real t22 = c->body0_mass * 2;
-    const ella_real minus_C_12 = link->r_T[2] * t22 + L_z2;
-    const ella_real C_13 = L_y2 + link->r_T[1] * t22;
-    const ella_real C_21 = L_z1 + link->r_T[2] * t21;
-    const ella_real minus_C_23 = link->r_T[0] * t22 + L_x2;
-    const ella_real minus_C_31 = link->r_T[1] * t21 + L_y1;
-    const ella_real C_41 = c->sigma_x1 + t21;
-    const ella_real C_52 = c->sigma_y2 + t22;
-    const ella_real modal_inertia_11 = c->body0_mass * REAL(2.0000000000000004) + m_eta[0];
+    const ella_real t17 = c->body0_mass * REAL(2.0011941703010714);
+    const ella_real t18 = c->body0_mass * REAL(2.0700807911885764);
+    const ella_real t19 = c->body0_mass * REAL(3.5651069283690613);
+    const ella_real minus_C_11 = link->r_T[1] * t17 + L_z1;
+    const ella_real minus_C_12 = link->r_T[1] * t18 + L_z2;
+    const ella_real minus_C_13 = link->r_T[1] * t19 + L_z3;
+    const ella_real C_14 = L_y1 + link->r_T[0] * t17;
+    const ella_real C_15 = L_y2 + link->r_T[0] * t18;
+    const ella_real C_16 = L_y3 + link->r_T[0] * t19;
+    const ella_real minus_C_24 = c->length * t17 + c->chi_1;
+    const ella_real minus_C_25 = c->length * t18 + c->chi_2;
+    const ella_real minus_C_26 = c->length * t19 + c->chi_3;
+    const ella_real C_51 = c->sigma_y1 + t17;
+    const ella_real C_52 = c->sigma_y2 + t18;
+    const ella_real C_53 = c->sigma_y3 + t19;
+    const ella_real t20 = c->body0_mass * REAL(4.0047781072469935);
+    const ella_real modal_inertia_11 = t20 + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
-    const ella_real t23 = c->body0_mass * 4;
-    const ella_real modal_inertia_22 = t23 + m_eta[1];
-    if (!(modal_inertia_22 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modal_inertia_33 = t23 + m_eta[2];
-    if (!(modal_inertia_33 > 0)) { return ELLA_SINGULAR; }
-    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + p_T_4 * REAL(1.4142135623730951);
-    const ella_real h_phi_2 = h_eta_2 + f_eta[1]
-        + (p_T_5 * 2 - (Theta_12 * minus_p_T_1 + Theta_22 * minus_p_T_2 + Theta_32 * minus_p_T_3));
-    const ella_real h_phi_3 = h_eta_3 + f_eta[2]
-        + (minus_Theta_13 * minus_p_T_1 - Theta_23 * minus_p_T_2 - Theta_33 * minus_p_T_3 + p_T_6 * 2);
+    const ella_real modal_inertia_12 = c->body0_mass * REAL(4.142633611378808);
+    const ella_real modal_inertia_13 = c->body0_mass * REAL(7.134471201552125);
+    const ella_real t21 = c->body0_mass * REAL(4.2852344820479225);
+    const ella_real modal_inertia_22 = t21 + m_eta[1];
+    const ella_real modal_inertia_23 = c->body0_mass * REAL(7.380059370950102);
+    const ella_real t22 = c->body0_mass * REAL(12.709987410705082);
+    const ella_real modal_inertia_33 = t22 + m_eta[2];
+    const ella_real modal_inertia_44 = t20 + m_eta[3];
+    if (!(modal_inertia_44 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modal_inertia_55 = t21 + m_eta[4];
+    const ella_real modal_inertia_66 = t22 + m_eta[5];
+    const ella_real t23 = p_T_5 * REAL(2.0011941703010714)
+        - (Theta_11 * minus_p_T_1 + Theta_21 * minus_p_T_2 + Theta_31 * minus_p_T_3);
+    const ella_real t24 = p_T_5 * REAL(2.0700807911885764)
+        - (Theta_12 * minus_p_T_1 + Theta_22 * minus_p_T_2 + Theta_32 * minus_p_T_3);
+    const ella_real t25 = p_T_5 * REAL(3.5651069283690613)
+        - (Theta_13 * minus_p_T_1 + Theta_23 * minus_p_T_2 + Theta_33 * minus_p_T_3);
+    const ella_real t26 = p_T_6 * REAL(2.0011941703010714)
+        - (Theta_14 * minus_p_T_1 + Theta_24 * minus_p_T_2 + Theta_34 * minus_p_T_3);
+    const ella_real t27 = p_T_6 * REAL(2.0700807911885764)
+        - (Theta_15 * minus_p_T_1 + Theta_25 * minus_p_T_2 + Theta_35 * minus_p_T_3);
+    const ella_real t28 = p_T_6 * REAL(3.5651069283690613)
+        - (Theta_16 * minus_p_T_1 + Theta_26 * minus_p_T_2 + Theta_36 * minus_p_T_3);
+    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + t23;
+    const ella_real h_phi_2 = h_eta_2 + f_eta[1] + t24;
+    const ella_real h_phi_3 = h_eta_3 + f_eta[2] + t25;
+    const ella_real h_phi_4 = h_eta_4 + f_eta[3] + t26;
+    const ella_real h_phi_5 = h_eta_5 + f_eta[4] + t27;
+    const ella_real h_phi_6 = h_eta_6 + f_eta[5] + t28;
+    const ella_real h_phi_7 = h_eta_7 + f_eta[6]
+        - (Theta_17 * minus_p_T_1 + Theta_27 * minus_p_T_2 + Theta_37 * minus_p_T_3);
     const ella_real modes_inverse_1 = 1 / modal_inertia_11;
-    const ella_real modes_inverse_2 = 1 / modal_inertia_22;
-    const ella_real modes_inverse_3 = 1 / modal_inertia_33;
-    const ella_real modes_W_12 = C_21 * modes_inverse_1;
-    link->modes_W[1] = modes_W_12;
-    const ella_real minus_modes_W_13 = minus_C_31 * modes_inverse_1;
-    link->modes_W[2] = -minus_modes_W_13;
-    const ella_real modes_W_14 = C_41 * modes_inverse_1;
-    link->modes_W[3] = modes_W_14;
-    const ella_real minus_modes_W_21 = minus_C_12 * modes_inverse_2;
-    link->modes_W[6] = -minus_modes_W_21;
-    const ella_real modes_W_23 = minus_C_23 * modes_inverse_2;
+    const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
+    link->modes_L[0] = modes_L_21;
+    const ella_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
+    link->modes_L[1] = modes_L_31;
+    const ella_real t29 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t29 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_2 = 1 / t29;
+    const ella_real t30 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const ella_real modes_L_32 = t30 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const ella_real t31 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t30 * modes_L_32);
+    if (!(t31 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_3 = 1 / t31;
+    const ella_real modes_inverse_4 = 1 / modal_inertia_44;
+    const ella_real modes_L_54 = modal_inertia_12 * modes_inverse_4;
+    link->modes_L[9] = modes_L_54;
+    const ella_real modes_L_64 = modal_inertia_13 * modes_inverse_4;
+    link->modes_L[13] = modes_L_64;
+    const ella_real t32 = modal_inertia_55 - modal_inertia_12 * modes_L_54;
+    if (!(t32 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_5 = 1 / t32;
+    const ella_real t33 = modal_inertia_23 - modal_inertia_12 * modes_L_64;
+    const ella_real modes_L_65 = t33 * modes_inverse_5;
+    link->modes_L[14] = modes_L_65;
+    const ella_real t34 = modal_inertia_66 - (modal_inertia_13 * modes_L_64 + t33 * modes_L_65);
+    if (!(t34 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_6 = 1 / t34;
+    const ella_real modes_inverse_7 = 1 / m_eta[6];
+    const ella_real t35 = modes_L_21 * minus_C_11 - minus_C_12;
+    const ella_real t36 = minus_C_25 - modes_L_21 * minus_C_24;
+    const ella_real t37 = C_52 - modes_L_21 * C_51;
+    const ella_real t38 = modes_L_31 * minus_C_11 - minus_C_13 - modes_L_32 * t35;
+    const ella_real t39 = minus_C_26 - modes_L_31 * minus_C_24 - modes_L_32 * t36;
+    const ella_real t40 = C_53 - modes_L_31 * C_51 - modes_L_32 * t37;
+    const ella_real t41 = C_15 - modes_L_54 * C_14;
+    const ella_real t42 = modes_L_54 * minus_C_24 - minus_C_25;
+    const ella_real t43 = C_52 - modes_L_54 * C_51;
+    const ella_real t44 = C_16 - modes_L_64 * C_14 - modes_L_65 * t41;
+    const ella_real t45 = modes_L_64 * minus_C_24 - minus_C_26 - modes_L_65 * t42;
+    const ella_real t46 = C_53 - modes_L_64 * C_51 - modes_L_65 * t43;
+    const ella_real t47 = h_phi_2 - modes_L_21 * h_phi_1;
+    const ella_real t48 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t47;
+    const ella_real t49 = h_phi_5 - modes_L_54 * h_phi_4;
+    const ella_real t50 = h_phi_6 - modes_L_64 * h_phi_4 - modes_L_65 * t49;
+    const ella_real minus_modes_W_11 = minus_C_11 * modes_inverse_1;
+    link->modes_W[0] = -minus_modes_W_11;
+    const ella_real modes_W_13 = minus_C_24 * modes_inverse_1;
+    link->modes_W[2] = modes_W_13;
+    const ella_real modes_W_15 = C_51 * modes_inverse_1;
+    link->modes_W[4] = modes_W_15;
+    const ella_real modes_W_21 = t35 * modes_inverse_2;
+    link->modes_W[6] = modes_W_21;
+    const ella_real modes_W_23 = t36 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
-    const ella_real modes_W_25 = C_52 * modes_inverse_2;
+    const ella_real modes_W_25 = t37 * modes_inverse_2;
     link->modes_W[10] = modes_W_25;
-    const ella_real modes_W_31 = C_13 * modes_inverse_3;
+    const ella_real modes_W_31 = t38 * modes_inverse_3;
     link->modes_W[12] = modes_W_31;
-    const ella_real minus_modes_W_32 = minus_C_23 * modes_inverse_3;
-    link->modes_W[13] = -minus_modes_W_32;
-    const ella_real modes_W_36 = C_52 * modes_inverse_3;
-    link->modes_W[17] = modes_W_36;
+    const ella_real modes_W_33 = t39 * modes_inverse_3;
+    link->modes_W[14] = modes_W_33;
+    const ella_real modes_W_35 = t40 * modes_inverse_3;
+    link->modes_W[16] = modes_W_35;
+    const ella_real modes_W_41 = C_14 * modes_inverse_4;
+    link->modes_W[18] = modes_W_41;
+    const ella_real minus_modes_W_42 = minus_C_24 * modes_inverse_4;
+    link->modes_W[19] = -minus_modes_W_42;
+    const ella_real modes_W_46 = C_51 * modes_inverse_4;
+    link->modes_W[23] = modes_W_46;
+    const ella_real modes_W_51 = t41 * modes_inverse_5;
+    link->modes_W[24] = modes_W_51;
+    const ella_real modes_W_52 = t42 * modes_inverse_5;
+    link->modes_W[25] = modes_W_52;
+    const ella_real modes_W_56 = t43 * modes_inverse_5;
+    link->modes_W[29] = modes_W_56;
+    const ella_real modes_W_61 = t44 * modes_inverse_6;
+    link->modes_W[30] = modes_W_61;
+    const ella_real modes_W_62 = t45 * modes_inverse_6;
+    link->modes_W[31] = modes_W_62;
+    const ella_real modes_W_66 = t46 * modes_inverse_6;
+    link->modes_W[35] = modes_W_66;
+    const ella_real modes_W_71 = c->sigma_t_7 * modes_inverse_7;
+    link->modes_W[36] = modes_W_71;
     const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
     link->modes_w[0] = modes_w_1;
-    const ella_real modes_w_2 = h_phi_2 * modes_inverse_2;
+    const ella_real modes_w_2 = t47 * modes_inverse_2;
     link->modes_w[1] = modes_w_2;
-    const ella_real modes_w_3 = h_phi_3 * modes_inverse_3;
+    const ella_real modes_w_3 = t48 * modes_inverse_3;
     link->modes_w[2] = modes_w_3;
-    const ella_real M_i_11 = M_loaded_11 - (minus_C_12 * minus_modes_W_21 + C_13 * modes_W_31);
-    const ella_real M_i_12 = C_13 * minus_modes_W_32 - minus_M_loaded_12;
-    const ella_real M_i_13 = minus_C_12 * modes_W_23 - minus_M_loaded_13;
-    const ella_real M_i_15 = minus_C_12 * modes_W_25 - minus_M_loaded_15;
-    const ella_real M_i_16 = M_loaded_16 - C_13 * modes_W_36;
+    const ella_real modes_w_4 = h_phi_4 * modes_inverse_4;
+    link->modes_w[3] = modes_w_4;
+    const ella_real modes_w_5 = t49 * modes_inverse_5;
+    link->modes_w[4] = modes_w_5;
+    const ella_real modes_w_6 = t50 * modes_inverse_6;
+    link->modes_w[5] = modes_w_6;
+    const ella_real modes_w_7 = h_phi_7 * modes_inverse_7;
+    link->modes_w[6] = modes_w_7;
+    const ella_real t51 = minus_C_11 * minus_modes_W_11 + t35 * modes_W_21 + t38 * modes_W_31 + C_14 * modes_W_41
+        + t41 * modes_W_51;
+    const ella_real M_i_11 = M_loaded_11 - (t51 + t44 * modes_W_61 + c->sigma_t_7 * modes_W_71);
+    const ella_real minus_M_i_12 = minus_M_loaded_12
+        + (t41 * modes_W_52 - C_14 * minus_modes_W_42 + t44 * modes_W_62);
+    const ella_real minus_M_i_13 = minus_M_loaded_13
+        + (t35 * modes_W_23 - minus_C_11 * modes_W_13 + t38 * modes_W_33);
+    const ella_real minus_M_i_15 = minus_M_loaded_15
+        + (t35 * modes_W_25 - minus_C_11 * modes_W_15 + t38 * modes_W_35);
+    const ella_real M_i_16 = M_loaded_16 - (C_14 * modes_W_46 + t41 * modes_W_56 + t44 * modes_W_66);
     link->Lambda_i[4] = M_i_16;
-    const ella_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + minus_C_23 * minus_modes_W_32);
-    const ella_real M_i_23 = C_21 * minus_modes_W_13 - minus_M_loaded_23;
-    const ella_real M_i_24 = minus_M_loaded_15 - C_21 * modes_W_14;
-    const ella_real M_i_26 = minus_C_23 * modes_W_36 - minus_M_loaded_26;
-    link->Lambda_i[8] = M_i_26;
-    const ella_real M_i_33 = M_loaded_33 - (minus_C_31 * minus_modes_W_13 + minus_C_23 * modes_W_23);
-    const ella_real M_i_34 = minus_C_31 * modes_W_14 - M_loaded_16;
-    const ella_real M_i_35 = minus_M_loaded_26 - minus_C_23 * modes_W_25;
-    const ella_real M_i_44 = M_loaded_44 - C_41 * modes_W_14;
-    const ella_real M_i_55 = M_loaded_44 - C_52 * modes_W_25;
-    const ella_real M_i_66 = M_loaded_44 - C_52 * modes_W_36;
+    const ella_real M_i_22 = M_loaded_22 - (minus_C_24 * minus_modes_W_42 + t42 * modes_W_52 + t45 * modes_W_62);
+    const ella_real minus_M_i_26 = minus_M_loaded_26
+        + (t42 * modes_W_56 - minus_C_24 * modes_W_46 + t45 * modes_W_66);
+    link->Lambda_i[8] = -minus_M_i_26;
+    const ella_real M_i_33 = M_loaded_33 - (minus_C_24 * modes_W_13 + t36 * modes_W_23 + t39 * modes_W_33);
+    const ella_real M_i_35 = minus_M_loaded_26 - (minus_C_24 * modes_W_15 + t36 * modes_W_25 + t39 * modes_W_35);
+    const ella_real M_i_55 = M_loaded_44 - (C_51 * modes_W_15 + t37 * modes_W_25 + t40 * modes_W_35);
+    const ella_real M_i_66 = M_loaded_44 - (C_51 * modes_W_46 + t43 * modes_W_56 + t46 * modes_W_66);
     link->Lambda_i[14] = M_i_66;
-    const ella_real h_i_1 = h_loaded_1 - (modes_W_31 * h_phi_3 - minus_modes_W_21 * h_phi_2);
-    const ella_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 - minus_modes_W_32 * h_phi_3);
-    const ella_real h_i_3 = h_loaded_3 - (modes_W_23 * h_phi_2 - minus_modes_W_13 * h_phi_1);
-    const ella_real h_i_4 = h_loaded_4 - modes_W_14 * h_phi_1;
-    const ella_real h_i_5 = h_loaded_5 - modes_W_25 * h_phi_2;
-    const ella_real h_i_6 = h_loaded_6 - modes_W_36 * h_phi_3;
+    const ella_real t52 = modes_W_21 * t47 - minus_modes_W_11 * h_phi_1 + modes_W_31 * t48 + modes_W_41 * h_phi_4
+        + modes_W_51 * t49;
+    const ella_real h_i_1 = h_loaded_1 - (t52 + modes_W_61 * t50 + modes_W_71 * h_phi_7);
+    const ella_real h_i_2 = h_loaded_2 - (modes_W_52 * t49 - minus_modes_W_42 * h_phi_4 + modes_W_62 * t50);
+    const ella_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t47 + modes_W_33 * t48);
+    const ella_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t47 + modes_W_35 * t48);
+    const ella_real h_i_6 = h_loaded_6 - (modes_W_46 * h_phi_4 + modes_W_56 * t49 + modes_W_66 * t50);
     link->p_i[5] = h_i_6;
 
     /* joint: its accelerations eliminated from its rows (43) */
     if (!(M_i_33 - ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_1 = 1 / M_i_33;
-    const ella_real joint_W_11 = M_i_13 * joint_inverse_1;
-    link->joint_W[0] = joint_W_11;
-    const ella_real joint_W_12 = M_i_23 * joint_inverse_1;
-    link->joint_W[1] = joint_W_12;
-    const ella_real joint_W_14 = M_i_34 * joint_inverse_1;
-    link->joint_W[2] = joint_W_14;
+    const ella_real minus_joint_W_11 = minus_M_i_13 * joint_inverse_1;
+    link->joint_W[0] = -minus_joint_W_11;
+    const ella_real minus_joint_W_12 = minus_M_loaded_23 * joint_inverse_1;
+    link->joint_W[1] = -minus_joint_W_12;
+    const ella_real minus_joint_W_14 = M_loaded_16 * joint_inverse_1;
+    link->joint_W[2] = -minus_joint_W_14;
     const ella_real joint_W_15 = M_i_35 * joint_inverse_1;
     link->joint_W[3] = joint_W_15;
     const ella_real joint_w_1 = (tau[0] - h_i_3) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
-    const ella_real Lambda_i_11 = M_i_11 - M_i_13 * joint_W_11;
+    const ella_real Lambda_i_11 = M_i_11 - minus_M_i_13 * minus_joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
-    const ella_real Lambda_i_12 = M_i_12 - M_i_13 * joint_W_12;
-    link->Lambda_i[1] = Lambda_i_12;
-    const ella_real minus_Lambda_i_14 = M_i_13 * joint_W_14;
+    const ella_real minus_Lambda_i_12 = minus_M_i_12 + minus_M_i_13 * minus_joint_W_12;
+    link->Lambda_i[1] = -minus_Lambda_i_12;
+    const ella_real minus_Lambda_i_14 = minus_M_i_13 * minus_joint_W_14;
     link->Lambda_i[2] = -minus_Lambda_i_14;
-    const ella_real Lambda_i_15 = M_i_15 - M_i_13 * joint_W_15;
+    const ella_real Lambda_i_15 = minus_M_i_13 * joint_W_15 - minus_M_i_15;
     link->Lambda_i[3] = Lambda_i_15;
-    const ella_real Lambda_i_22 = M_i_22 - M_i_23 * joint_W_12;
+    const ella_real Lambda_i_22 = M_i_22 - minus_M_loaded_23 * minus_joint_W_12;
     link->Lambda_i[5] = Lambda_i_22;
-    const ella_real Lambda_i_24 = M_i_24 - M_i_23 * joint_W_14;
+    const ella_real Lambda_i_24 = minus_M_loaded_15 - minus_M_loaded_23 * minus_joint_W_14;
     link->Lambda_i[6] = Lambda_i_24;
-    const ella_real minus_Lambda_i_25 = M_i_23 * joint_W_15;
-    link->Lambda_i[7] = -minus_Lambda_i_25;
-    const ella_real Lambda_i_44 = M_i_44 - M_i_34 * joint_W_14;
+    const ella_real Lambda_i_25 = minus_M_loaded_23 * joint_W_15;
+    link->Lambda_i[7] = Lambda_i_25;
+    const ella_real Lambda_i_44 = M_loaded_44 - M_loaded_16 * minus_joint_W_14;
     link->Lambda_i[9] = Lambda_i_44;
-    const ella_real minus_Lambda_i_45 = M_i_34 * joint_W_15;
-    link->Lambda_i[10] = -minus_Lambda_i_45;
+    const ella_real Lambda_i_45 = M_loaded_16 * joint_W_15;
+    link->Lambda_i[10] = Lambda_i_45;
     const ella_real Lambda_i_55 = M_i_55 - M_i_35 * joint_W_15;
     link->Lambda_i[12] = Lambda_i_55;
-    const ella_real p_i_1 = h_i_1 + M_i_13 * joint_w_1;
+    const ella_real p_i_1 = h_i_1 - minus_M_i_13 * joint_w_1;
     link->p_i[0] = p_i_1;
-    const ella_real p_i_2 = h_i_2 + M_i_23 * joint_w_1;
+    const ella_real p_i_2 = h_i_2 - minus_M_loaded_23 * joint_w_1;
     link->p_i[1] = p_i_2;
-    const ella_real p_i_4 = h_i_4 + M_i_34 * joint_w_1;
+    const ella_real p_i_4 = h_loaded_4 - M_loaded_16 * joint_w_1;
     link->p_i[3] = p_i_4;
     const ella_real p_i_5 = h_i_5 + M_i_35 * joint_w_1;
     link->p_i[4] = p_i_5;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const ella_real t24 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
-    const ella_real t25 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
-    const ella_real t26 = Lambda_i_12 * link->R_P[3] + Lambda_i_22 * link->R_P[4];
-    const ella_real t27 = Lambda_i_12 * link->R_P[6] + Lambda_i_22 * link->R_P[7];
-    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] + Lambda_i_12 * link->R_P[1])
-        + link->R_P[1] * (Lambda_i_12 * link->R_P[0] + Lambda_i_22 * link->R_P[1]);
+    const ella_real t53 = Lambda_i_11 * link->R_P[3] - minus_Lambda_i_12 * link->R_P[4];
+    const ella_real t54 = Lambda_i_11 * link->R_P[6] - minus_Lambda_i_12 * link->R_P[7];
+    const ella_real t55 = Lambda_i_22 * link->R_P[4] - minus_Lambda_i_12 * link->R_P[3];
+    const ella_real t56 = Lambda_i_22 * link->R_P[7] - minus_Lambda_i_12 * link->R_P[6];
+    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] - minus_Lambda_i_12 * link->R_P[1])
+        + link->R_P[1] * (Lambda_i_22 * link->R_P[1] - minus_Lambda_i_12 * link->R_P[0]);
     base->Lambda[0] = Lambda_1;
-    const ella_real Lambda_2 = link->R_P[0] * t24 + link->R_P[1] * t26;
+    const ella_real Lambda_2 = link->R_P[0] * t53 + link->R_P[1] * t55;
     base->Lambda[1] = Lambda_2;
-    const ella_real Lambda_3 = link->R_P[0] * t25 + link->R_P[1] * t27;
+    const ella_real Lambda_3 = link->R_P[0] * t54 + link->R_P[1] * t56;
     base->Lambda[2] = Lambda_3;
-    const ella_real Lambda_7 = link->R_P[3] * t24 + link->R_P[4] * t26;
+    const ella_real Lambda_7 = link->R_P[3] * t53 + link->R_P[4] * t55;
     base->Lambda[6] = Lambda_7;
-    const ella_real Lambda_8 = link->R_P[3] * t25 + link->R_P[4] * t27;
+    const ella_real Lambda_8 = link->R_P[3] * t54 + link->R_P[4] * t56;
     base->Lambda[7] = Lambda_8;
-    const ella_real Lambda_12 = link->R_P[6] * t25 + link->R_P[7] * t27;
+    const ella_real Lambda_12 = link->R_P[6] * t54 + link->R_P[7] * t56;
     base->Lambda[11] = Lambda_12;
-    const ella_real t28 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
-    const ella_real t29 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
-    const ella_real t30 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
-    const ella_real t31 = Lambda_i_24 * link->R_P[0] - minus_Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
-    const ella_real t32 = Lambda_i_24 * link->R_P[3] - minus_Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
-    const ella_real t33 = Lambda_i_24 * link->R_P[6] - minus_Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
-    const ella_real Lambda_4 = link->R_P[0] * t28 + link->R_P[1] * t31;
+    const ella_real t57 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
+    const ella_real t58 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
+    const ella_real t59 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
+    const ella_real t60 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1] - minus_M_i_26 * link->R_P[2];
+    const ella_real t61 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4] - minus_M_i_26 * link->R_P[5];
+    const ella_real t62 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7] - minus_M_i_26 * link->R_P[8];
+    const ella_real Lambda_4 = link->R_P[0] * t57 + link->R_P[1] * t60;
     base->Lambda[3] = Lambda_4;
-    const ella_real Lambda_5 = link->R_P[0] * t29 + link->R_P[1] * t32;
+    const ella_real Lambda_5 = link->R_P[0] * t58 + link->R_P[1] * t61;
     base->Lambda[4] = Lambda_5;
-    const ella_real Lambda_6 = link->R_P[0] * t30 + link->R_P[1] * t33;
+    const ella_real Lambda_6 = link->R_P[0] * t59 + link->R_P[1] * t62;
     base->Lambda[5] = Lambda_6;
-    const ella_real Lambda_9 = link->R_P[3] * t28 + link->R_P[4] * t31;
+    const ella_real Lambda_9 = link->R_P[3] * t57 + link->R_P[4] * t60;
     base->Lambda[8] = Lambda_9;
-    const ella_real Lambda_10 = link->R_P[3] * t29 + link->R_P[4] * t32;
+    const ella_real Lambda_10 = link->R_P[3] * t58 + link->R_P[4] * t61;
     base->Lambda[9] = Lambda_10;
-    const ella_real Lambda_11 = link->R_P[3] * t30 + link->R_P[4] * t33;
+    const ella_real Lambda_11 = link->R_P[3] * t59 + link->R_P[4] * t62;
     base->Lambda[10] = Lambda_11;
-    const ella_real Lambda_13 = link->R_P[6] * t28 + link->R_P[7] * t31;
+    const ella_real Lambda_13 = link->R_P[6] * t57 + link->R_P[7] * t60;
     base->Lambda[12] = Lambda_13;
-    const ella_real Lambda_14 = link->R_P[6] * t29 + link->R_P[7] * t32;
+    const ella_real Lambda_14 = link->R_P[6] * t58 + link->R_P[7] * t61;
     base->Lambda[13] = Lambda_14;
-    const ella_real Lambda_15 = link->R_P[6] * t30 + link->R_P[7] * t33;
+    const ella_real Lambda_15 = link->R_P[6] * t59 + link->R_P[7] * t62;
     base->Lambda[14] = Lambda_15;
-    const ella_real t34 = (Lambda_i_44 - M_i_66) * REAL(0.5);
-    const ella_real t35 = t34 * link->R_P[0] - minus_Lambda_i_45 * link->R_P[1];
-    const ella_real t36 = t34 * link->R_P[3] - minus_Lambda_i_45 * link->R_P[4];
-    const ella_real t37 = t34 * link->R_P[6] - minus_Lambda_i_45 * link->R_P[7];
-    const ella_real t38 = (Lambda_i_55 - M_i_66) * REAL(0.5);
-    const ella_real t39 = t38 * link->R_P[1];
-    const ella_real t40 = t38 * link->R_P[4];
-    const ella_real t41 = t38 * link->R_P[7];
-    const ella_real Lambda_16 = (link->R_P[0] * t35 + link->R_P[1] * t39) * 2 + M_i_66;
+    const ella_real t63 = (Lambda_i_44 - M_i_66) * REAL(0.5);
+    const ella_real t64 = t63 * link->R_P[0] + Lambda_i_45 * link->R_P[1];
+    const ella_real t65 = t63 * link->R_P[3] + Lambda_i_45 * link->R_P[4];
+    const ella_real t66 = t63 * link->R_P[6] + Lambda_i_45 * link->R_P[7];
+    const ella_real t67 = (Lambda_i_55 - M_i_66) * REAL(0.5);
+    const ella_real t68 = t67 * link->R_P[1];
+    const ella_real t69 = t67 * link->R_P[4];
+    const ella_real t70 = t67 * link->R_P[7];
+    const ella_real Lambda_16 = (link->R_P[0] * t64 + link->R_P[1] * t68) * 2 + M_i_66;
     base->Lambda[15] = Lambda_16;
-    const ella_real Lambda_17 = link->R_P[0] * t36 + link->R_P[1] * t40
-        + (link->R_P[3] * t35 + link->R_P[4] * t39);
+    const ella_real Lambda_17 = link->R_P[0] * t65 + link->R_P[1] * t69
+        + (link->R_P[3] * t64 + link->R_P[4] * t68);
     base->Lambda[16] = Lambda_17;
-    const ella_real Lambda_18 = link->R_P[0] * t37 + link->R_P[1] * t41
-        + (link->R_P[6] * t35 + link->R_P[7] * t39);
+    const ella_real Lambda_18 = link->R_P[0] * t66 + link->R_P[1] * t70
+        + (link->R_P[6] * t64 + link->R_P[7] * t68);
     base->Lambda[17] = Lambda_18;
-    const ella_real Lambda_19 = (link->R_P[3] * t36 + link->R_P[4] * t40) * 2 + M_i_66;
+    const ella_real Lambda_19 = (link->R_P[3] * t65 + link->R_P[4] * t69) * 2 + M_i_66;
     base->Lambda[18] = Lambda_19;
-    const ella_real Lambda_20 = link->R_P[3] * t37 + link->R_P[4] * t41
-        + (link->R_P[6] * t36 + link->R_P[7] * t40);
+    const ella_real Lambda_20 = link->R_P[3] * t66 + link->R_P[4] * t70
+        + (link->R_P[6] * t65 + link->R_P[7] * t69);
     base->Lambda[19] = Lambda_20;
-    const ella_real Lambda_21 = (link->R_P[6] * t37 + link->R_P[7] * t41) * 2 + M_i_66;
+    const ella_real Lambda_21 = (link->R_P[6] * t66 + link->R_P[7] * t70) * 2 + M_i_66;
     base->Lambda[20] = Lambda_21;
     const ella_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * tau[0];
     base->p[0] = p_1;
@@ -1039,10 +1594,10 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     return ELLA_OK;
 }
 
-/* accelerate, links like upper_arm: 62 operations */
+/* accelerate, links like upper_arm: 147 operations */
 ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
     ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
-    ella_real etaddot[restrict 3])
+    ella_real etaddot[restrict 7])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real qddot_1 = link->joint_w[0] - link->joint_L[0] * link->joint_w[1];
@@ -1059,30 +1614,61 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
         + (link->modes_W[0] * delta_1 + link->modes_W[1] * delta_2 + link->modes_W[2] * link->joint_w[1]);
     const ella_real t2 = link->modes_w[1]
         + (link->modes_W[6] * delta_1 + link->modes_W[7] * delta_2 + link->modes_W[8] * link->joint_w[1]);
-    const ella_real minus_etaddot_3 = link->modes_w[2]
+    const ella_real t3 = link->modes_w[2]
         + (link->modes_W[12] * delta_1 + link->modes_W[13] * delta_2 + link->modes_W[14] * link->joint_w[1]);
+    const ella_real t4 = link->modes_w[3]
+        + (link->modes_W[18] * delta_1 + link->modes_W[19] * delta_2 + link->modes_W[20] * link->joint_w[1]);
+    const ella_real t5 = link->modes_w[4]
+        + (link->modes_W[24] * delta_1 + link->modes_W[25] * delta_2 + link->modes_W[26] * link->joint_w[1]);
+    const ella_real t6 = link->modes_w[5]
+        + (link->modes_W[30] * delta_1 + link->modes_W[31] * delta_2 + link->modes_W[32] * link->joint_w[1]);
+    const ella_real minus_etaddot_7 = link->modes_w[6]
+        + (link->modes_W[36] * delta_1 + link->modes_W[37] * delta_2 + link->modes_W[38] * link->joint_w[1]);
+    etaddot[6] = -minus_etaddot_7;
+    const ella_real minus_etaddot_6 = t6 - link->modes_L[20] * minus_etaddot_7;
+    etaddot[5] = -minus_etaddot_6;
+    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6
+        - link->modes_L[19] * minus_etaddot_7;
+    etaddot[4] = -minus_etaddot_5;
+    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5
+        - link->modes_L[13] * minus_etaddot_6 - link->modes_L[18] * minus_etaddot_7;
+    etaddot[3] = -minus_etaddot_4;
+    const ella_real t7 = t3 - link->modes_L[5] * minus_etaddot_4 - link->modes_L[8] * minus_etaddot_5
+        - link->modes_L[12] * minus_etaddot_6;
+    const ella_real minus_etaddot_3 = t7 - link->modes_L[17] * minus_etaddot_7;
     etaddot[2] = -minus_etaddot_3;
-    const ella_real minus_etaddot_2 = t2 - link->modes_L[2] * minus_etaddot_3;
+    const ella_real t8 = t2 - link->modes_L[2] * minus_etaddot_3 - link->modes_L[4] * minus_etaddot_4
+        - link->modes_L[7] * minus_etaddot_5;
+    const ella_real minus_etaddot_2 = t8 - link->modes_L[11] * minus_etaddot_6
+        - link->modes_L[16] * minus_etaddot_7;
     etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_1 = t1 - link->modes_L[0] * minus_etaddot_2
-        - link->modes_L[1] * minus_etaddot_3;
+    const ella_real t9 = t1 - link->modes_L[0] * minus_etaddot_2 - link->modes_L[1] * minus_etaddot_3
+        - link->modes_L[3] * minus_etaddot_4;
+    const ella_real minus_etaddot_1 = t9 - link->modes_L[6] * minus_etaddot_5
+        - link->modes_L[10] * minus_etaddot_6 - link->modes_L[15] * minus_etaddot_7;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t3 = c->Psi_c_y3 * minus_etaddot_3;
-    const ella_real t4 = c->Psi_c_z2 * minus_etaddot_2;
-    const ella_real delta_T_1 = delta_1 + (link->J_l[1] * t3 - link->J_l[2] * t4);
-    tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t3 + link->J_l[4] * t4);
-    tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[4] * t3 + link->J_l[5] * t4);
-    tip->delta[2] = delta_T_3;
-    const ella_real delta_T_4 = delta_2 * link->r_T[2] - link->joint_w[1] * link->r_T[1]
-        - minus_etaddot_1 * REAL(1.4142135623730951);
+    const ella_real t10 = minus_etaddot_7 * REAL(1.7320508075688772);
+    const ella_real t11 = c->Psi_c_y4 * minus_etaddot_4 + c->Psi_c_y5 * minus_etaddot_5
+        + c->Psi_c_y6 * minus_etaddot_6;
+    const ella_real t12 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2
+        + c->Psi_c_z3 * minus_etaddot_3;
+    const ella_real t13 = minus_etaddot_1 * REAL(2.0011941703010714) + minus_etaddot_2 * REAL(2.0700807911885764)
+        + minus_etaddot_3 * REAL(3.5651069283690613);
+    const ella_real t14 = minus_etaddot_4 * REAL(2.0011941703010714) + minus_etaddot_5 * REAL(2.0700807911885764)
+        + minus_etaddot_6 * REAL(3.5651069283690613);
+    const ella_real delta_T_4 = delta_2 * link->r_T[1] - link->joint_w[1] * link->r_T[0];
     tip->delta[3] = delta_T_4;
-    const ella_real delta_T_5 = link->joint_w[1] * link->r_T[0] - delta_1 * link->r_T[2] - minus_etaddot_2 * 2;
+    const ella_real delta_T_1 = delta_1 - (link->J_l[0] * t10 + link->J_l[1] * t11 + link->J_l[2] * t12);
+    tip->delta[0] = delta_T_1;
+    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t10 + link->J_l[4] * t11 + link->J_l[5] * t12);
+    tip->delta[1] = delta_T_2;
+    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[6] * t10 + link->J_l[7] * t11 + link->J_l[8] * t12);
+    tip->delta[2] = delta_T_3;
+    const ella_real delta_T_5 = link->joint_w[1] * c->length - delta_1 * link->r_T[1] - t13;
     tip->delta[4] = delta_T_5;
-    const ella_real delta_T_6 = delta_1 * link->r_T[1] - delta_2 * link->r_T[0] - minus_etaddot_3 * 2;
+    const ella_real delta_T_6 = delta_1 * link->r_T[0] - delta_2 * c->length - t14;
     tip->delta[5] = delta_T_6;
 
     /* outputs */
@@ -1104,9 +1690,9 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
     return ELLA_OK;
 }
 
-/* accelerate, links like forearm: 109 operations */
+/* accelerate, links like forearm: 145 operations */
 ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
-    ella_real wrench[restrict 6], ella_real alpha[restrict 6], ella_real etaddot[restrict 3])
+    ella_real wrench[restrict 6], ella_real alpha[restrict 6], ella_real etaddot[restrict 7])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -1140,33 +1726,50 @@ ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, c
     alpha[4] = alpha_5;
     const ella_real alpha_6 = carried_6 + link->alpha_0[5];
     alpha[5] = alpha_6;
-    const ella_real minus_etaddot_1 = link->modes_w[0]
-        + (link->modes_W[1] * carried_2 + link->modes_W[2] * delta_3 + link->modes_W[3] * carried_4);
-    etaddot[0] = -minus_etaddot_1;
-    const ella_real minus_etaddot_2 = link->modes_w[1]
+    const ella_real t2 = link->modes_w[0]
+        + (link->modes_W[0] * carried_1 + link->modes_W[2] * delta_3 + link->modes_W[4] * carried_5);
+    const ella_real t3 = link->modes_w[1]
         + (link->modes_W[6] * carried_1 + link->modes_W[8] * delta_3 + link->modes_W[10] * carried_5);
-    etaddot[1] = -minus_etaddot_2;
     const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * carried_1 + link->modes_W[13] * carried_2 + link->modes_W[17] * carried_6);
+        + (link->modes_W[12] * carried_1 + link->modes_W[14] * delta_3 + link->modes_W[16] * carried_5);
     etaddot[2] = -minus_etaddot_3;
+    const ella_real t4 = link->modes_w[3]
+        + (link->modes_W[18] * carried_1 + link->modes_W[19] * carried_2 + link->modes_W[23] * carried_6);
+    const ella_real t5 = link->modes_w[4]
+        + (link->modes_W[24] * carried_1 + link->modes_W[25] * carried_2 + link->modes_W[29] * carried_6);
+    const ella_real minus_etaddot_6 = link->modes_w[5]
+        + (link->modes_W[30] * carried_1 + link->modes_W[31] * carried_2 + link->modes_W[35] * carried_6);
+    etaddot[5] = -minus_etaddot_6;
+    const ella_real minus_etaddot_7 = link->modes_w[6] + link->modes_W[36] * carried_1;
+    etaddot[6] = -minus_etaddot_7;
+    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6;
+    etaddot[4] = -minus_etaddot_5;
+    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5
+        - link->modes_L[13] * minus_etaddot_6;
+    etaddot[3] = -minus_etaddot_4;
+    const ella_real minus_etaddot_2 = t3 - link->modes_L[2] * minus_etaddot_3;
+    etaddot[1] = -minus_etaddot_2;
+    const ella_real minus_etaddot_1 = t2 - link->modes_L[0] * minus_etaddot_2
+        - link->modes_L[1] * minus_etaddot_3;
+    etaddot[0] = -minus_etaddot_1;
 
     if (wrench) {
         /* joint wrench (48) */
-        const ella_real t2 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const ella_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t3 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
+        const ella_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
             + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t4 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
+        const ella_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t5 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
+        const ella_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t2 + link->Lambda_i[4] * carried_6 + link->p_i[0];
+        const ella_real wrench_1 = t6 + link->Lambda_i[4] * carried_6 + link->p_i[0];
         wrench[0] = wrench_1;
-        const ella_real wrench_2 = t3 + link->Lambda_i[8] * carried_6 + link->p_i[1];
+        const ella_real wrench_2 = t7 + link->Lambda_i[8] * carried_6 + link->p_i[1];
         wrench[1] = wrench_2;
-        const ella_real wrench_4 = t4 + link->p_i[3];
+        const ella_real wrench_4 = t8 + link->p_i[3];
         wrench[3] = wrench_4;
-        const ella_real wrench_5 = t5 + link->p_i[4];
+        const ella_real wrench_5 = t9 + link->p_i[4];
         wrench[4] = wrench_5;
         const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[14] * carried_6 + link->p_i[5];
@@ -1213,9 +1816,9 @@ ELLA_PART ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 
     return ELLA_OK;
 }
 
-/* project, links like upper_arm: 342 operations */
+/* project, links like upper_arm: 416 operations */
 ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real twist[6],
-    const ella_real eta[3], const ella_real etadot[3], const ella_real quaternion[4], ella_real new_q[2],
+    const ella_real eta[7], const ella_real etadot[7], const ella_real quaternion[4], ella_real new_q[2],
     ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
     const ella_real t1 = quaternion[1] * quaternion[1];
@@ -1300,13 +1903,16 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t36 = R_rel_yx_3 * t35 * twist[0] + R_rel_yy_3 * t35 * twist[1];
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t37 = theta_x * theta_x;
+    const ella_real t38 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t37 + t38;
+    const ella_real t39 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t39;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -1316,92 +1922,115 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t38 + t39;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t37 + t39;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t40 = c2 * theta_hat2_12;
+    const ella_real t41 = c1 * theta_z;
+    const ella_real R_T_xy = t40 - t41;
+    const ella_real t42 = c1 * theta_y;
+    const ella_real t43 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t42 + t43;
+    const ella_real R_T_yx = t41 + t40;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t44 = c2 * theta_hat2_23;
+    const ella_real t45 = c1 * theta_x;
+    const ella_real R_T_yz = t44 - t45;
+    const ella_real R_T_zx = t43 - t42;
+    const ella_real R_T_zy = t45 + t44;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t37 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t37;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t37;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t37;
+    const ella_real t46 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t47 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t48 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real omega_s_x = thetadot_x + c2 * t46 + c3 * (theta_y * t47 - theta_z * t48);
+    const ella_real omega_s_y = thetadot_y + c2 * t48 + c3 * (theta_z * t46 - theta_x * t47);
+    const ella_real omega_s_z = thetadot_z + c2 * t47 + c3 * (theta_x * t48 - theta_y * t46);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t38 = omega_s_z + twist[2];
-    const ella_real t39 = R_T_xz * t38;
-    const ella_real t40 = R_T_yz * t38;
-    const ella_real t41 = R_T_zz * t38;
-    const ella_real omega_T_z = R_T_xz * (omega_s_x + twist[0]) + R_T_yz * (omega_s_y + twist[1]) + t41;
+    const ella_real t49 = omega_s_z + twist[2];
+    const ella_real t50 = R_T_zx * t49;
+    const ella_real t51 = R_T_zy * t49;
+    const ella_real t52 = R_T_zz * t49;
+    const ella_real omega_T_z = R_T_xz * (omega_s_x + twist[0]) + R_T_yz * (omega_s_y + twist[1]) + t52;
 
-    const ella_real R_m_11 = t18 * R_T_xx + t12 * minus_R_T_xy - t13 * R_T_xz;
-    const ella_real R_m_12 = t12 * R_T_yy - t18 * minus_R_T_xy + t13 * R_T_yz;
-    const ella_real R_m_21 = t14 * R_T_xx + t19 * minus_R_T_xy - t15 * R_T_xz;
-    const ella_real R_m_22 = t19 * R_T_yy - t14 * minus_R_T_xy + t15 * R_T_yz;
-    const ella_real R_m_31 = t16 * R_T_xx + t17 * minus_R_T_xy - t20 * R_T_xz;
-    const ella_real R_m_32 = t17 * R_T_yy - t16 * minus_R_T_xy + t20 * R_T_yz;
+    const ella_real R_m_11 = t18 * R_T_xx + t12 * R_T_yx + t13 * R_T_zx;
+    const ella_real R_m_12 = t18 * R_T_xy + t12 * R_T_yy + t13 * R_T_zy;
+    const ella_real R_m_21 = t14 * R_T_xx + t19 * R_T_yx + t15 * R_T_zx;
+    const ella_real R_m_22 = t14 * R_T_xy + t19 * R_T_yy + t15 * R_T_zy;
+    const ella_real R_m_31 = t16 * R_T_xx + t17 * R_T_yx + t20 * R_T_zx;
+    const ella_real R_m_32 = t16 * R_T_xy + t17 * R_T_yy + t20 * R_T_zy;
 
     /* omega_J: angular velocity of the link relative to its parent's tip */
     const ella_real omega_J_x = R_rel_yx_3 * t36;
     const ella_real omega_J_y = R_rel_yy_3 * t36;
 
-    const ella_real t42 = new_q_1 * REAL(0.5);
-    const ella_sincos turn_7 = ella_sine_cosine(t42);
-    const ella_real t43 = turn_7.sine, t44 = turn_7.cosine;
-    const ella_real t45 = new_q_2 * REAL(0.5);
-    const ella_sincos turn_8 = ella_sine_cosine(t45);
-    const ella_real t46 = turn_8.sine, t47 = turn_8.cosine;
-    const ella_real new_quaternion_1 = t44 * t47;
-    const ella_real new_quaternion_4 = t44 * t46;
-    const ella_real new_quaternion_3 = t47 * t43;
-    const ella_real new_quaternion_2 = t43 * t46;
+    const ella_real t53 = new_q_1 * REAL(0.5);
+    const ella_sincos turn_7 = ella_sine_cosine(t53);
+    const ella_real t54 = turn_7.sine, t55 = turn_7.cosine;
+    const ella_real t56 = new_q_2 * REAL(0.5);
+    const ella_sincos turn_8 = ella_sine_cosine(t56);
+    const ella_real t57 = turn_8.sine, t58 = turn_8.cosine;
+    const ella_real new_quaternion_1 = t55 * t58;
+    const ella_real new_quaternion_4 = t55 * t57;
+    const ella_real new_quaternion_3 = t58 * t54;
+    const ella_real new_quaternion_2 = t54 * t57;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_x = etadot[0] * REAL(1.4142135623730951);
-    const ella_real udot_T_y = etadot[1] * 2;
-    const ella_real udot_T_z = etadot[2] * 2;
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t48 = omega_s_x + omega_J_x;
-    const ella_real t49 = omega_s_y + omega_J_y;
-    const ella_real omega_T_x = R_T_xx * t48 + minus_R_T_xy * t49 - t39;
-    const ella_real omega_T_y = R_T_yy * t49 - minus_R_T_xy * t48 + t40;
-    const ella_real omega_T_z_2 = R_T_xz * t48 + R_T_yz * t49 + t41;
+    const ella_real t59 = omega_s_x + omega_J_x;
+    const ella_real t60 = omega_s_y + omega_J_y;
+    const ella_real omega_T_x = R_T_xx * t59 + R_T_yx * t60 + t50;
+    const ella_real omega_T_y = R_T_xy * t59 + R_T_yy * t60 + t51;
+    const ella_real omega_T_z_2 = R_T_xz * t59 + R_T_yz * t60 + t52;
 
     /* v_T: velocity of the tip point (46) */
-    const ella_real t50 = udot_T_x + omega_J_y * r_T_z - twist[2] * r_T_y;
-    const ella_real t51 = udot_T_y + twist[2] * r_T_x - omega_J_x * r_T_z;
-    const ella_real t52 = udot_T_z + omega_J_x * r_T_y - omega_J_y * r_T_x;
-    const ella_real v_T_x = R_T_xx * t50 + minus_R_T_xy * t51 - R_T_xz * t52;
-    const ella_real v_T_y = R_T_yy * t51 - minus_R_T_xy * t50 + R_T_yz * t52;
-    const ella_real v_T_z = R_T_xz * t50 + R_T_yz * t51 + R_T_zz * t52;
+    const ella_real t61 = omega_J_y * r_T_z - twist[2] * r_T_y;
+    const ella_real t62 = udot_T_y + c->length * twist[2] - omega_J_x * r_T_z;
+    const ella_real t63 = udot_T_z + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real v_T_x = R_T_xx * t61 + R_T_yx * t62 + R_T_zx * t63;
+    const ella_real v_T_y = R_T_xy * t61 + R_T_yy * t62 + R_T_zy * t63;
+    const ella_real v_T_z = R_T_xz * t61 + R_T_yz * t62 + R_T_zz * t63;
 
-    const ella_real r_x = R_rel_xx_3 * r_T_x - minus_R_rel_xy_3 * r_T_y + R_rel_xz_3 * r_T_z;
-    const ella_real r_y = R_rel_yx_3 * r_T_x + R_rel_yy_3 * r_T_y;
-    const ella_real r_z = R_rel_zy_3 * r_T_y - minus_R_rel_zx_3 * r_T_x + R_rel_zz_3 * r_T_z;
-    const ella_real t53 = x * REAL(0.25);
-    const ella_real t54 = 1 - t53 * (REAL(0.5) - t53 * ella_c4(t53));
-    const ella_real t55 = (1 - t53 * (REAL(0.16666666666666666) - t53 * ella_c5(t53))) * REAL(0.5);
-    const ella_real t56 = t55 * theta_y;
-    const ella_real t57 = t55 * theta_z;
-    const ella_real Q_1 = new_quaternion_1 * t54 - (new_quaternion_3 * t56 + new_quaternion_4 * t57);
-    const ella_real Q_2 = t54 * new_quaternion_2 + (new_quaternion_3 * t57 - new_quaternion_4 * t56);
-    const ella_real Q_3 = new_quaternion_1 * t56 + t54 * new_quaternion_3 - new_quaternion_2 * t57;
-    const ella_real Q_4 = new_quaternion_1 * t57 + t54 * new_quaternion_4 + new_quaternion_2 * t56;
+    const ella_real r_x = R_rel_xx_3 * c->length - minus_R_rel_xy_3 * r_T_y + R_rel_xz_3 * r_T_z;
+    const ella_real r_y = R_rel_yx_3 * c->length + R_rel_yy_3 * r_T_y;
+    const ella_real r_z = R_rel_zy_3 * r_T_y - minus_R_rel_zx_3 * c->length + R_rel_zz_3 * r_T_z;
+    const ella_real t64 = x * REAL(0.25);
+    const ella_real t65 = 1 - t64 * (REAL(0.5) - t64 * ella_c4(t64));
+    const ella_real t66 = (1 - t64 * (REAL(0.16666666666666666) - t64 * ella_c5(t64))) * REAL(0.5);
+    const ella_real t67 = t66 * theta_x;
+    const ella_real t68 = t66 * theta_y;
+    const ella_real t69 = t66 * theta_z;
+    const ella_real Q_1 = new_quaternion_1 * t65
+        - (new_quaternion_2 * t67 + new_quaternion_3 * t68 + new_quaternion_4 * t69);
+    const ella_real Q_2 = new_quaternion_1 * t67 + t65 * new_quaternion_2
+        + (new_quaternion_3 * t69 - new_quaternion_4 * t68);
+    const ella_real Q_3 = new_quaternion_1 * t68 + t65 * new_quaternion_3
+        + (new_quaternion_4 * t67 - new_quaternion_2 * t69);
+    const ella_real Q_4 = new_quaternion_1 * t69 + t65 * new_quaternion_4
+        + (new_quaternion_2 * t68 - new_quaternion_3 * t67);
 
     /* outputs */
     new_q[0] = new_q_1;
@@ -1522,9 +2151,9 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     return ELLA_OK;
 }
 
-/* forward kinematics, links like upper_arm: 193 operations */
+/* forward kinematics, links like upper_arm: 267 operations */
 ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
-    const ella_real eta[3], const ella_real etadot[3], ella_real new_twist[6], ella_real new_quaternion[4],
+    const ella_real eta[7], const ella_real etadot[7], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -1553,18 +2182,22 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real new_quaternion_2 = t2 * t5;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t7 = theta_x * theta_x;
+    const ella_real t8 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t7 + t8;
+    const ella_real t9 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t9;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -1574,68 +2207,90 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t8 + t9;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t7 + t9;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t10 = c2 * theta_hat2_12;
+    const ella_real t11 = c1 * theta_z;
+    const ella_real R_T_xy = t10 - t11;
+    const ella_real t12 = c1 * theta_y;
+    const ella_real t13 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t12 + t13;
+    const ella_real R_T_yx = t11 + t10;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t14 = c2 * theta_hat2_23;
+    const ella_real t15 = c1 * theta_x;
+    const ella_real R_T_yz = t14 - t15;
+    const ella_real R_T_zx = t13 - t12;
+    const ella_real R_T_zy = t15 + t14;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_x = etadot[0] * REAL(1.4142135623730951);
-    const ella_real udot_T_y = etadot[1] * 2;
-    const ella_real udot_T_z = etadot[2] * 2;
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t7 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t7;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t7;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t7;
+    const ella_real t16 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t17 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t18 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real omega_s_x = thetadot_x + c2 * t16 + c3 * (theta_y * t17 - theta_z * t18);
+    const ella_real omega_s_y = thetadot_y + c2 * t18 + c3 * (theta_z * t16 - theta_x * t17);
+    const ella_real omega_s_z = thetadot_z + c2 * t17 + c3 * (theta_x * t18 - theta_y * t16);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t8 = omega_s_x + omega_J_x;
-    const ella_real t9 = omega_s_y + omega_J_y;
-    const ella_real t10 = omega_s_z + qdot[1];
-    const ella_real omega_T_x = R_T_xx * t8 + minus_R_T_xy * t9 - R_T_xz * t10;
-    const ella_real omega_T_y = R_T_yy * t9 - minus_R_T_xy * t8 + R_T_yz * t10;
-    const ella_real omega_T_z = R_T_xz * t8 + R_T_yz * t9 + R_T_zz * t10;
+    const ella_real t19 = omega_s_x + omega_J_x;
+    const ella_real t20 = omega_s_y + omega_J_y;
+    const ella_real t21 = omega_s_z + qdot[1];
+    const ella_real omega_T_x = R_T_xx * t19 + R_T_yx * t20 + R_T_zx * t21;
+    const ella_real omega_T_y = R_T_xy * t19 + R_T_yy * t20 + R_T_zy * t21;
+    const ella_real omega_T_z = R_T_xz * t19 + R_T_yz * t20 + R_T_zz * t21;
 
     /* v_T: velocity of the tip point (46) */
-    const ella_real t11 = udot_T_x + omega_J_y * r_T_z - qdot[1] * r_T_y;
-    const ella_real t12 = udot_T_y + qdot[1] * r_T_x - omega_J_x * r_T_z;
-    const ella_real t13 = udot_T_z + omega_J_x * r_T_y - omega_J_y * r_T_x;
-    const ella_real v_T_x = R_T_xx * t11 + minus_R_T_xy * t12 - R_T_xz * t13;
-    const ella_real v_T_y = R_T_yy * t12 - minus_R_T_xy * t11 + R_T_yz * t13;
-    const ella_real v_T_z = R_T_xz * t11 + R_T_yz * t12 + R_T_zz * t13;
+    const ella_real t22 = omega_J_y * r_T_z - qdot[1] * r_T_y;
+    const ella_real t23 = udot_T_y + c->length * qdot[1] - omega_J_x * r_T_z;
+    const ella_real t24 = udot_T_z + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real v_T_x = R_T_xx * t22 + R_T_yx * t23 + R_T_zx * t24;
+    const ella_real v_T_y = R_T_xy * t22 + R_T_yy * t23 + R_T_zy * t24;
+    const ella_real v_T_z = R_T_xz * t22 + R_T_yz * t23 + R_T_zz * t24;
 
-    const ella_real R_xx = R_rel_xx * R_T_xx - minus_R_rel_xy * minus_R_T_xy - R_rel_xz * R_T_xz;
-    const ella_real R_xy = R_rel_xz * R_T_yz - (minus_R_rel_xy * R_T_yy + R_rel_xx * minus_R_T_xy);
+    const ella_real R_xx = R_rel_xx * R_T_xx - minus_R_rel_xy * R_T_yx + R_rel_xz * R_T_zx;
+    const ella_real R_xy = R_rel_xx * R_T_xy - minus_R_rel_xy * R_T_yy + R_rel_xz * R_T_zy;
     const ella_real R_xz = R_rel_xx * R_T_xz - minus_R_rel_xy * R_T_yz + R_rel_xz * R_T_zz;
-    const ella_real R_yx = R_rel_yx * R_T_xx + R_rel_yy * minus_R_T_xy;
-    const ella_real R_yy = R_rel_yy * R_T_yy - R_rel_yx * minus_R_T_xy;
+    const ella_real R_yx = R_rel_yx * R_T_xx + R_rel_yy * R_T_yx;
+    const ella_real R_yy = R_rel_yx * R_T_xy + R_rel_yy * R_T_yy;
     const ella_real R_yz = R_rel_yx * R_T_xz + R_rel_yy * R_T_yz;
-    const ella_real R_zx = R_rel_zy * minus_R_T_xy - minus_R_rel_zx * R_T_xx - R_rel_zz * R_T_xz;
-    const ella_real R_zy = R_rel_zy * R_T_yy + minus_R_rel_zx * minus_R_T_xy + R_rel_zz * R_T_yz;
+    const ella_real R_zx = R_rel_zy * R_T_yx - minus_R_rel_zx * R_T_xx + R_rel_zz * R_T_zx;
+    const ella_real R_zy = R_rel_zy * R_T_yy - minus_R_rel_zx * R_T_xy + R_rel_zz * R_T_zy;
     const ella_real R_zz = R_rel_zy * R_T_yz - minus_R_rel_zx * R_T_xz + R_rel_zz * R_T_zz;
-    const ella_real r_x = R_rel_xx * r_T_x - minus_R_rel_xy * r_T_y + R_rel_xz * r_T_z;
-    const ella_real r_y = R_rel_yx * r_T_x + R_rel_yy * r_T_y;
-    const ella_real r_z = R_rel_zy * r_T_y - minus_R_rel_zx * r_T_x + R_rel_zz * r_T_z;
-    const ella_real t14 = x * REAL(0.25);
-    const ella_real t15 = 1 - t14 * (REAL(0.5) - t14 * ella_c4(t14));
-    const ella_real t16 = (1 - t14 * (REAL(0.16666666666666666) - t14 * ella_c5(t14))) * REAL(0.5);
-    const ella_real t17 = t16 * theta_y;
-    const ella_real t18 = t16 * theta_z;
-    const ella_real Q_1 = new_quaternion_1 * t15 - (new_quaternion_3 * t17 + new_quaternion_4 * t18);
-    const ella_real Q_2 = t15 * new_quaternion_2 + (new_quaternion_3 * t18 - new_quaternion_4 * t17);
-    const ella_real Q_3 = new_quaternion_1 * t17 + t15 * new_quaternion_3 - new_quaternion_2 * t18;
-    const ella_real Q_4 = new_quaternion_1 * t18 + t15 * new_quaternion_4 + new_quaternion_2 * t17;
+    const ella_real r_x = R_rel_xx * c->length - minus_R_rel_xy * r_T_y + R_rel_xz * r_T_z;
+    const ella_real r_y = R_rel_yx * c->length + R_rel_yy * r_T_y;
+    const ella_real r_z = R_rel_zy * r_T_y - minus_R_rel_zx * c->length + R_rel_zz * r_T_z;
+    const ella_real t25 = x * REAL(0.25);
+    const ella_real t26 = 1 - t25 * (REAL(0.5) - t25 * ella_c4(t25));
+    const ella_real t27 = (1 - t25 * (REAL(0.16666666666666666) - t25 * ella_c5(t25))) * REAL(0.5);
+    const ella_real t28 = t27 * theta_x;
+    const ella_real t29 = t27 * theta_y;
+    const ella_real t30 = t27 * theta_z;
+    const ella_real Q_1 = new_quaternion_1 * t26
+        - (new_quaternion_2 * t28 + new_quaternion_3 * t29 + new_quaternion_4 * t30);
+    const ella_real Q_2 = new_quaternion_1 * t28 + t26 * new_quaternion_2
+        + (new_quaternion_3 * t30 - new_quaternion_4 * t29);
+    const ella_real Q_3 = new_quaternion_1 * t29 + t26 * new_quaternion_3
+        + (new_quaternion_4 * t28 - new_quaternion_2 * t30);
+    const ella_real Q_4 = new_quaternion_1 * t30 + t26 * new_quaternion_4
+        + (new_quaternion_2 * t29 - new_quaternion_3 * t28);
 
     /* outputs */
     new_twist[0] = omega_J_x;
@@ -1676,9 +2331,9 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     return ELLA_OK;
 }
 
-/* forward kinematics, links like forearm: 138 operations */
+/* forward kinematics, links like forearm: 168 operations */
 ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
-    const ella_real qdot[1], const ella_real eta[3], ella_real new_twist[6], ella_real new_quaternion[4],
+    const ella_real qdot[1], const ella_real eta[7], ella_real new_twist[6], ella_real new_quaternion[4],
     ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -1711,18 +2366,22 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real new_quaternion_3 = t9 * base->Q[2] - base->Q[1] * t8;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t10 = theta_x * theta_x;
+    const ella_real t11 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t10 + t11;
+    const ella_real t12 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t12;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -1732,28 +2391,41 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t11 + t12;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t10 + t12;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t13 = c2 * theta_hat2_12;
+    const ella_real t14 = c1 * theta_z;
+    const ella_real R_T_xy = t13 - t14;
+    const ella_real t15 = c1 * theta_y;
+    const ella_real t16 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t15 + t16;
+    const ella_real R_T_yx = t14 + t13;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t17 = c2 * theta_hat2_23;
+    const ella_real t18 = c1 * theta_x;
+    const ella_real R_T_yz = t17 - t18;
+    const ella_real R_T_zx = t16 - t15;
+    const ella_real R_T_zy = t18 + t17;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
-    const ella_real R_xx = t1 * R_T_xx + t2 * minus_R_T_xy - base->R[2] * R_T_xz;
-    const ella_real R_xy = t2 * R_T_yy - t1 * minus_R_T_xy + base->R[2] * R_T_yz;
+    const ella_real R_xx = t1 * R_T_xx + t2 * R_T_yx + base->R[2] * R_T_zx;
+    const ella_real R_xy = t1 * R_T_xy + t2 * R_T_yy + base->R[2] * R_T_zy;
     const ella_real R_xz = t1 * R_T_xz + t2 * R_T_yz + base->R[2] * R_T_zz;
-    const ella_real R_yx = t3 * R_T_xx + t4 * minus_R_T_xy - base->R[5] * R_T_xz;
-    const ella_real R_yy = t4 * R_T_yy - t3 * minus_R_T_xy + base->R[5] * R_T_yz;
+    const ella_real R_yx = t3 * R_T_xx + t4 * R_T_yx + base->R[5] * R_T_zx;
+    const ella_real R_yy = t3 * R_T_xy + t4 * R_T_yy + base->R[5] * R_T_zy;
     const ella_real R_yz = t3 * R_T_xz + t4 * R_T_yz + base->R[5] * R_T_zz;
-    const ella_real R_zx = t5 * R_T_xx + t6 * minus_R_T_xy - base->R[8] * R_T_xz;
-    const ella_real R_zy = t6 * R_T_yy - t5 * minus_R_T_xy + base->R[8] * R_T_yz;
+    const ella_real R_zx = t5 * R_T_xx + t6 * R_T_yx + base->R[8] * R_T_zx;
+    const ella_real R_zy = t5 * R_T_xy + t6 * R_T_yy + base->R[8] * R_T_zy;
     const ella_real R_zz = t5 * R_T_xz + t6 * R_T_yz + base->R[8] * R_T_zz;
-    const ella_real r_x = base->r[0] + (t1 * r_T_x + t2 * r_T_y + base->R[2] * r_T_z);
-    const ella_real r_y = base->r[1] + (t3 * r_T_x + t4 * r_T_y + base->R[5] * r_T_z);
-    const ella_real r_z = base->r[2] + (t5 * r_T_x + t6 * r_T_y + base->R[8] * r_T_z);
+    const ella_real r_x = base->r[0] + (t1 * c->length + t2 * r_T_y + base->R[2] * r_T_z);
+    const ella_real r_y = base->r[1] + (t3 * c->length + t4 * r_T_y + base->R[5] * r_T_z);
+    const ella_real r_z = base->r[2] + (t5 * c->length + t6 * r_T_y + base->R[8] * r_T_z);
 
     /* outputs */
     new_twist[0] = omega_R_x;
@@ -1784,9 +2456,9 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     return ELLA_OK;
 }
 
-/* kinematics, links like upper_arm: 150 operations */
+/* kinematics, links like upper_arm: 242 operations */
 ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
-    const ella_real q[2], const ella_real qdot[2], const ella_real eta[3], const ella_real etadot[3])
+    const ella_real q[2], const ella_real qdot[2], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -1816,71 +2488,109 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t3 = theta_x * theta_x;
+    const ella_real t4 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t3 + t4;
+    const ella_real t5 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t5;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real t3 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t3;
+    const ella_real t6 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t6;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real t4 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t4;
+    const ella_real t7 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t7;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t4 + t5;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t3 + t5;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const ella_real t8 = c3 * theta_hat2_12;
+    const ella_real t9 = c2 * theta_z;
+    const ella_real J_l_xy = t8 - t9;
+    const ella_real t10 = c2 * theta_y;
+    const ella_real t11 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t10 + t11;
+    const ella_real J_l_yx = t9 + t8;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
+    const ella_real t12 = c3 * theta_hat2_23;
+    const ella_real t13 = c2 * theta_x;
+    const ella_real J_l_yz = t12 - t13;
+    const ella_real J_l_zx = t11 - t10;
+    const ella_real J_l_zy = t13 + t12;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real t5 = -minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t14 = c2 * theta_hat2_12;
+    const ella_real t15 = c1 * theta_z;
+    const ella_real R_T_xy = t14 - t15;
+    const ella_real t16 = c1 * theta_y;
+    const ella_real t17 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t16 + t17;
+    const ella_real R_T_yx = t15 + t14;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    const ella_real t6 = -R_T_xz;
+    const ella_real t18 = c2 * theta_hat2_23;
+    const ella_real t19 = c1 * theta_x;
+    const ella_real R_T_yz = t18 - t19;
+    const ella_real R_T_zx = t17 - t16;
+    const ella_real R_T_zy = t19 + t18;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t7 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t7;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t7;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t7;
+    const ella_real t20 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t21 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t22 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real t23 = theta_y * t21 - theta_z * t22;
+    const ella_real omega_s_x = thetadot_x + c2 * t20 + c3 * t23;
+    const ella_real t24 = theta_z * t20 - theta_x * t21;
+    const ella_real omega_s_y = thetadot_y + c2 * t22 + c3 * t24;
+    const ella_real t25 = theta_x * t22 - theta_y * t20;
+    const ella_real omega_s_z = thetadot_z + c2 * t21 + c3 * t25;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t4 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t7 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t3 * REAL(1.5) - t4 * REAL(0.5));
+    const ella_real c3dot = xdot * (t6 * REAL(1.5) - t7 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t7;
-    const ella_real alpha_s_y = c3 * thetadot_z * t7 + c3dot * theta_z * t7;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t7 + c3dot * theta_y * t7;
+    const ella_real alpha_s_x = c2dot * t20 + c3 * (thetadot_y * t21 - thetadot_z * t22) + c3dot * t23;
+    const ella_real alpha_s_y = c2dot * t22 + c3 * (thetadot_z * t20 - thetadot_x * t21) + c3dot * t24;
+    const ella_real alpha_s_z = c2dot * t21 + c3 * (thetadot_x * t22 - thetadot_y * t20) + c3dot * t25;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
     const ella_real omega_T_1 = omega_J_x + omega_s_x;
@@ -1888,14 +2598,14 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real omega_T_3 = qdot[1] + omega_s_z;
     const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - qdot[1] * omega_s_y);
     const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (qdot[1] * omega_s_x - omega_J_x * omega_s_z);
-    const ella_real alpha_0_T_3 = omega_J_x * omega_s_y - omega_J_y * omega_s_x - minus_alpha_s_z;
-    const ella_real t8 = omega_J_y * r_T_z - qdot[1] * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t9 = qdot[1] * r_T_x - omega_J_x * r_T_z + etadot[1] * 4;
-    const ella_real t10 = omega_J_x * r_T_y - omega_J_y * r_T_x + etadot[2] * 4;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t10 - qdot[1] * t9);
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t8 - omega_J_x * t10);
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * r_T_x)
-        + (omega_J_x * t9 - omega_J_y * t8);
+    const ella_real alpha_0_T_3 = alpha_s_z + (omega_J_x * omega_s_y - omega_J_y * omega_s_x);
+    const ella_real t26 = omega_J_y * r_T_z - qdot[1] * r_T_y;
+    const ella_real t27 = qdot[1] * c->length - omega_J_x * r_T_z + udot_T_y * 2;
+    const ella_real t28 = omega_J_x * r_T_y - omega_J_y * c->length + udot_T_z * 2;
+    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t28 - qdot[1] * t27);
+    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t26 - omega_J_x * t28);
+    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * c->length)
+        + (omega_J_x * t27 - omega_J_y * t26);
 
     /* outputs */
     link->A[0] = R_rel_yx;
@@ -1908,28 +2618,34 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = alpha_0_5;
     link->alpha_0[5] = alpha_0_6;
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
-    link->R_T[1] = minus_R_T_xy;
+    link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yy;
-    link->R_T[4] = R_T_yz;
-    link->R_T[5] = R_T_zz;
-    link->J_l[1] = minus_J_l_xy;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
     link->J_l[2] = J_l_xz;
-    link->J_l[3] = J_l_yy;
-    link->J_l[4] = J_l_yz;
-    link->J_l[5] = J_l_zz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
     tip->R_T[0] = R_T_xx;
-    tip->R_T[1] = t5;
+    tip->R_T[1] = R_T_xy;
     tip->R_T[2] = R_T_xz;
-    tip->R_T[3] = minus_R_T_xy;
+    tip->R_T[3] = R_T_yx;
     tip->R_T[4] = R_T_yy;
     tip->R_T[5] = R_T_yz;
-    tip->R_T[6] = t6;
-    tip->R_T[7] = R_T_yz;
+    tip->R_T[6] = R_T_zx;
+    tip->R_T[7] = R_T_zy;
     tip->R_T[8] = R_T_zz;
     tip->omega[0] = omega_T_1;
     tip->omega[1] = omega_T_2;
@@ -1943,9 +2659,9 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     return ELLA_OK;
 }
 
-/* kinematics, links like forearm: 143 operations */
+/* kinematics, links like forearm: 192 operations */
 ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
-    const ella_real q[1], const ella_real qdot[1], const ella_real eta[3], const ella_real etadot[3])
+    const ella_real q[1], const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -1977,18 +2693,28 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
         + base->R_T[8] * base->alpha_0[5];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -1998,33 +2724,56 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const ella_real t4 = c3 * theta_hat2_12;
+    const ella_real t5 = c2 * theta_z;
+    const ella_real J_l_xy = t4 - t5;
+    const ella_real t6 = c2 * theta_y;
+    const ella_real t7 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t6 + t7;
+    const ella_real J_l_yx = t5 + t4;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
+    const ella_real t8 = c3 * theta_hat2_23;
+    const ella_real t9 = c2 * theta_x;
+    const ella_real J_l_yz = t8 - t9;
+    const ella_real J_l_zx = t7 - t6;
+    const ella_real J_l_zy = t9 + t8;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t10 = c2 * theta_hat2_12;
+    const ella_real t11 = c1 * theta_z;
+    const ella_real R_T_xy = t10 - t11;
+    const ella_real t12 = c1 * theta_y;
+    const ella_real t13 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t12 + t13;
+    const ella_real R_T_yx = t11 + t10;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t14 = c2 * theta_hat2_23;
+    const ella_real t15 = c1 * theta_x;
+    const ella_real R_T_yz = t14 - t15;
+    const ella_real R_T_zx = t13 - t12;
+    const ella_real R_T_zy = t15 + t14;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t1 = omega_R_2 * r_T_z - omega_z * r_T_y + etadot[0] * REAL(2.8284271247461903);
-    const ella_real t2 = omega_z * r_T_x - omega_R_1 * r_T_z + etadot[1] * 4;
-    const ella_real t3 = omega_R_1 * r_T_y - omega_R_2 * r_T_x + etadot[2] * 4;
+    const ella_real t16 = omega_R_2 * r_T_z - omega_z * r_T_y;
+    const ella_real t17 = omega_z * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
+    const ella_real t18 = omega_R_1 * r_T_y - omega_R_2 * c->length + udot_T_z * 2;
     const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t3 - omega_z * t2);
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * r_T_x - alpha_0_1 * r_T_z)
-        + (omega_z * t1 - omega_R_1 * t3);
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * r_T_x)
-        + (omega_R_1 * t2 - omega_R_2 * t1);
+        + (omega_R_2 * t18 - omega_z * t17);
+    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
+        + (omega_z * t16 - omega_R_1 * t18);
+    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
+        + (omega_R_1 * t17 - omega_R_2 * t16);
 
     /* outputs */
     link->R_P[0] = R_P_11;
@@ -2045,41 +2794,51 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = alpha_0_5;
     link->alpha_0[5] = alpha_0_6;
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
-    link->R_T[1] = minus_R_T_xy;
+    link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yy;
-    link->R_T[4] = R_T_yz;
-    link->R_T[5] = R_T_zz;
-    link->J_l[1] = minus_J_l_xy;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
     link->J_l[2] = J_l_xz;
-    link->J_l[3] = J_l_yy;
-    link->J_l[4] = J_l_yz;
-    link->J_l[5] = J_l_zz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
     tip->alpha_0[3] = alpha_0_T_4;
     tip->alpha_0[4] = alpha_0_T_5;
     tip->alpha_0[5] = alpha_0_T_6;
     return ELLA_OK;
 }
 
-/* inverse outward, links like upper_arm: 31 operations */
+/* inverse outward, links like upper_arm: 52 operations */
 ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
-    const ella_real etaddot[3])
+    const ella_real etaddot[7])
 {
     const ella_real delta_1 = link->A[0] * qddot[0];
     const ella_real delta_2 = link->A[1] * qddot[0];
-    const ella_real t1 = c->Psi_c_y3 * etaddot[2];
-    const ella_real t2 = c->Psi_c_z2 * etaddot[1];
-    const ella_real delta_1_2 = delta_1 + (link->J_l[2] * t2 - link->J_l[1] * t1);
-    const ella_real delta_2_2 = delta_2 + (link->J_l[3] * t1 + link->J_l[4] * t2);
-    const ella_real delta_3 = qddot[1] + (link->J_l[4] * t1 + link->J_l[5] * t2);
-    const ella_real delta_4 = delta_2 * link->r_T[2] - qddot[1] * link->r_T[1]
-        + etaddot[0] * REAL(1.4142135623730951);
-    const ella_real delta_5 = qddot[1] * link->r_T[0] - delta_1 * link->r_T[2] + etaddot[1] * 2;
-    const ella_real delta_6 = delta_1 * link->r_T[1] - delta_2 * link->r_T[0] + etaddot[2] * 2;
+    const ella_real t1 = etaddot[6] * REAL(1.7320508075688772);
+    const ella_real t2 = c->Psi_c_y4 * etaddot[3] + c->Psi_c_y5 * etaddot[4] + c->Psi_c_y6 * etaddot[5];
+    const ella_real t3 = c->Psi_c_z1 * etaddot[0] + c->Psi_c_z2 * etaddot[1] + c->Psi_c_z3 * etaddot[2];
+    const ella_real t4 = etaddot[0] * REAL(2.0011941703010714) + etaddot[1] * REAL(2.0700807911885764)
+        + etaddot[2] * REAL(3.5651069283690613);
+    const ella_real t5 = etaddot[3] * REAL(2.0011941703010714) + etaddot[4] * REAL(2.0700807911885764)
+        + etaddot[5] * REAL(3.5651069283690613);
+    const ella_real delta_4 = delta_2 * link->r_T[1] - qddot[1] * link->r_T[0];
+    const ella_real delta_1_2 = delta_1 + (link->J_l[0] * t1 + link->J_l[1] * t2 + link->J_l[2] * t3);
+    const ella_real delta_2_2 = delta_2 + (link->J_l[3] * t1 + link->J_l[4] * t2 + link->J_l[5] * t3);
+    const ella_real delta_3 = qddot[1] + (link->J_l[6] * t1 + link->J_l[7] * t2 + link->J_l[8] * t3);
+    const ella_real delta_5 = qddot[1] * c->length - delta_1 * link->r_T[1] + t4;
+    const ella_real delta_6 = delta_1 * link->r_T[0] - delta_2 * c->length + t5;
 
     /* outputs */
     link->delta[0] = delta_1;
@@ -2094,9 +2853,9 @@ ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, el
     return ELLA_OK;
 }
 
-/* inverse outward, links like forearm: 49 operations */
-ELLA_PART ella_status inverse_outward_forearm(ella_link_store *link, const ella_node *base, ella_node *tip, const ella_real qddot[1],
-    const ella_real etaddot[3])
+/* inverse outward, links like forearm: 55 operations */
+ELLA_PART ella_status inverse_outward_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
+    const ella_real qddot[1], const ella_real etaddot[7])
 {
     const ella_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -2110,10 +2869,13 @@ ELLA_PART ella_status inverse_outward_forearm(ella_link_store *link, const ella_
         + link->R_P[8] * base->delta[5];
     const ella_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
         + link->R_P[8] * base->delta[2] + qddot[0];
-    const ella_real delta_4_2 = delta_4 + (delta_2 * link->r_T[2] - delta_3 * link->r_T[1])
-        + etaddot[0] * REAL(1.4142135623730951);
-    const ella_real delta_5_2 = delta_5 + (delta_3 * link->r_T[0] - delta_1 * link->r_T[2]) + etaddot[1] * 2;
-    const ella_real delta_6_2 = delta_6 + (delta_1 * link->r_T[1] - delta_2 * link->r_T[0]) + etaddot[2] * 2;
+    const ella_real t1 = etaddot[0] * REAL(2.0011941703010714) + etaddot[1] * REAL(2.0700807911885764)
+        + etaddot[2] * REAL(3.5651069283690613);
+    const ella_real t2 = etaddot[3] * REAL(2.0011941703010714) + etaddot[4] * REAL(2.0700807911885764)
+        + etaddot[5] * REAL(3.5651069283690613);
+    const ella_real delta_4_2 = delta_4 + (delta_2 * link->r_T[1] - delta_3 * link->r_T[0]);
+    const ella_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1]) + t1;
+    const ella_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - delta_2 * c->length) + t2;
 
     /* outputs */
     link->delta[0] = delta_1;
@@ -2128,44 +2890,43 @@ ELLA_PART ella_status inverse_outward_forearm(ella_link_store *link, const ella_
     return ELLA_OK;
 }
 
-/* inverse inward, links like upper_arm: 364 operations */
+/* inverse inward, links like upper_arm: 493 operations */
 ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
-    const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
+    const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
+    const ella_real w_ext[6], const ella_real m_eta[7], const ella_real f_eta[7], ella_real force_eta[7],
     ella_real force[2], ella_real wrench[6])
 {
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
@@ -2183,23 +2944,21 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
@@ -2209,101 +2968,125 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t7 + t8 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
-        - S_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
+    const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
     const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t8 * link->omega[1];
 
     /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t10 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t10 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t11 = Ldot_x2 * 2;
-    const ella_real t12 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + t11 * link->omega[2];
-    const ella_real h_eta_2 = t12 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t13 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3
+        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+    const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
         + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t13 - t11 * link->omega[1];
+    const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
+        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
 
-    const ella_real t14 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t15 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-    const ella_real t17 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real t18 = tip->p[1]
-        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const ella_real t19 = tip->p[2]
-        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const ella_real t20 = t14 + tip->p[3];
-    const ella_real t21 = t15 + tip->p[4];
-    const ella_real t22 = t16 + tip->p[5];
-    const ella_real t23 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        + (L_y2 * etaddot[2] - L_z2 * etaddot[1]);
-    const ella_real t24 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + (L_z1 * etaddot[0] - L_x2 * etaddot[2]);
-    const ella_real t25 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
-        + (L_x2 * etaddot[1] - L_y1 * etaddot[0]);
-    const ella_real wrench_1 = t23 + h_V_1 + (t17 + (link->r_T[1] * t22 - link->r_T[2] * t21));
-    const ella_real wrench_2 = t24 + h_V_2 + (t18 + (link->r_T[2] * t20 - link->r_T[0] * t22));
-    const ella_real force_2 = t25 + h_V_3 + (t19 + (link->r_T[0] * t21 - link->r_T[1] * t20));
-    const ella_real t26 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1] + h_eta_2
-        + f_eta[1] + c->Psi_c_z2 * (link->J_l[2] * t17 + link->J_l[4] * t18 + link->J_l[5] * t19);
-    const ella_real t27 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + m_eta[2] * etaddot[2] + h_eta_3
-        + f_eta[2] + c->Psi_c_y3 * (link->J_l[3] * t18 - link->J_l[1] * t17 + link->J_l[4] * t19);
-    const ella_real force_eta_1 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + m_eta[0] * etaddot[0] + h_eta_1
-        + f_eta[0] + t20 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t26 + t21 * 2;
-    const ella_real force_eta_3 = t27 + t22 * 2;
+    const ella_real t10 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const ella_real t11 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const ella_real t12 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
+    const ella_real t13 = tip->p[0]
+        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const ella_real t14 = tip->p[1]
+        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const ella_real t15 = tip->p[2]
+        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const ella_real t16 = t10 + tip->p[3];
+    const ella_real t17 = t11 + tip->p[4];
+    const ella_real t18 = t12 + tip->p[5];
+    const ella_real t19 = L_y1 * etaddot[3] - (L_z1 * etaddot[0] + L_z2 * etaddot[1] + L_z3 * etaddot[2])
+        + L_y2 * etaddot[4];
+    const ella_real t20 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        + (t19 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]);
+    const ella_real t21 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]);
+    const ella_real t22 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]);
+    const ella_real wrench_1 = t20 + h_V_1 + (t13 + (link->r_T[0] * t18 - link->r_T[1] * t17));
+    const ella_real wrench_2 = t21 + h_V_2 + (t14 + (link->r_T[1] * t16 - c->length * t18));
+    const ella_real force_2 = t22 + h_V_3 + (t15 + (c->length * t17 - link->r_T[0] * t16));
+    const ella_real t23 = link->J_l[1] * t13 + link->J_l[4] * t14 + link->J_l[7] * t15;
+    const ella_real t24 = link->J_l[2] * t13 + link->J_l[5] * t14 + link->J_l[8] * t15;
+    const ella_real t25 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + m_eta[0] * etaddot[0] + h_eta_1
+        + f_eta[0] + c->Psi_c_z1 * t24;
+    const ella_real t26 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1] + h_eta_2
+        + f_eta[1] + c->Psi_c_z2 * t24;
+    const ella_real t27 = c->chi_3 * link->delta[2] - L_z3 * link->delta[0] + m_eta[2] * etaddot[2] + h_eta_3
+        + f_eta[2] + c->Psi_c_z3 * t24;
+    const ella_real t28 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + m_eta[3] * etaddot[3] + h_eta_4
+        + f_eta[3] + c->Psi_c_y4 * t23;
+    const ella_real t29 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + m_eta[4] * etaddot[4] + h_eta_5
+        + f_eta[4] + c->Psi_c_y5 * t23;
+    const ella_real t30 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + m_eta[5] * etaddot[5] + h_eta_6
+        + f_eta[5] + c->Psi_c_y6 * t23;
+    const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + h_eta_7 + f_eta[6]
+        + (link->J_l[0] * t13 + link->J_l[3] * t14 + link->J_l[6] * t15) * REAL(1.7320508075688772);
+    const ella_real force_eta_1 = t25 + t17 * REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t26 + t17 * REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t27 + t17 * REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t28 + t18 * REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t29 + t18 * REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t30 + t18 * REAL(3.5651069283690613);
     const ella_real force_1 = link->A[0] * wrench_1 + link->A[1] * wrench_2;
 
     /* outputs */
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
+    force_eta[5] = force_eta_6;
+    force_eta[6] = force_eta_7;
     force[0] = force_1;
     force[1] = force_2;
 
     if (wrench) {
         /* Sdot: rate of the first moment */
-        const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-        const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-        const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+        const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+        const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
         /* h_c: half of the Coriolis wrench */
         const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-        const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-        const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+        const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
+        const ella_real h_c_6 = Sdot_y * link->omega[0];
 
         /* H_star: gyroscopic wrench and weight, angular acceleration included */
-        const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+        const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
             + link->alpha_0[3] * c->mu;
-        const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+        const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
             + link->alpha_0[4] * c->mu;
-        const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
             + link->alpha_0[5] * c->mu;
 
         /* h_V: bias of the twist rows, angular acceleration included */
         const ella_real h_V_4 = H_star_4 + h_c_4;
-        const ella_real h_V_5 = H_star_5 + h_c_5;
+        const ella_real h_V_5 = H_star_5 - minus_h_c_5;
         const ella_real h_V_6 = H_star_6 + h_c_6;
 
-        const ella_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->sigma_x1 * etaddot[0] + h_V_4
-            + t20;
-        const ella_real wrench_5 = S_x * link->delta[2] - S_z * link->delta[0] + c->sigma_y2 * etaddot[1] + h_V_5
-            + t21;
-        const ella_real wrench_6 = S_y * link->delta[0] - S_x * link->delta[1] + c->sigma_y2 * etaddot[2] + h_V_6
-            + t22;
+        const ella_real t31 = c->S_0_x * link->delta[2] - S_z * link->delta[0]
+            + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
+        const ella_real t32 = S_y * link->delta[0] - c->S_0_x * link->delta[1]
+            + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
+        const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + h_V_4;
+        const ella_real wrench_4 = motion_4 + t16;
+        const ella_real wrench_5 = t31 + h_V_5 + t17;
+        const ella_real wrench_6 = t32 + h_V_6 + t18;
 
         /* outputs */
         wrench[0] = wrench_1;
@@ -2316,49 +3099,47 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     return ELLA_OK;
 }
 
-/* inverse inward, links like forearm: 411 operations */
+/* inverse inward, links like forearm: 546 operations */
 ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
-    const ella_real etaddot[3], const ella_real eta[3], const ella_real etadot[3],
-    const ella_real w_ext[6], const ella_real m_eta[3], const ella_real f_eta[3], ella_real force_eta[3],
+    const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
+    const ella_real w_ext[6], const ella_real m_eta[7], const ella_real f_eta[7], ella_real force_eta[7],
     ella_real force[1], ella_real wrench[6])
 {
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+    const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+    const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* Omega: acceleration of a place by the link's turning */
     const ella_real t1 = link->omega[1] * link->omega[1];
@@ -2378,26 +3159,24 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0] - B_xy * link->omega[1]
-        - B_xz * link->omega[2];
-    const ella_real h_c_2 = B_xx * link->omega[1] + B_zz * link->omega[1] - B_yx * link->omega[0]
-        - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_xx * link->omega[2] + B_yy * link->omega[2] - B_zx * link->omega[0]
-        - B_zy * link->omega[1];
+    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
     const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real h_c_5 = Sdot_x * link->omega[2] - Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0] - Sdot_x * link->omega[1];
+    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
+    const ella_real h_c_6 = Sdot_y * link->omega[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
@@ -2407,82 +3186,95 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t8 + t9 * link->omega[2] - J_xx * Omega_zx - J_xy * Omega_zy
-        - S_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + J_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * link->alpha_0[4];
+    const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->alpha_0[5];
+    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
     const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t9 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_yx * S_x - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * S_x + Omega_zy * S_y - minus_Omega_zz * S_z
+    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
         + link->alpha_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
     const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const ella_real t11 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz
-        + link->alpha_0[3] * c->sigma_x1 + Ldot_z1 * 2 * link->omega[1];
-    const ella_real h_eta_1 = t11 - Ldot_y1 * 2 * link->omega[2];
-    const ella_real t12 = Ldot_x2 * 2;
-    const ella_real t13 = L_x2 * Omega_yx - L_y2 * minus_Omega_yy + L_z2 * Omega_yz
-        + link->alpha_0[4] * c->sigma_y2 + t12 * link->omega[2];
-    const ella_real h_eta_2 = t13 - Ldot_z2 * 2 * link->omega[0];
-    const ella_real t14 = L_x2 * Omega_zx + L_y2 * Omega_zy - L_z2 * minus_Omega_zz
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
+        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_yx * c->chi_3
+        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+    const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
         + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
-    const ella_real h_eta_3 = t14 - t12 * link->omega[1];
+    const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
+        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
 
-    const ella_real t15 = link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
-    const ella_real t16 = link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2];
-    const ella_real t17 = link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2];
-    const ella_real t18 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t19 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const ella_real t20 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
-    const ella_real t21 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+    const ella_real t11 = link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
+    const ella_real t12 = link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2];
+    const ella_real t13 = link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2];
+    const ella_real t14 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+        - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const ella_real t15 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+        - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
+    const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+        - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
+    const ella_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
-    const ella_real t22 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + S_z * link->delta[3] - S_x * link->delta[5];
-    const ella_real t23 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
-        - S_y * link->delta[3] + S_x * link->delta[4];
-    const ella_real t24 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3]
-        + c->sigma_x1 * etaddot[0] + h_V_4;
-    const ella_real t25 = S_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
-        + c->sigma_y2 * etaddot[1] + h_V_5;
-    const ella_real t26 = S_y * link->delta[0] - S_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_y2 * etaddot[2] + h_V_6;
-    const ella_real wrench_1 = t21 + (L_y2 * etaddot[2] - L_z2 * etaddot[1]) + h_V_1
-        + (link->r_T[1] * t20 - link->r_T[2] * t19 - t15);
-    const ella_real wrench_2 = t22 + (L_z1 * etaddot[0] - L_x2 * etaddot[2]) + h_V_2
-        + (link->r_T[2] * t18 - link->r_T[0] * t20 - t16);
-    const ella_real force_1 = t23 + (L_x2 * etaddot[1] - L_y1 * etaddot[0]) + h_V_3
-        + (link->r_T[0] * t19 - link->r_T[1] * t18 - t17);
-    const ella_real wrench_4 = t24 + t18;
-    const ella_real wrench_5 = t25 + t19;
-    const ella_real wrench_6 = t26 + t20;
-    const ella_real t27 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + c->sigma_x1 * link->delta[3]
+    const ella_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const ella_real t19 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const ella_real t20 = L_y1 * etaddot[3] - (L_z1 * etaddot[0] + L_z2 * etaddot[1] + L_z3 * etaddot[2])
+        + L_y2 * etaddot[4];
+    const ella_real t21 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
+    const ella_real t22 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
+    const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4;
+    const ella_real wrench_1 = t17 + (t20 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]) + h_V_1
+        + (link->r_T[0] * t16 - link->r_T[1] * t15 - t11);
+    const ella_real wrench_2 = t18 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
+        + h_V_2 + (link->r_T[1] * t14 - c->length * t16 - t12);
+    const ella_real force_1 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2])
+        + h_V_3 + (c->length * t15 - link->r_T[0] * t14 - t13);
+    const ella_real wrench_4 = motion_4 + t14;
+    const ella_real wrench_5 = t21 + h_V_5 + t15;
+    const ella_real wrench_6 = t22 + h_V_6 + t16;
+    const ella_real t23 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const ella_real t28 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
+    const ella_real t24 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const ella_real t29 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+    const ella_real t25 = c->chi_3 * link->delta[2] - L_z3 * link->delta[0] + c->sigma_y3 * link->delta[4]
         + m_eta[2] * etaddot[2];
-    const ella_real t30 = t28 + h_eta_2 + f_eta[1]
-        - c->Psi_c_z2 * (link->J_l[2] * t15 + link->J_l[4] * t16 + link->J_l[5] * t17);
-    const ella_real t31 = t29 + h_eta_3 + f_eta[2]
-        + c->Psi_c_y3 * (link->J_l[1] * t15 - link->J_l[3] * t16 - link->J_l[4] * t17);
-    const ella_real force_eta_1 = t27 + h_eta_1 + f_eta[0] + t18 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t30 + t19 * 2;
-    const ella_real force_eta_3 = t31 + t20 * 2;
+    const ella_real t26 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const ella_real t27 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[4] * etaddot[4];
+    const ella_real t28 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + c->sigma_y3 * link->delta[5]
+        + m_eta[5] * etaddot[5];
+    const ella_real t29 = link->J_l[1] * t11 + link->J_l[4] * t12 + link->J_l[7] * t13;
+    const ella_real t30 = link->J_l[2] * t11 + link->J_l[5] * t12 + link->J_l[8] * t13;
+    const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + h_eta_7 + f_eta[6]
+        - (link->J_l[0] * t11 + link->J_l[3] * t12 + link->J_l[6] * t13) * REAL(1.7320508075688772);
+    const ella_real force_eta_1 = t23 + h_eta_1 + f_eta[0] - c->Psi_c_z1 * t30 + t15 * REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t24 + h_eta_2 + f_eta[1] - c->Psi_c_z2 * t30 + t15 * REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t25 + h_eta_3 + f_eta[2] - c->Psi_c_z3 * t30 + t15 * REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t26 + h_eta_4 + f_eta[3] - c->Psi_c_y4 * t29 + t16 * REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t27 + h_eta_5 + f_eta[4] - c->Psi_c_y5 * t29 + t16 * REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t28 + h_eta_6 + f_eta[5] - c->Psi_c_y6 * t29 + t16 * REAL(3.5651069283690613);
     const ella_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * force_1;
     const ella_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * force_1;
     const ella_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * force_1;
@@ -2494,6 +3286,10 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
+    force_eta[5] = force_eta_6;
+    force_eta[6] = force_eta_7;
     force[0] = force_1;
     base->p[0] = p_1;
     base->p[1] = p_2;
@@ -2514,27 +3310,31 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     return ELLA_OK;
 }
 
-/* kinematics, links like upper_arm: 38 operations */
+/* kinematics, links like upper_arm: 77 operations */
 ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
-    const ella_real eta[3])
+    const ella_real eta[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[1]);
     const ella_real R_rel_yx = turn.sine, R_rel_yy = turn.cosine;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -2544,51 +3344,74 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const ella_real t4 = c3 * theta_hat2_12;
+    const ella_real t5 = c2 * theta_z;
+    const ella_real J_l_xy = t4 - t5;
+    const ella_real t6 = c2 * theta_y;
+    const ella_real t7 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t6 + t7;
+    const ella_real J_l_yx = t5 + t4;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
+    const ella_real t8 = c3 * theta_hat2_23;
+    const ella_real t9 = c2 * theta_x;
+    const ella_real J_l_yz = t8 - t9;
+    const ella_real J_l_zx = t7 - t6;
+    const ella_real J_l_zy = t9 + t8;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real t1 = -minus_R_T_xy;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t10 = c2 * theta_hat2_12;
+    const ella_real t11 = c1 * theta_z;
+    const ella_real R_T_xy = t10 - t11;
+    const ella_real t12 = c1 * theta_y;
+    const ella_real t13 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t12 + t13;
+    const ella_real R_T_yx = t11 + t10;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
-    const ella_real t2 = -R_T_xz;
+    const ella_real t14 = c2 * theta_hat2_23;
+    const ella_real t15 = c1 * theta_x;
+    const ella_real R_T_yz = t14 - t15;
+    const ella_real R_T_zx = t13 - t12;
+    const ella_real R_T_zy = t15 + t14;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* outputs */
     link->A[0] = R_rel_yx;
     link->A[1] = R_rel_yy;
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
-    link->J_l[1] = minus_J_l_xy;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
     link->J_l[2] = J_l_xz;
-    link->J_l[3] = J_l_yy;
-    link->J_l[4] = J_l_yz;
-    link->J_l[5] = J_l_zz;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
     tip->R_T[0] = R_T_xx;
-    tip->R_T[1] = t1;
+    tip->R_T[1] = R_T_xy;
     tip->R_T[2] = R_T_xz;
-    tip->R_T[3] = minus_R_T_xy;
+    tip->R_T[3] = R_T_yx;
     tip->R_T[4] = R_T_yy;
     tip->R_T[5] = R_T_yz;
-    tip->R_T[6] = t2;
-    tip->R_T[7] = R_T_yz;
+    tip->R_T[6] = R_T_zx;
+    tip->R_T[7] = R_T_zy;
     tip->R_T[8] = R_T_zz;
     return ELLA_OK;
 }
 
-/* kinematics, links like forearm: 24 operations */
-ELLA_PART ella_status kinematics_forearm_2(const ella_link_constants *c, ella_link_store *link, const ella_node *base, const ella_real q[1],
-    const ella_real eta[3])
+/* kinematics, links like forearm: 30 operations */
+ELLA_PART ella_status kinematics_forearm_2(ella_link_store *link, const ella_node *base, const ella_real q[1], const ella_real eta[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -2603,9 +3426,10 @@ ELLA_PART ella_status kinematics_forearm_2(const ella_link_constants *c, ella_li
     const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* outputs */
     link->R_P[0] = R_P_11;
@@ -2617,99 +3441,110 @@ ELLA_PART ella_status kinematics_forearm_2(const ella_link_constants *c, ella_li
     link->R_P[6] = R_P_31;
     link->R_P[7] = R_P_32;
     link->R_P[8] = base->R_T[8];
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     return ELLA_OK;
 }
 
-/* inverse inward, links like upper_arm: 111 operations */
+/* inverse inward, links like upper_arm: 174 operations */
 ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
+    const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7], ella_real force_eta[7],
     ella_real force[2])
 {
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     const ella_real t1 = c->body0_mass * tip->delta[3] + tip->p[3];
     const ella_real t2 = c->body0_mass * tip->delta[4] + tip->p[4];
     const ella_real t3 = c->body0_mass * tip->delta[5] + tip->p[5];
-    const ella_real t4 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        + (L_y2 * etaddot[2] - L_z2 * etaddot[1]);
-    const ella_real t5 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + (L_z1 * etaddot[0] - L_x2 * etaddot[2]);
-    const ella_real t6 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
-        + (L_x2 * etaddot[1] - L_y1 * etaddot[0]);
-    const ella_real wrench_1 = t4 + (tip->p[0] + (link->r_T[1] * t3 - link->r_T[2] * t2));
-    const ella_real wrench_2 = t5 + (tip->p[1] + (link->r_T[2] * t1 - link->r_T[0] * t3));
-    const ella_real force_2 = t6 + (tip->p[2] + (link->r_T[0] * t2 - link->r_T[1] * t1));
-    const ella_real t7 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1]
-        + c->Psi_c_z2 * (link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2]);
-    const ella_real t8 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + m_eta[2] * etaddot[2]
-        + c->Psi_c_y3 * (link->J_l[3] * tip->p[1] - link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[2]);
-    const ella_real force_eta_1 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + m_eta[0] * etaddot[0]
-        + t1 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t7 + t2 * 2;
-    const ella_real force_eta_3 = t8 + t3 * 2;
+    const ella_real t4 = L_y1 * etaddot[3] - (L_z1 * etaddot[0] + L_z2 * etaddot[1] + L_z3 * etaddot[2])
+        + L_y2 * etaddot[4];
+    const ella_real t5 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
+        + (t4 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]);
+    const ella_real t6 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
+        - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]);
+    const ella_real t7 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
+        + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]);
+    const ella_real wrench_1 = t5 + (tip->p[0] + (link->r_T[0] * t3 - link->r_T[1] * t2));
+    const ella_real wrench_2 = t6 + (tip->p[1] + (link->r_T[1] * t1 - c->length * t3));
+    const ella_real force_2 = t7 + (tip->p[2] + (c->length * t2 - link->r_T[0] * t1));
+    const ella_real t8 = link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[7] * tip->p[2];
+    const ella_real t9 = link->J_l[2] * tip->p[0] + link->J_l[5] * tip->p[1] + link->J_l[8] * tip->p[2];
+    const ella_real t10 = (link->J_l[0] * tip->p[0] + link->J_l[3] * tip->p[1] + link->J_l[6] * tip->p[2])
+        * REAL(1.7320508075688772);
+    const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + t10;
+    const ella_real force_eta_1 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + m_eta[0] * etaddot[0]
+        + c->Psi_c_z1 * t9 + t2 * REAL(2.0011941703010714);
+    const ella_real force_eta_2 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1]
+        + c->Psi_c_z2 * t9 + t2 * REAL(2.0700807911885764);
+    const ella_real force_eta_3 = c->chi_3 * link->delta[2] - L_z3 * link->delta[0] + m_eta[2] * etaddot[2]
+        + c->Psi_c_z3 * t9 + t2 * REAL(3.5651069283690613);
+    const ella_real force_eta_4 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + m_eta[3] * etaddot[3]
+        + c->Psi_c_y4 * t8 + t3 * REAL(2.0011941703010714);
+    const ella_real force_eta_5 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + m_eta[4] * etaddot[4]
+        + c->Psi_c_y5 * t8 + t3 * REAL(2.0700807911885764);
+    const ella_real force_eta_6 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + m_eta[5] * etaddot[5]
+        + c->Psi_c_y6 * t8 + t3 * REAL(3.5651069283690613);
     const ella_real force_1 = link->A[0] * wrench_1 + link->A[1] * wrench_2;
 
     /* outputs */
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
+    force_eta[5] = force_eta_6;
+    force_eta[6] = force_eta_7;
     force[0] = force_1;
     force[1] = force_2;
     return ELLA_OK;
 }
 
-/* inverse inward, links like forearm: 164 operations */
+/* inverse inward, links like forearm: 230 operations */
 ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
-    const ella_real etaddot[3], const ella_real eta[3], const ella_real m_eta[3], ella_real force_eta[3],
+    const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7], ella_real force_eta[7],
     ella_real force[1])
 {
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     const ella_real t1 = c->body0_mass * tip->delta[3];
     const ella_real t2 = c->body0_mass * tip->delta[4];
@@ -2717,30 +3552,44 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     const ella_real t4 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
     const ella_real t5 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + S_z * link->delta[3] - S_x * link->delta[5];
+        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
     const ella_real t6 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
-        - S_y * link->delta[3] + S_x * link->delta[4];
-    const ella_real wrench_1 = t4 + (L_y2 * etaddot[2] - L_z2 * etaddot[1])
-        + (link->r_T[1] * t3 - link->r_T[2] * t2);
-    const ella_real wrench_2 = t5 + (L_z1 * etaddot[0] - L_x2 * etaddot[2])
-        + (link->r_T[2] * t1 - link->r_T[0] * t3);
-    const ella_real force_1 = t6 + (L_x2 * etaddot[1] - L_y1 * etaddot[0])
-        + (link->r_T[0] * t2 - link->r_T[1] * t1);
-    const ella_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3]
-        + c->sigma_x1 * etaddot[0] + t1;
-    const ella_real wrench_5 = S_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
-        + c->sigma_y2 * etaddot[1] + t2;
-    const ella_real wrench_6 = S_y * link->delta[0] - S_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_y2 * etaddot[2] + t3;
-    const ella_real t7 = L_z1 * link->delta[1] - L_y1 * link->delta[2] + c->sigma_x1 * link->delta[3]
+        - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3];
+    const ella_real t7 = L_y1 * etaddot[3] - (L_z1 * etaddot[0] + L_z2 * etaddot[1] + L_z3 * etaddot[2])
+        + L_y2 * etaddot[4];
+    const ella_real t8 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
+    const ella_real t9 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
+    const ella_real wrench_1 = t4 + (t7 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6])
+        + (link->r_T[0] * t3 - link->r_T[1] * t2);
+    const ella_real wrench_2 = t5 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
+        + (link->r_T[1] * t1 - c->length * t3);
+    const ella_real force_1 = t6 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2])
+        + (c->length * t2 - link->r_T[0] * t1);
+    const ella_real wrench_4 = motion_4 + t1;
+    const ella_real wrench_5 = t8 + t2;
+    const ella_real wrench_6 = t9 + t3;
+    const ella_real t10 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const ella_real t8 = L_x2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
+    const ella_real t11 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const ella_real t9 = L_y2 * link->delta[0] - L_x2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+    const ella_real t12 = c->chi_3 * link->delta[2] - L_z3 * link->delta[0] + c->sigma_y3 * link->delta[4]
         + m_eta[2] * etaddot[2];
-    const ella_real force_eta_1 = t7 + t1 * REAL(1.4142135623730951);
-    const ella_real force_eta_2 = t8 + t2 * 2;
-    const ella_real force_eta_3 = t9 + t3 * 2;
+    const ella_real t13 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const ella_real t14 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[4] * etaddot[4];
+    const ella_real t15 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + c->sigma_y3 * link->delta[5]
+        + m_eta[5] * etaddot[5];
+    const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6];
+    const ella_real force_eta_1 = t10 + t2 * REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t11 + t2 * REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t12 + t2 * REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t13 + t3 * REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t14 + t3 * REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t15 + t3 * REAL(3.5651069283690613);
     const ella_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * force_1;
     const ella_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * force_1;
     const ella_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * force_1;
@@ -2752,6 +3601,10 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
+    force_eta[5] = force_eta_6;
+    force_eta[6] = force_eta_7;
     force[0] = force_1;
     base->p[0] = p_1;
     base->p[1] = p_2;
@@ -2762,10 +3615,509 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     return ELLA_OK;
 }
 
-/* joint rows, links like upper_arm: 508 operations */
+/* velocities, links like upper_arm: 156 operations */
+ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
+    const ella_real eta[7], const ella_real etadot[7])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const ella_sincos turn = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn.sine, R_rel_yy = turn.cosine;
+
+    /* omega_J: angular velocity of the link relative to its parent's tip */
+    const ella_real omega_J_x = R_rel_yx * qdot[0];
+    const ella_real omega_J_y = R_rel_yy * qdot[0];
+
+    /* r_T: tip point (11) */
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
+
+    /* x: squared angle of the tip section */
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t4 = c2 * theta_hat2_12;
+    const ella_real t5 = c1 * theta_z;
+    const ella_real R_T_xy = t4 - t5;
+    const ella_real t6 = c1 * theta_y;
+    const ella_real t7 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t6 + t7;
+    const ella_real R_T_yx = t5 + t4;
+    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const ella_real t8 = c2 * theta_hat2_23;
+    const ella_real t9 = c1 * theta_x;
+    const ella_real R_T_yz = t8 - t9;
+    const ella_real R_T_zx = t7 - t6;
+    const ella_real R_T_zy = t9 + t8;
+    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const ella_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t11 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t12 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real omega_s_x = thetadot_x + c2 * t10 + c3 * (theta_y * t11 - theta_z * t12);
+    const ella_real omega_s_y = thetadot_y + c2 * t12 + c3 * (theta_z * t10 - theta_x * t11);
+    const ella_real omega_s_z = thetadot_z + c2 * t11 + c3 * (theta_x * t12 - theta_y * t10);
+
+    /* omega_T: angular velocity of the tip section (46) */
+    const ella_real t13 = omega_s_x + omega_J_x;
+    const ella_real t14 = omega_s_y + omega_J_y;
+    const ella_real t15 = omega_s_z + qdot[1];
+    const ella_real omega_T_x = R_T_xx * t13 + R_T_yx * t14 + R_T_zx * t15;
+    const ella_real omega_T_y = R_T_xy * t13 + R_T_yy * t14 + R_T_zy * t15;
+    const ella_real omega_T_z = R_T_xz * t13 + R_T_yz * t14 + R_T_zz * t15;
+
+    /* v_T: velocity of the tip point (46) */
+    const ella_real t16 = omega_J_y * r_T_z - qdot[1] * r_T_y;
+    const ella_real t17 = udot_T_y + c->length * qdot[1] - omega_J_x * r_T_z;
+    const ella_real t18 = udot_T_z + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real v_T_x = R_T_xx * t16 + R_T_yx * t17 + R_T_zx * t18;
+    const ella_real v_T_y = R_T_xy * t16 + R_T_yy * t17 + R_T_zy * t18;
+    const ella_real v_T_z = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
+
+    /* outputs */
+    tip->omega[0] = omega_T_x;
+    tip->omega[1] = omega_T_y;
+    tip->omega[2] = omega_T_z;
+    tip->v[0] = v_T_x;
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return ELLA_OK;
+}
+
+/* velocities, links like forearm: 170 operations */
+ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
+    const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+
+    /* omega_R: angular velocity of the parent's tip */
+    const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
+
+    /* omega: angular velocity of the link (45) */
+    const ella_real omega_z = base->omega[2] + qdot[0];
+
+    /* v_R: velocity of the joint point */
+    const ella_real v_R_x = R_rel_xx * base->v[0] + minus_R_rel_xy * base->v[1];
+    const ella_real v_R_y = R_rel_xx * base->v[1] - minus_R_rel_xy * base->v[0];
+
+    /* r_T: tip point (11) */
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
+
+    /* x: squared angle of the tip section */
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t4 = c2 * theta_hat2_12;
+    const ella_real t5 = c1 * theta_z;
+    const ella_real R_T_xy = t4 - t5;
+    const ella_real t6 = c1 * theta_y;
+    const ella_real t7 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t6 + t7;
+    const ella_real R_T_yx = t5 + t4;
+    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const ella_real t8 = c2 * theta_hat2_23;
+    const ella_real t9 = c1 * theta_x;
+    const ella_real R_T_yz = t8 - t9;
+    const ella_real R_T_zx = t7 - t6;
+    const ella_real R_T_zy = t9 + t8;
+    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const ella_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t11 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t12 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real omega_s_x = thetadot_x + c2 * t10 + c3 * (theta_y * t11 - theta_z * t12);
+    const ella_real omega_s_y = thetadot_y + c2 * t12 + c3 * (theta_z * t10 - theta_x * t11);
+    const ella_real omega_s_z = thetadot_z + c2 * t11 + c3 * (theta_x * t12 - theta_y * t10);
+
+    /* omega_T: angular velocity of the tip section (46) */
+    const ella_real t13 = omega_s_x + omega_R_x;
+    const ella_real t14 = omega_s_y + omega_R_y;
+    const ella_real t15 = omega_s_z + omega_z;
+    const ella_real omega_T_x = R_T_xx * t13 + R_T_yx * t14 + R_T_zx * t15;
+    const ella_real omega_T_y = R_T_xy * t13 + R_T_yy * t14 + R_T_zy * t15;
+    const ella_real omega_T_z = R_T_xz * t13 + R_T_yz * t14 + R_T_zz * t15;
+
+    /* v_T: velocity of the tip point (46) */
+    const ella_real t16 = v_R_x + omega_R_y * r_T_z - omega_z * r_T_y;
+    const ella_real t17 = udot_T_y + v_R_y + c->length * omega_z - omega_R_x * r_T_z;
+    const ella_real t18 = udot_T_z + base->v[2] + omega_R_x * r_T_y - c->length * omega_R_y;
+    const ella_real v_T_x = R_T_xx * t16 + R_T_yx * t17 + R_T_zx * t18;
+    const ella_real v_T_y = R_T_xy * t16 + R_T_yy * t17 + R_T_zy * t18;
+    const ella_real v_T_z = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
+
+    /* outputs */
+    tip->omega[0] = omega_T_x;
+    tip->omega[1] = omega_T_y;
+    tip->omega[2] = omega_T_z;
+    tip->v[0] = v_T_x;
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return ELLA_OK;
+}
+
+/* poses, links like upper_arm: 119 operations */
+ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real eta[7],
+    ella_real R[9], ella_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
+    const ella_sincos turn_2 = ella_sine_cosine(q[1]);
+    const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
+    const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
+    const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
+    const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
+    const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
+
+    /* r_T: tip point (11) */
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
+
+    /* x: squared angle of the tip section */
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * (REAL(0.16666666666666666) - x * ella_c5(x));
+
+    /* c2: Stumpff function of order 2 */
+    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t4 = c2 * theta_hat2_12;
+    const ella_real t5 = c1 * theta_z;
+    const ella_real R_T_xy = t4 - t5;
+    const ella_real t6 = c1 * theta_y;
+    const ella_real t7 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t6 + t7;
+    const ella_real R_T_yx = t5 + t4;
+    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const ella_real t8 = c2 * theta_hat2_23;
+    const ella_real t9 = c1 * theta_x;
+    const ella_real R_T_yz = t8 - t9;
+    const ella_real R_T_zx = t7 - t6;
+    const ella_real R_T_zy = t9 + t8;
+    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const ella_real t10 = -minus_R_rel_xy;
+    const ella_real t11 = -minus_R_rel_zx;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const ella_real R_tip_xx = R_rel_xx * R_T_xx - minus_R_rel_xy * R_T_yx + R_rel_xz * R_T_zx;
+    const ella_real R_tip_xy = R_rel_xx * R_T_xy - minus_R_rel_xy * R_T_yy + R_rel_xz * R_T_zy;
+    const ella_real R_tip_xz = R_rel_xx * R_T_xz - minus_R_rel_xy * R_T_yz + R_rel_xz * R_T_zz;
+    const ella_real R_tip_yx = R_rel_yx * R_T_xx + R_rel_yy * R_T_yx;
+    const ella_real R_tip_yy = R_rel_yx * R_T_xy + R_rel_yy * R_T_yy;
+    const ella_real R_tip_yz = R_rel_yx * R_T_xz + R_rel_yy * R_T_yz;
+    const ella_real R_tip_zx = R_rel_zy * R_T_yx - minus_R_rel_zx * R_T_xx + R_rel_zz * R_T_zx;
+    const ella_real R_tip_zy = R_rel_zy * R_T_yy - minus_R_rel_zx * R_T_xy + R_rel_zz * R_T_zy;
+    const ella_real R_tip_zz = R_rel_zy * R_T_yz - minus_R_rel_zx * R_T_xz + R_rel_zz * R_T_zz;
+    const ella_real r_tip_x = R_rel_xx * c->length - minus_R_rel_xy * r_T_y + R_rel_xz * r_T_z;
+    const ella_real r_tip_y = R_rel_yx * c->length + R_rel_yy * r_T_y;
+    const ella_real r_tip_z = R_rel_zy * r_T_y - minus_R_rel_zx * c->length + R_rel_zz * r_T_z;
+
+    /* outputs */
+    R[0] = R_rel_xx;
+    R[1] = t10;
+    R[2] = R_rel_xz;
+    R[3] = R_rel_yx;
+    R[4] = R_rel_yy;
+    R[5] = 0;
+    R[6] = t11;
+    R[7] = R_rel_zy;
+    R[8] = R_rel_zz;
+    r[0] = 0;
+    r[1] = 0;
+    r[2] = 0;
+    tip->R[0] = R_tip_xx;
+    tip->R[1] = R_tip_xy;
+    tip->R[2] = R_tip_xz;
+    tip->R[3] = R_tip_yx;
+    tip->R[4] = R_tip_yy;
+    tip->R[5] = R_tip_yz;
+    tip->R[6] = R_tip_zx;
+    tip->R[7] = R_tip_zy;
+    tip->R[8] = R_tip_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return ELLA_OK;
+}
+
+/* poses, links like forearm: 140 operations */
+ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
+    const ella_real eta[7], ella_real R[9], ella_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const ella_sincos turn = ella_sine_cosine(q[0]);
+    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+
+    /* r_T: tip point (11) */
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
+
+    /* x: squared angle of the tip section */
+    const ella_real t1 = theta_x * theta_x;
+    const ella_real t2 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t1 + t2;
+    const ella_real t3 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t3;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * (REAL(0.16666666666666666) - x * ella_c5(x));
+
+    /* c2: Stumpff function of order 2 */
+    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t4 = c2 * theta_hat2_12;
+    const ella_real t5 = c1 * theta_z;
+    const ella_real R_T_xy = t4 - t5;
+    const ella_real t6 = c1 * theta_y;
+    const ella_real t7 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t6 + t7;
+    const ella_real R_T_yx = t5 + t4;
+    const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const ella_real t8 = c2 * theta_hat2_23;
+    const ella_real t9 = c1 * theta_x;
+    const ella_real R_T_yz = t8 - t9;
+    const ella_real R_T_zx = t7 - t6;
+    const ella_real R_T_zy = t9 + t8;
+    const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const ella_real R_xx = base->R[0] * R_rel_xx + base->R[1] * minus_R_rel_xy;
+    const ella_real R_xy = base->R[1] * R_rel_xx - base->R[0] * minus_R_rel_xy;
+    const ella_real R_yx = base->R[3] * R_rel_xx + base->R[4] * minus_R_rel_xy;
+    const ella_real R_yy = base->R[4] * R_rel_xx - base->R[3] * minus_R_rel_xy;
+    const ella_real R_zx = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
+    const ella_real R_zy = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const ella_real R_tip_xx = R_xx * R_T_xx + R_xy * R_T_yx + base->R[2] * R_T_zx;
+    const ella_real R_tip_xy = R_xx * R_T_xy + R_xy * R_T_yy + base->R[2] * R_T_zy;
+    const ella_real R_tip_xz = R_xx * R_T_xz + R_xy * R_T_yz + base->R[2] * R_T_zz;
+    const ella_real R_tip_yx = R_yx * R_T_xx + R_yy * R_T_yx + base->R[5] * R_T_zx;
+    const ella_real R_tip_yy = R_yx * R_T_xy + R_yy * R_T_yy + base->R[5] * R_T_zy;
+    const ella_real R_tip_yz = R_yx * R_T_xz + R_yy * R_T_yz + base->R[5] * R_T_zz;
+    const ella_real R_tip_zx = R_zx * R_T_xx + R_zy * R_T_yx + base->R[8] * R_T_zx;
+    const ella_real R_tip_zy = R_zx * R_T_xy + R_zy * R_T_yy + base->R[8] * R_T_zy;
+    const ella_real R_tip_zz = R_zx * R_T_xz + R_zy * R_T_yz + base->R[8] * R_T_zz;
+    const ella_real r_tip_x = base->r[0] + (R_xx * c->length + R_xy * r_T_y + base->R[2] * r_T_z);
+    const ella_real r_tip_y = base->r[1] + (R_yx * c->length + R_yy * r_T_y + base->R[5] * r_T_z);
+    const ella_real r_tip_z = base->r[2] + (R_zx * c->length + R_zy * r_T_y + base->R[8] * r_T_z);
+
+    /* outputs */
+    R[0] = R_xx;
+    R[1] = R_xy;
+    R[2] = base->R[2];
+    R[3] = R_yx;
+    R[4] = R_yy;
+    R[5] = base->R[5];
+    R[6] = R_zx;
+    R[7] = R_zy;
+    R[8] = base->R[8];
+    r[0] = base->r[0];
+    r[1] = base->r[1];
+    r[2] = base->r[2];
+    tip->R[0] = R_tip_xx;
+    tip->R[1] = R_tip_xy;
+    tip->R[2] = R_tip_xz;
+    tip->R[3] = R_tip_yx;
+    tip->R[4] = R_tip_yy;
+    tip->R[5] = R_tip_yz;
+    tip->R[6] = R_tip_zx;
+    tip->R[7] = R_tip_zy;
+    tip->R[8] = R_tip_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return ELLA_OK;
+}
+
+/* tip twist, links like upper_arm: 30 operations */
+ELLA_PART ella_status tip_twist_upper_arm(const ella_node *tip, ella_real tip_twist[6])
+{
+    const ella_real tip_twist_1 = tip->R[0] * tip->omega[0] + tip->R[1] * tip->omega[1]
+        + tip->R[2] * tip->omega[2];
+    const ella_real tip_twist_2 = tip->R[3] * tip->omega[0] + tip->R[4] * tip->omega[1]
+        + tip->R[5] * tip->omega[2];
+    const ella_real tip_twist_3 = tip->R[6] * tip->omega[0] + tip->R[7] * tip->omega[1]
+        + tip->R[8] * tip->omega[2];
+    const ella_real tip_twist_4 = tip->R[0] * tip->v[0] + tip->R[1] * tip->v[1] + tip->R[2] * tip->v[2];
+    const ella_real tip_twist_5 = tip->R[3] * tip->v[0] + tip->R[4] * tip->v[1] + tip->R[5] * tip->v[2];
+    const ella_real tip_twist_6 = tip->R[6] * tip->v[0] + tip->R[7] * tip->v[1] + tip->R[8] * tip->v[2];
+
+    /* outputs */
+    tip_twist[0] = tip_twist_1;
+    tip_twist[1] = tip_twist_2;
+    tip_twist[2] = tip_twist_3;
+    tip_twist[3] = tip_twist_4;
+    tip_twist[4] = tip_twist_5;
+    tip_twist[5] = tip_twist_6;
+    return ELLA_OK;
+}
+
+/* measure, links like upper_arm: 43 operations */
+ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, const ella_real motion[restrict 4],
+    const ella_real wrench[restrict 6], const ella_real eta[restrict 7], ella_real measures[restrict 4])
+{
+    /* deflection_T: transverse displacement of the tip, components y and z in F_i */
+    const ella_real deflection_T_1 = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real deflection_T_2 = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
+
+    /* deflection_2: its square */
+    const ella_real deflection_2 = deflection_T_1 * deflection_T_1 + deflection_T_2 * deflection_T_2;
+
+    /* deflection: transverse displacement of the tip over length */
+    const ella_real deflection = ella_sqrt(deflection_2) / c->length;
+    measures[0] = deflection;
+
+    /* slope_T: slope of the tip section, components y and z in F_i */
+    const ella_real minus_slope_T_1 = eta[4] * REAL(9.829048135266044) / c->length
+        + eta[3] * REAL(2.754638950054297) / c->length + eta[5] * REAL(51.65076743872705) / c->length;
+    const ella_real slope_T_2 = eta[1] * REAL(9.829048135266044) / c->length
+        + eta[0] * REAL(2.754638950054297) / c->length + eta[2] * REAL(51.65076743872705) / c->length;
+
+    /* slope_2: its square */
+    const ella_real slope_2 = minus_slope_T_1 * minus_slope_T_1 + slope_T_2 * slope_T_2;
+
+    /* slope: slope of the tip section */
+    const ella_real slope = ella_sqrt(slope_2);
+    measures[1] = slope;
+
+    /* Omega_2: squared turn of the centreline */
+    const ella_real Omega_2 = motion[0] * motion[0] + motion[1] * motion[1];
+
+    /* axial_load: axial load over buckling load, compression > 0 */
+    const ella_real axial_load = motion[2] * c->per_acceleration + c->per_force * (wrench[3] - motion[3]);
+    measures[2] = axial_load;
+
+    /* rotation: Omega^2 rhoA l^4 / EI */
+    const ella_real rotation = Omega_2 * c->per_turn;
+    measures[3] = rotation;
+    return ELLA_OK;
+}
+
+/* joint rows, links like upper_arm: 657 operations */
 ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real twist[6],
     const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[3], const ella_real etadot[3], const ella_real tau[2], const int *place,
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[2], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -2803,42 +4155,40 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
         + (1 + t10 * (t9 - t11)) * gravity[2];
 
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+    const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+    const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
     const ella_real a_0_x = twist[1] * twist[5] - t18 - twist[2] * twist[4];
@@ -2857,23 +4207,24 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real minus_Omega_zz = t23 + t21;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0] - B_xy * twist[1] - B_xz * twist[2];
-    const ella_real h_c_2 = B_xx * twist[1] + B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const ella_real h_c_3 = B_xx * twist[2] + B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
+    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
+    const ella_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
+    const ella_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
     const ella_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const ella_real h_c_5 = Sdot_x * twist[2] - Sdot_z * twist[0];
-    const ella_real h_c_6 = Sdot_y * twist[0] - Sdot_x * twist[1];
+    const ella_real minus_h_c_5 = Sdot_z * twist[0];
+    const ella_real h_c_6 = Sdot_y * twist[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * twist[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * twist[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight (29) */
     const ella_real t24 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
@@ -2882,46 +4233,56 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real t25 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * a_0_x;
     const ella_real t26 = c->I_s * twist[0];
-    const ella_real H_star_2 = t25 + t26 * twist[2] - J_xx * Omega_xz - J_xy * Omega_yz - S_x * a_0_z;
-    const ella_real t27 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * a_0_y;
+    const ella_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
+    const ella_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * a_0_y;
     const ella_real H_star_3 = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + a_0_x * c->mu;
+    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + a_0_y * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+        + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
     const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t28 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz + a_0_x * c->sigma_x1
-        + Ldot_z1 * 2 * twist[1];
-    const ella_real h_eta_1 = t28 - Ldot_y1 * 2 * twist[2];
-    const ella_real t29 = Ldot_x2 * 2;
-    const ella_real h_eta_2 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
-        + t29 * twist[2] - Ldot_z2 * 2 * twist[0];
-    const ella_real t30 = L_x2 * Omega_xz + L_y2 * Omega_yz - L_z2 * minus_Omega_zz + a_0_z * c->sigma_y2
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
+        - Ldot_z1 * 2 * twist[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2 + a_0_y * c->sigma_y2
+        - Ldot_z2 * 2 * twist[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3 + a_0_y * c->sigma_y3
+        - Ldot_z3 * 2 * twist[0];
+    const ella_real h_eta_4 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1 + a_0_z * c->sigma_y1
+        + Ldot_y1 * 2 * twist[0];
+    const ella_real h_eta_5 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2 + a_0_z * c->sigma_y2
         + Ldot_y2 * 2 * twist[0];
-    const ella_real h_eta_3 = t30 - t29 * twist[1];
+    const ella_real h_eta_6 = L_y3 * Omega_yz - L_z3 * minus_Omega_zz + Omega_xz * c->chi_3 + a_0_z * c->sigma_y3
+        + Ldot_y3 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t28 = theta_x * theta_x;
+    const ella_real t29 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t28 + t29;
+    const ella_real t30 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t30;
 
     /* c1: Stumpff function of order 1 */
     const ella_real t31 = ella_c5(x);
@@ -2933,40 +4294,71 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real c2 = REAL(0.5) - x * t32;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t29 + t30;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t28 + t30;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const ella_real t33 = c3 * theta_hat2_12;
+    const ella_real t34 = c2 * theta_z;
+    const ella_real J_l_xy = t33 - t34;
+    const ella_real t35 = c2 * theta_y;
+    const ella_real t36 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t35 + t36;
+    const ella_real J_l_yx = t34 + t33;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
+    const ella_real t37 = c3 * theta_hat2_23;
+    const ella_real t38 = c2 * theta_x;
+    const ella_real J_l_yz = t37 - t38;
+    const ella_real J_l_zx = t36 - t35;
+    const ella_real J_l_zy = t38 + t37;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t39 = c2 * theta_hat2_12;
+    const ella_real t40 = c1 * theta_z;
+    const ella_real R_T_xy = t39 - t40;
+    const ella_real t41 = c1 * theta_y;
+    const ella_real t42 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t41 + t42;
+    const ella_real R_T_yx = t40 + t39;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t43 = c2 * theta_hat2_23;
+    const ella_real t44 = c1 * theta_x;
+    const ella_real R_T_yz = t43 - t44;
+    const ella_real R_T_zx = t42 - t41;
+    const ella_real R_T_zy = t44 + t43;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_x = etadot[0] * REAL(1.4142135623730951);
-    const ella_real udot_T_y = etadot[1] * 2;
-    const ella_real udot_T_z = etadot[2] * 2;
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t33 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t33;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t33;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t33;
+    const ella_real t45 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t46 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t47 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real t48 = theta_y * t46 - theta_z * t47;
+    const ella_real omega_s_x = thetadot_x + c2 * t45 + c3 * t48;
+    const ella_real t49 = theta_z * t45 - theta_x * t46;
+    const ella_real omega_s_y = thetadot_y + c2 * t47 + c3 * t49;
+    const ella_real t50 = theta_x * t47 - theta_y * t45;
+    const ella_real omega_s_z = thetadot_z + c2 * t46 + c3 * t50;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
     const ella_real c2dot = xdot * (t32 - c3 * REAL(0.5));
@@ -2975,49 +4367,49 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real c3dot = xdot * (t31 * REAL(1.5) - t32 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t33;
-    const ella_real alpha_s_y = c3 * thetadot_z * t33 + c3dot * theta_z * t33;
-    const ella_real minus_alpha_s_z = c3 * thetadot_y * t33 + c3dot * theta_y * t33;
+    const ella_real alpha_s_x = c2dot * t45 + c3 * (thetadot_y * t46 - thetadot_z * t47) + c3dot * t48;
+    const ella_real alpha_s_y = c2dot * t47 + c3 * (thetadot_z * t45 - thetadot_x * t46) + c3dot * t49;
+    const ella_real alpha_s_z = c2dot * t46 + c3 * (thetadot_x * t47 - thetadot_y * t45) + c3dot * t50;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t34 = omega_s_x + twist[0];
-    const ella_real t35 = omega_s_y + twist[1];
-    const ella_real t36 = omega_s_z + twist[2];
-    const ella_real omega_T_x = R_T_xx * t34 + minus_R_T_xy * t35 - R_T_xz * t36;
-    const ella_real omega_T_y = R_T_yy * t35 - minus_R_T_xy * t34 + R_T_yz * t36;
-    const ella_real omega_T_z = R_T_xz * t34 + R_T_yz * t35 + R_T_zz * t36;
+    const ella_real t51 = omega_s_x + twist[0];
+    const ella_real t52 = omega_s_y + twist[1];
+    const ella_real t53 = omega_s_z + twist[2];
+    const ella_real omega_T_x = R_T_xx * t51 + R_T_yx * t52 + R_T_zx * t53;
+    const ella_real omega_T_y = R_T_xy * t51 + R_T_yy * t52 + R_T_zy * t53;
+    const ella_real omega_T_z = R_T_xz * t51 + R_T_yz * t52 + R_T_zz * t53;
 
     /* v_T: velocity of the tip point (46) */
-    const ella_real t37 = udot_T_x + twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const ella_real t38 = udot_T_y + twist[4] + twist[2] * r_T_x - twist[0] * r_T_z;
-    const ella_real t39 = udot_T_z + twist[5] + twist[0] * r_T_y - twist[1] * r_T_x;
-    const ella_real v_T_x = R_T_xx * t37 + minus_R_T_xy * t38 - R_T_xz * t39;
-    const ella_real v_T_y = R_T_yy * t38 - minus_R_T_xy * t37 + R_T_yz * t39;
-    const ella_real v_T_z = R_T_xz * t37 + R_T_yz * t38 + R_T_zz * t39;
+    const ella_real t54 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
+    const ella_real t55 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
+    const ella_real t56 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
+    const ella_real v_T_x = R_T_xx * t54 + R_T_yx * t55 + R_T_zx * t56;
+    const ella_real v_T_y = R_T_xy * t54 + R_T_yy * t55 + R_T_zy * t56;
+    const ella_real v_T_z = R_T_xz * t54 + R_T_yz * t55 + R_T_zz * t56;
 
     /* b_omega: angular acceleration of the tip section that the velocities cause (accconst1b) */
-    const ella_real t40 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
-    const ella_real t41 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
-    const ella_real t42 = omega_s_y * twist[0] - minus_alpha_s_z - omega_s_x * twist[1];
-    const ella_real b_omega_x = R_T_xx * t40 + minus_R_T_xy * t41 - R_T_xz * t42;
-    const ella_real b_omega_y = R_T_yy * t41 - minus_R_T_xy * t40 + R_T_yz * t42;
+    const ella_real t57 = alpha_s_x + omega_s_z * twist[1] - omega_s_y * twist[2];
+    const ella_real t58 = alpha_s_y + omega_s_x * twist[2] - omega_s_z * twist[0];
+    const ella_real t59 = alpha_s_z + omega_s_y * twist[0] - omega_s_x * twist[1];
+    const ella_real b_omega_x = R_T_xx * t57 + R_T_yx * t58 + R_T_zx * t59;
+    const ella_real b_omega_y = R_T_xy * t57 + R_T_yy * t58 + R_T_zy * t59;
 
     /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const ella_real t43 = omega_s_z * t38 + twist[1] * udot_T_z - omega_s_y * t39 - twist[2] * udot_T_y;
-    const ella_real t44 = omega_s_x * t39 + twist[2] * udot_T_x - omega_s_z * t37 - twist[0] * udot_T_z;
-    const ella_real t45 = omega_s_y * t37 + twist[0] * udot_T_y - omega_s_x * t38 - twist[1] * udot_T_x;
-    const ella_real b_v_x = R_T_xx * t43 + minus_R_T_xy * t44 - R_T_xz * t45;
-    const ella_real b_v_y = R_T_yy * t44 - minus_R_T_xy * t43 + R_T_yz * t45;
-    const ella_real b_v_z = R_T_xz * t43 + R_T_yz * t44 + R_T_zz * t45;
+    const ella_real t60 = omega_s_z * t55 + twist[1] * udot_T_z - omega_s_y * t56 - twist[2] * udot_T_y;
+    const ella_real t61 = omega_s_x * t56 - omega_s_z * t54 - twist[0] * udot_T_z;
+    const ella_real t62 = omega_s_y * t54 + twist[0] * udot_T_y - omega_s_x * t55;
+    const ella_real b_v_x = R_T_xx * t60 + R_T_yx * t61 + R_T_zx * t62;
+    const ella_real b_v_y = R_T_xy * t60 + R_T_yy * t61 + R_T_zy * t62;
+    const ella_real b_v_z = R_T_xz * t60 + R_T_yz * t61 + R_T_zz * t62;
 
-    const ella_real t46 = R_T_xx * t18 + minus_R_T_xy * t19 - R_T_xz * t20;
-    const ella_real t47 = R_T_yy * t19 - minus_R_T_xy * t18 + R_T_yz * t20;
-    const ella_real t48 = R_T_xz * t18 + R_T_yz * t19 + R_T_zz * t20;
+    const ella_real t63 = R_T_xx * t18 + R_T_yx * t19 + R_T_zx * t20;
+    const ella_real t64 = R_T_xy * t18 + R_T_yy * t19 + R_T_zy * t20;
+    const ella_real t65 = R_T_xz * t18 + R_T_yz * t19 + R_T_zz * t20;
 
     /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const ella_real a_T_x = omega_T_y * v_T_z - t46 - omega_T_z * v_T_y;
-    const ella_real a_T_y = omega_T_z * v_T_x - t47 - omega_T_x * v_T_z;
-    const ella_real a_T_z = omega_T_x * v_T_y - t48 - omega_T_y * v_T_x;
+    const ella_real a_T_x = omega_T_y * v_T_z - t63 - omega_T_z * v_T_y;
+    const ella_real a_T_y = omega_T_z * v_T_x - t64 - omega_T_x * v_T_z;
+    const ella_real a_T_z = omega_T_x * v_T_y - t65 - omega_T_y * v_T_x;
 
     /* h_T_F: force that the bodies' velocities and weight need */
     const ella_real h_T_F_x = a_T_x * c->body0_mass;
@@ -3036,15 +4428,15 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
     const ella_real minus_joint_H_1 = N_xy * minus_beta_omega_y + P_c_11 * beta_omega_x;
-    const ella_real t49 = -minus_joint_H_1;
+    const ella_real t66 = -minus_joint_H_1;
     const ella_real joint_H_2 = N_yx * beta_omega_x + P_c_22 * minus_beta_omega_y;
 
     /* joint_W: the motors' torques in the joint's rows (62) */
     const ella_real joint_W_1 = t3 * tau[0];
     const ella_real joint_W_2 = t4 * tau[0];
 
-    const ella_real t50 = -N_xy;
-    const ella_real t51 = -N_yx;
+    const ella_real t67 = -N_xy;
+    const ella_real t68 = -N_yx;
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -3054,13 +4446,13 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     link->M_V[4] = S_y;
     link->M_V[5] = I_yy;
     link->M_V[6] = J_yz;
-    link->M_V[7] = S_x;
-    link->M_V[8] = I_zz;
-    link->M_D[0] = L_z2;
-    link->M_D[1] = L_y2;
-    link->M_D[2] = L_z1;
-    link->M_D[3] = L_x2;
-    link->M_D[4] = L_y1;
+    link->M_V[7] = I_zz;
+    link->M_D[0] = L_z1;
+    link->M_D[1] = L_z2;
+    link->M_D[2] = L_z3;
+    link->M_D[3] = L_y1;
+    link->M_D[4] = L_y2;
+    link->M_D[5] = L_y3;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -3070,20 +4462,29 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
     link->h_eta[2] = h_eta_3;
+    link->h_eta[3] = h_eta_4;
+    link->h_eta[4] = h_eta_5;
+    link->h_eta[5] = h_eta_6;
     link->R_T[0] = R_T_xx;
-    link->R_T[1] = minus_R_T_xy;
+    link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yy;
-    link->R_T[4] = R_T_yz;
-    link->R_T[5] = R_T_zz;
-    link->J_l[1] = minus_J_l_xy;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
     link->J_l[2] = J_l_xz;
-    link->J_l[3] = J_l_yy;
-    link->J_l[4] = J_l_yz;
-    link->J_l[5] = J_l_zz;
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     link->b_T[3] = b_v_x;
     link->b_T[4] = b_v_y;
     link->b_T[5] = b_v_z;
@@ -3101,13 +4502,13 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     M[place[3]] = N_yy;
     M[place[4]] = 1;
     M[place[5]] = P_c_11;
-    M[place[6]] = t50;
-    M[place[7]] = t51;
+    M[place[6]] = t67;
+    M[place[7]] = t68;
     M[place[8]] = P_c_22;
     M[place[9]] = 1;
     M[place[10]] = 1;
     M[place[11]] = 1;
-    H[0] = t49;
+    H[0] = t66;
     H[1] = joint_H_2;
     H[2] = 0;
     H[3] = 0;
@@ -3127,10 +4528,10 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     return ELLA_OK;
 }
 
-/* joint rows, links like forearm: 469 operations */
+/* joint rows, links like forearm: 602 operations */
 ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base, const ella_real twist[6],
     const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[3], const ella_real etadot[3], const ella_real tau[1], const int *place,
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[1], const int *place,
     ella_real *M, ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -3173,42 +4574,40 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
         + (1 + t6 * (t5 - t7)) * gravity[2];
 
     /* S: first moment */
-    const ella_real S_x = c->S_0_x + eta[0] * c->sigma_x1;
-    const ella_real S_y = eta[1] * c->sigma_y2;
-    const ella_real S_z = eta[2] * c->sigma_y2;
+    const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
+    const ella_real S_z = eta[3] * c->sigma_y1 + eta[4] * c->sigma_y2 + eta[5] * c->sigma_y3;
 
     /* Sdot: rate of the first moment */
-    const ella_real Sdot_x = etadot[0] * c->sigma_x1;
-    const ella_real Sdot_y = etadot[1] * c->sigma_y2;
-    const ella_real Sdot_z = etadot[2] * c->sigma_y2;
+    const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
+    const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
     /* L: first moment weighted by each mode shape (85) */
-    const ella_real L_x1 = c->chi_1 + c->mu * eta[0];
-    const ella_real L_x2 = c->chi_2 + c->Gamma_xy_11 * eta[0];
-    const ella_real L_y1 = c->Gamma_xy_11 * eta[1];
+    const ella_real L_y1 = c->mu * eta[0];
     const ella_real L_y2 = c->mu * eta[1];
-    const ella_real L_z1 = c->Gamma_xy_11 * eta[2];
-    const ella_real L_z2 = eta[2] * c->mu;
+    const ella_real L_y3 = c->mu * eta[2];
+    const ella_real L_z1 = eta[3] * c->mu;
+    const ella_real L_z2 = eta[4] * c->mu;
+    const ella_real L_z3 = eta[5] * c->mu;
 
     /* Ldot: rate of L */
-    const ella_real Ldot_x2 = c->Gamma_xy_11 * etadot[0];
-    const ella_real Ldot_y1 = c->Gamma_xy_11 * etadot[1];
+    const ella_real Ldot_y1 = c->mu * etadot[0];
     const ella_real Ldot_y2 = c->mu * etadot[1];
-    const ella_real Ldot_z1 = c->Gamma_xy_11 * etadot[2];
-    const ella_real Ldot_z2 = etadot[2] * c->mu;
+    const ella_real Ldot_y3 = c->mu * etadot[2];
+    const ella_real Ldot_z1 = etadot[3] * c->mu;
+    const ella_real Ldot_z2 = etadot[4] * c->mu;
+    const ella_real Ldot_z3 = etadot[5] * c->mu;
 
     /* J: second moment */
-    const ella_real J_xx = c->J_0_xx + L_x1 * eta[0] + c->chi_1 * eta[0];
-    const ella_real J_xy = L_y1 * eta[0] + c->chi_2 * eta[1];
-    const ella_real J_xz = L_z1 * eta[0] + c->chi_2 * eta[2];
-    const ella_real J_yy = L_y2 * eta[1];
-    const ella_real J_yz = L_z2 * eta[1];
-    const ella_real J_zz = L_z2 * eta[2];
+    const ella_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1] + c->chi_3 * eta[2];
+    const ella_real J_xz = c->chi_1 * eta[3] + c->chi_2 * eta[4] + c->chi_3 * eta[5];
+    const ella_real J_yy = L_y1 * eta[0] + L_y2 * eta[1] + L_y3 * eta[2];
+    const ella_real J_yz = L_z1 * eta[0] + L_z2 * eta[1] + L_z3 * eta[2];
+    const ella_real J_zz = L_z1 * eta[3] + L_z2 * eta[4] + L_z3 * eta[5];
 
     /* I: inertia about the origin, deformed */
     const ella_real I_xx = c->I_s + J_yy + J_zz;
-    const ella_real I_yy = J_xx + J_zz;
-    const ella_real I_zz = J_xx + J_yy;
+    const ella_real I_yy = c->J_0_xx + J_zz;
+    const ella_real I_zz = c->J_0_xx + J_yy;
 
     /* a_0: acceleration of the origin at rest rates, against free fall */
     const ella_real a_0_x = twist[1] * twist[5] - t14 - twist[2] * twist[4];
@@ -3227,23 +4626,24 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real minus_Omega_zz = t19 + t17;
 
     /* B: moment of the elastic velocity */
-    const ella_real B_xx = L_x1 * etadot[0];
-    const ella_real B_xy = L_y1 * etadot[0];
-    const ella_real B_xz = L_z1 * etadot[0];
-    const ella_real B_yx = L_x2 * etadot[1];
-    const ella_real B_yy = L_y2 * etadot[1];
-    const ella_real B_yz = L_z2 * etadot[1];
-    const ella_real B_zx = L_x2 * etadot[2];
-    const ella_real B_zy = L_y2 * etadot[2];
-    const ella_real B_zz = L_z2 * etadot[2];
+    const ella_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1] + c->chi_3 * etadot[2];
+    const ella_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1] + L_y3 * etadot[2];
+    const ella_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1] + L_z3 * etadot[2];
+    const ella_real B_zx = c->chi_1 * etadot[3] + c->chi_2 * etadot[4] + c->chi_3 * etadot[5];
+    const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
+    const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0] - B_xy * twist[1] - B_xz * twist[2];
-    const ella_real h_c_2 = B_xx * twist[1] + B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const ella_real h_c_3 = B_xx * twist[2] + B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
+    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
+    const ella_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
+    const ella_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
     const ella_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const ella_real h_c_5 = Sdot_x * twist[2] - Sdot_z * twist[0];
-    const ella_real h_c_6 = Sdot_y * twist[0] - Sdot_x * twist[1];
+    const ella_real minus_h_c_5 = Sdot_z * twist[0];
+    const ella_real h_c_6 = Sdot_y * twist[0];
+
+    /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
+    const ella_real h_MD_2 = h_c_2 + etadot[6] * twist[2] * c->sigma_t_7;
+    const ella_real h_MD_3 = h_c_3 - etadot[6] * twist[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight (29) */
     const ella_real t20 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
@@ -3252,46 +4652,56 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real t21 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * a_0_x;
     const ella_real t22 = c->I_s * twist[0];
-    const ella_real H_star_2 = t21 + t22 * twist[2] - J_xx * Omega_xz - J_xy * Omega_yz - S_x * a_0_z;
-    const ella_real t23 = h_c_3 + J_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + S_x * a_0_y;
+    const ella_real H_star_2 = t21 + t22 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
+    const ella_real t23 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * a_0_y;
     const ella_real H_star_3 = t23 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t22 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * S_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
-    const ella_real H_star_5 = h_c_5 + Omega_xy * S_x - minus_Omega_yy * S_y + Omega_yz * S_z + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * S_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + a_0_x * c->mu;
+    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+        + a_0_y * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
+        + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
     const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_c_2;
-    const ella_real h_V_3 = H_star_3 + h_c_3;
+    const ella_real h_V_2 = H_star_2 + h_MD_2;
+    const ella_real h_V_3 = H_star_3 + h_MD_3;
     const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 + h_c_5;
+    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
     const ella_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
-    const ella_real t24 = L_y1 * Omega_xy - L_x1 * minus_Omega_xx + L_z1 * Omega_xz + a_0_x * c->sigma_x1
-        + Ldot_z1 * 2 * twist[1];
-    const ella_real h_eta_1 = t24 - Ldot_y1 * 2 * twist[2];
-    const ella_real t25 = Ldot_x2 * 2;
-    const ella_real h_eta_2 = L_x2 * Omega_xy - L_y2 * minus_Omega_yy + L_z2 * Omega_yz + a_0_y * c->sigma_y2
-        + t25 * twist[2] - Ldot_z2 * 2 * twist[0];
-    const ella_real t26 = L_x2 * Omega_xz + L_y2 * Omega_yz - L_z2 * minus_Omega_zz + a_0_z * c->sigma_y2
+    const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
+        - Ldot_z1 * 2 * twist[0];
+    const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2 + a_0_y * c->sigma_y2
+        - Ldot_z2 * 2 * twist[0];
+    const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3 + a_0_y * c->sigma_y3
+        - Ldot_z3 * 2 * twist[0];
+    const ella_real h_eta_4 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1 + a_0_z * c->sigma_y1
+        + Ldot_y1 * 2 * twist[0];
+    const ella_real h_eta_5 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2 + a_0_z * c->sigma_y2
         + Ldot_y2 * 2 * twist[0];
-    const ella_real h_eta_3 = t26 - t25 * twist[1];
+    const ella_real h_eta_6 = L_y3 * Omega_yz - L_z3 * minus_Omega_zz + Omega_xz * c->chi_3 + a_0_z * c->sigma_y3
+        + Ldot_y3 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_x = c->length + eta[0] * REAL(1.4142135623730951);
-    const ella_real r_T_y = eta[1] * 2;
-    const ella_real r_T_z = eta[2] * 2;
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_y = c->Psi_c_y3 * eta[2];
-    const ella_real theta_z = c->Psi_c_z2 * eta[1];
+    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
+    const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real minus_theta_hat2_33 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_22 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+    const ella_real t24 = theta_x * theta_x;
+    const ella_real t25 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t24 + t25;
+    const ella_real t26 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t26;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
@@ -3301,70 +4711,97 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
+    const ella_real minus_theta_hat2_11 = t25 + t26;
+    const ella_real theta_hat2_12 = theta_x * theta_y;
+    const ella_real theta_hat2_13 = theta_x * theta_z;
+    const ella_real minus_theta_hat2_22 = t24 + t26;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
-    const ella_real minus_J_l_xy = c2 * theta_z;
-    const ella_real J_l_xz = c2 * theta_y;
+    const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const ella_real t27 = c3 * theta_hat2_12;
+    const ella_real t28 = c2 * theta_z;
+    const ella_real J_l_xy = t27 - t28;
+    const ella_real t29 = c2 * theta_y;
+    const ella_real t30 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t29 + t30;
+    const ella_real J_l_yx = t28 + t27;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real J_l_yz = c3 * theta_hat2_23;
+    const ella_real t31 = c3 * theta_hat2_23;
+    const ella_real t32 = c2 * theta_x;
+    const ella_real J_l_yz = t31 - t32;
+    const ella_real J_l_zx = t30 - t29;
+    const ella_real J_l_zy = t32 + t31;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
-    const ella_real R_T_xx = 1 - c2 * x;
-    const ella_real minus_R_T_xy = c1 * theta_z;
-    const ella_real R_T_xz = c1 * theta_y;
+    const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const ella_real t33 = c2 * theta_hat2_12;
+    const ella_real t34 = c1 * theta_z;
+    const ella_real R_T_xy = t33 - t34;
+    const ella_real t35 = c1 * theta_y;
+    const ella_real t36 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t35 + t36;
+    const ella_real R_T_yx = t34 + t33;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real R_T_yz = c2 * theta_hat2_23;
+    const ella_real t37 = c2 * theta_hat2_23;
+    const ella_real t38 = c1 * theta_x;
+    const ella_real R_T_yz = t37 - t38;
+    const ella_real R_T_zx = t36 - t35;
+    const ella_real R_T_zy = t38 + t37;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_x = etadot[0] * REAL(1.4142135623730951);
-    const ella_real udot_T_y = etadot[1] * 2;
-    const ella_real udot_T_z = etadot[2] * 2;
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_y = c->Psi_c_y3 * etadot[2];
-    const ella_real thetadot_z = c->Psi_c_z2 * etadot[1];
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t27 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real omega_s_x = c2 * t27;
-    const ella_real omega_s_y = thetadot_y + c3 * theta_z * t27;
-    const ella_real omega_s_z = thetadot_z - c3 * theta_y * t27;
+    const ella_real t39 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t40 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t41 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real omega_s_x = thetadot_x + c2 * t39 + c3 * (theta_y * t40 - theta_z * t41);
+    const ella_real omega_s_y = thetadot_y + c2 * t41 + c3 * (theta_z * t39 - theta_x * t40);
+    const ella_real omega_s_z = thetadot_z + c2 * t40 + c3 * (theta_x * t41 - theta_y * t39);
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t28 = omega_s_x + twist[0];
-    const ella_real t29 = omega_s_y + twist[1];
-    const ella_real t30 = omega_s_z + twist[2];
-    const ella_real omega_T_x = R_T_xx * t28 + minus_R_T_xy * t29 - R_T_xz * t30;
-    const ella_real omega_T_y = R_T_yy * t29 - minus_R_T_xy * t28 + R_T_yz * t30;
-    const ella_real omega_T_z = R_T_xz * t28 + R_T_yz * t29 + R_T_zz * t30;
+    const ella_real t42 = omega_s_x + twist[0];
+    const ella_real t43 = omega_s_y + twist[1];
+    const ella_real t44 = omega_s_z + twist[2];
+    const ella_real omega_T_x = R_T_xx * t42 + R_T_yx * t43 + R_T_zx * t44;
+    const ella_real omega_T_y = R_T_xy * t42 + R_T_yy * t43 + R_T_zy * t44;
+    const ella_real omega_T_z = R_T_xz * t42 + R_T_yz * t43 + R_T_zz * t44;
 
     /* v_T: velocity of the tip point (46) */
-    const ella_real t31 = udot_T_x + twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
-    const ella_real t32 = udot_T_y + twist[4] + twist[2] * r_T_x - twist[0] * r_T_z;
-    const ella_real t33 = udot_T_z + twist[5] + twist[0] * r_T_y - twist[1] * r_T_x;
-    const ella_real v_T_x = R_T_xx * t31 + minus_R_T_xy * t32 - R_T_xz * t33;
-    const ella_real v_T_y = R_T_yy * t32 - minus_R_T_xy * t31 + R_T_yz * t33;
-    const ella_real v_T_z = R_T_xz * t31 + R_T_yz * t32 + R_T_zz * t33;
+    const ella_real t45 = twist[3] + twist[1] * r_T_z - twist[2] * r_T_y;
+    const ella_real t46 = udot_T_y + twist[4] + c->length * twist[2] - twist[0] * r_T_z;
+    const ella_real t47 = udot_T_z + twist[5] + twist[0] * r_T_y - c->length * twist[1];
+    const ella_real v_T_x = R_T_xx * t45 + R_T_yx * t46 + R_T_zx * t47;
+    const ella_real v_T_y = R_T_xy * t45 + R_T_yy * t46 + R_T_zy * t47;
+    const ella_real v_T_z = R_T_xz * t45 + R_T_yz * t46 + R_T_zz * t47;
 
     /* b_v: acceleration of the tip point that the velocities cause (accconst1b) */
-    const ella_real t34 = omega_s_z * t32 + twist[1] * udot_T_z - omega_s_y * t33 - twist[2] * udot_T_y;
-    const ella_real t35 = omega_s_x * t33 + twist[2] * udot_T_x - omega_s_z * t31 - twist[0] * udot_T_z;
-    const ella_real t36 = omega_s_y * t31 + twist[0] * udot_T_y - omega_s_x * t32 - twist[1] * udot_T_x;
-    const ella_real b_v_x = R_T_xx * t34 + minus_R_T_xy * t35 - R_T_xz * t36;
-    const ella_real b_v_y = R_T_yy * t35 - minus_R_T_xy * t34 + R_T_yz * t36;
-    const ella_real b_v_z = R_T_xz * t34 + R_T_yz * t35 + R_T_zz * t36;
+    const ella_real t48 = omega_s_z * t46 + twist[1] * udot_T_z - omega_s_y * t47 - twist[2] * udot_T_y;
+    const ella_real t49 = omega_s_x * t47 - omega_s_z * t45 - twist[0] * udot_T_z;
+    const ella_real t50 = omega_s_y * t45 + twist[0] * udot_T_y - omega_s_x * t46;
+    const ella_real b_v_x = R_T_xx * t48 + R_T_yx * t49 + R_T_zx * t50;
+    const ella_real b_v_y = R_T_xy * t48 + R_T_yy * t49 + R_T_zy * t50;
+    const ella_real b_v_z = R_T_xz * t48 + R_T_yz * t49 + R_T_zz * t50;
 
-    const ella_real t37 = R_T_xx * t14 + minus_R_T_xy * t15 - R_T_xz * t16;
-    const ella_real t38 = R_T_yy * t15 - minus_R_T_xy * t14 + R_T_yz * t16;
-    const ella_real t39 = R_T_xz * t14 + R_T_yz * t15 + R_T_zz * t16;
+    const ella_real t51 = R_T_xx * t14 + R_T_yx * t15 + R_T_zx * t16;
+    const ella_real t52 = R_T_xy * t14 + R_T_yy * t15 + R_T_zy * t16;
+    const ella_real t53 = R_T_xz * t14 + R_T_yz * t15 + R_T_zz * t16;
 
     /* a_T: acceleration of the tip point at rest rates, against free fall */
-    const ella_real a_T_x = omega_T_y * v_T_z - t37 - omega_T_z * v_T_y;
-    const ella_real a_T_y = omega_T_z * v_T_x - t38 - omega_T_x * v_T_z;
-    const ella_real a_T_z = omega_T_x * v_T_y - t39 - omega_T_y * v_T_x;
+    const ella_real a_T_x = omega_T_y * v_T_z - t51 - omega_T_z * v_T_y;
+    const ella_real a_T_y = omega_T_z * v_T_x - t52 - omega_T_x * v_T_z;
+    const ella_real a_T_z = omega_T_x * v_T_y - t53 - omega_T_y * v_T_x;
 
     /* h_T_F: force that the bodies' velocities and weight need */
     const ella_real h_T_F_x = a_T_x * c->body0_mass;
@@ -3373,12 +4810,12 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
 
     /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
     const ella_real minus_joint_H_1 = R_rel_xx * base->b[0] + minus_R_rel_xy * base->b[1] + beta_omega_x;
-    const ella_real t40 = -minus_joint_H_1;
+    const ella_real t54 = -minus_joint_H_1;
     const ella_real joint_H_2 = minus_R_rel_xy * base->b[0] - R_rel_xx * base->b[1] + minus_beta_omega_y;
     const ella_real minus_joint_H_4 = beta_v_x + R_rel_xx * base->b[3] + minus_R_rel_xy * base->b[4];
-    const ella_real t41 = -minus_joint_H_4;
+    const ella_real t55 = -minus_joint_H_4;
     const ella_real joint_H_5 = minus_beta_v_y + minus_R_rel_xy * base->b[3] - R_rel_xx * base->b[4];
-    const ella_real t42 = -base->b[5];
+    const ella_real t56 = -base->b[5];
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -3388,13 +4825,13 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     link->M_V[4] = S_y;
     link->M_V[5] = I_yy;
     link->M_V[6] = J_yz;
-    link->M_V[7] = S_x;
-    link->M_V[8] = I_zz;
-    link->M_D[0] = L_z2;
-    link->M_D[1] = L_y2;
-    link->M_D[2] = L_z1;
-    link->M_D[3] = L_x2;
-    link->M_D[4] = L_y1;
+    link->M_V[7] = I_zz;
+    link->M_D[0] = L_z1;
+    link->M_D[1] = L_z2;
+    link->M_D[2] = L_z3;
+    link->M_D[3] = L_y1;
+    link->M_D[4] = L_y2;
+    link->M_D[5] = L_y3;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -3404,20 +4841,29 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
     link->h_eta[2] = h_eta_3;
+    link->h_eta[3] = h_eta_4;
+    link->h_eta[4] = h_eta_5;
+    link->h_eta[5] = h_eta_6;
     link->R_T[0] = R_T_xx;
-    link->R_T[1] = minus_R_T_xy;
+    link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
-    link->R_T[3] = R_T_yy;
-    link->R_T[4] = R_T_yz;
-    link->R_T[5] = R_T_zz;
-    link->J_l[1] = minus_J_l_xy;
+    link->R_T[3] = R_T_yx;
+    link->R_T[4] = R_T_yy;
+    link->R_T[5] = R_T_yz;
+    link->R_T[6] = R_T_zx;
+    link->R_T[7] = R_T_zy;
+    link->R_T[8] = R_T_zz;
+    link->J_l[0] = J_l_xx;
+    link->J_l[1] = J_l_xy;
     link->J_l[2] = J_l_xz;
-    link->J_l[3] = J_l_yy;
-    link->J_l[4] = J_l_yz;
-    link->J_l[5] = J_l_zz;
-    link->r_T[0] = r_T_x;
-    link->r_T[1] = r_T_y;
-    link->r_T[2] = r_T_z;
+    link->J_l[3] = J_l_yx;
+    link->J_l[4] = J_l_yy;
+    link->J_l[5] = J_l_yz;
+    link->J_l[6] = J_l_zx;
+    link->J_l[7] = J_l_zy;
+    link->J_l[8] = J_l_zz;
+    link->r_T[0] = r_T_y;
+    link->r_T[1] = r_T_z;
     link->b_T[3] = b_v_x;
     link->b_T[4] = b_v_y;
     link->b_T[5] = b_v_z;
@@ -3430,12 +4876,12 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     M[place[3]] = 1;
     M[place[4]] = 1;
     M[place[5]] = 1;
-    H[0] = t40;
+    H[0] = t54;
     H[1] = joint_H_2;
     H[2] = 0;
-    H[3] = t41;
+    H[3] = t55;
     H[4] = joint_H_5;
-    H[5] = t42;
+    H[5] = t56;
     W[0] = 0;
     W[1] = 0;
     W[2] = tau[0];
@@ -3461,213 +4907,360 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     return ELLA_OK;
 }
 
-/* link rows, links like upper_arm: 665 operations */
+/* link rows, links like upper_arm: 1159 operations */
 ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real m_eta[3], const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3],
-    ella_real eta_W[3], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
+    const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7],
+    ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
     const ella_real t3 = link->h_eta[2] + f_eta[2];
+    const ella_real t4 = link->h_eta[3] + f_eta[3];
+    const ella_real t5 = link->h_eta[4] + f_eta[4];
+    const ella_real t6 = link->h_eta[5] + f_eta[5];
 
     /* J_TV: twist of the tip section from that of F_i (46) */
-    const ella_real t4 = link->R_T[2] * link->r_T[1];
-    const ella_real t5 = link->R_T[1] * link->r_T[2];
-    const ella_real minus_J_TV_41 = t4 + t5;
-    const ella_real J_TV_42 = link->R_T[0] * link->r_T[2] + link->R_T[2] * link->r_T[0];
-    const ella_real J_TV_43 = link->R_T[1] * link->r_T[0] - link->R_T[0] * link->r_T[1];
-    const ella_real J_TV_51 = link->R_T[4] * link->r_T[1] - link->R_T[3] * link->r_T[2];
-    const ella_real t6 = link->R_T[4] * link->r_T[0];
-    const ella_real minus_J_TV_52 = t5 + t6;
-    const ella_real J_TV_53 = link->R_T[3] * link->r_T[0] + link->R_T[1] * link->r_T[1];
-    const ella_real J_TV_61 = link->R_T[5] * link->r_T[1] - link->R_T[4] * link->r_T[2];
-    const ella_real J_TV_62 = link->R_T[2] * link->r_T[2] - link->R_T[5] * link->r_T[0];
-    const ella_real J_TV_63 = t6 - t4;
+    const ella_real J_TV_41 = link->R_T[6] * link->r_T[0] - link->R_T[3] * link->r_T[1];
+    const ella_real J_TV_42 = link->R_T[0] * link->r_T[1] - link->R_T[6] * c->length;
+    const ella_real J_TV_43 = link->R_T[3] * c->length - link->R_T[0] * link->r_T[0];
+    const ella_real J_TV_51 = link->R_T[7] * link->r_T[0] - link->R_T[4] * link->r_T[1];
+    const ella_real J_TV_52 = link->R_T[1] * link->r_T[1] - link->R_T[7] * c->length;
+    const ella_real J_TV_53 = link->R_T[4] * c->length - link->R_T[1] * link->r_T[0];
+    const ella_real J_TV_61 = link->R_T[8] * link->r_T[0] - link->R_T[5] * link->r_T[1];
+    const ella_real J_TV_62 = link->R_T[2] * link->r_T[1] - link->R_T[8] * c->length;
+    const ella_real J_TV_63 = link->R_T[5] * c->length - link->R_T[2] * link->r_T[0];
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const ella_real t7 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real t8 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real t9 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real J_Teta_12 = link->R_T[0] * t7 + link->R_T[1] * t8 - link->R_T[2] * t9;
-    const ella_real t10 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real t11 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real t12 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real J_Teta_13 = link->R_T[1] * t11 - link->R_T[0] * t10 - link->R_T[2] * t12;
-    const ella_real J_Teta_22 = link->R_T[3] * t8 - link->R_T[1] * t7 + link->R_T[4] * t9;
-    const ella_real J_Teta_23 = link->R_T[1] * t10 + link->R_T[3] * t11 + link->R_T[4] * t12;
-    const ella_real J_Teta_32 = link->R_T[2] * t7 + link->R_T[4] * t8 + link->R_T[5] * t9;
-    const ella_real J_Teta_33 = link->R_T[4] * t11 - link->R_T[2] * t10 + link->R_T[5] * t12;
-    const ella_real J_Teta_41 = link->R_T[0] * REAL(1.4142135623730951);
-    const ella_real J_Teta_42 = link->R_T[1] * 2;
-    const ella_real minus_J_Teta_43 = link->R_T[2] * 2;
-    const ella_real minus_J_Teta_51 = link->R_T[1] * REAL(1.4142135623730951);
-    const ella_real J_Teta_52 = link->R_T[3] * 2;
-    const ella_real J_Teta_53 = link->R_T[4] * 2;
-    const ella_real J_Teta_61 = link->R_T[2] * REAL(1.4142135623730951);
-    const ella_real J_Teta_63 = link->R_T[5] * 2;
+    const ella_real t7 = link->J_l[2] * c->Psi_c_z1;
+    const ella_real t8 = link->J_l[5] * c->Psi_c_z1;
+    const ella_real t9 = link->J_l[8] * c->Psi_c_z1;
+    const ella_real J_Teta_11 = link->R_T[0] * t7 + link->R_T[3] * t8 + link->R_T[6] * t9;
+    const ella_real t10 = link->J_l[2] * c->Psi_c_z2;
+    const ella_real t11 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real t12 = link->J_l[8] * c->Psi_c_z2;
+    const ella_real J_Teta_12 = link->R_T[0] * t10 + link->R_T[3] * t11 + link->R_T[6] * t12;
+    const ella_real t13 = link->J_l[2] * c->Psi_c_z3;
+    const ella_real t14 = link->J_l[5] * c->Psi_c_z3;
+    const ella_real t15 = link->J_l[8] * c->Psi_c_z3;
+    const ella_real J_Teta_13 = link->R_T[0] * t13 + link->R_T[3] * t14 + link->R_T[6] * t15;
+    const ella_real t16 = link->J_l[1] * c->Psi_c_y4;
+    const ella_real t17 = link->J_l[4] * c->Psi_c_y4;
+    const ella_real t18 = link->J_l[7] * c->Psi_c_y4;
+    const ella_real J_Teta_14 = link->R_T[0] * t16 + link->R_T[3] * t17 + link->R_T[6] * t18;
+    const ella_real t19 = link->J_l[1] * c->Psi_c_y5;
+    const ella_real t20 = link->J_l[4] * c->Psi_c_y5;
+    const ella_real t21 = link->J_l[7] * c->Psi_c_y5;
+    const ella_real J_Teta_15 = link->R_T[0] * t19 + link->R_T[3] * t20 + link->R_T[6] * t21;
+    const ella_real t22 = link->J_l[1] * c->Psi_c_y6;
+    const ella_real t23 = link->J_l[4] * c->Psi_c_y6;
+    const ella_real t24 = link->J_l[7] * c->Psi_c_y6;
+    const ella_real J_Teta_16 = link->R_T[0] * t22 + link->R_T[3] * t23 + link->R_T[6] * t24;
+    const ella_real t25 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real t26 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real t27 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real J_Teta_17 = link->R_T[0] * t25 + link->R_T[3] * t26 + link->R_T[6] * t27;
+    const ella_real J_Teta_21 = link->R_T[1] * t7 + link->R_T[4] * t8 + link->R_T[7] * t9;
+    const ella_real J_Teta_22 = link->R_T[1] * t10 + link->R_T[4] * t11 + link->R_T[7] * t12;
+    const ella_real J_Teta_23 = link->R_T[1] * t13 + link->R_T[4] * t14 + link->R_T[7] * t15;
+    const ella_real J_Teta_24 = link->R_T[1] * t16 + link->R_T[4] * t17 + link->R_T[7] * t18;
+    const ella_real J_Teta_25 = link->R_T[1] * t19 + link->R_T[4] * t20 + link->R_T[7] * t21;
+    const ella_real J_Teta_26 = link->R_T[1] * t22 + link->R_T[4] * t23 + link->R_T[7] * t24;
+    const ella_real J_Teta_27 = link->R_T[1] * t25 + link->R_T[4] * t26 + link->R_T[7] * t27;
+    const ella_real J_Teta_31 = link->R_T[2] * t7 + link->R_T[5] * t8 + link->R_T[8] * t9;
+    const ella_real J_Teta_32 = link->R_T[2] * t10 + link->R_T[5] * t11 + link->R_T[8] * t12;
+    const ella_real J_Teta_33 = link->R_T[2] * t13 + link->R_T[5] * t14 + link->R_T[8] * t15;
+    const ella_real J_Teta_34 = link->R_T[2] * t16 + link->R_T[5] * t17 + link->R_T[8] * t18;
+    const ella_real J_Teta_35 = link->R_T[2] * t19 + link->R_T[5] * t20 + link->R_T[8] * t21;
+    const ella_real J_Teta_36 = link->R_T[2] * t22 + link->R_T[5] * t23 + link->R_T[8] * t24;
+    const ella_real J_Teta_37 = link->R_T[2] * t25 + link->R_T[5] * t26 + link->R_T[8] * t27;
+    const ella_real J_Teta_41 = link->R_T[3] * REAL(2.0011941703010714);
+    const ella_real J_Teta_42 = link->R_T[3] * REAL(2.0700807911885764);
+    const ella_real J_Teta_43 = link->R_T[3] * REAL(3.5651069283690613);
+    const ella_real J_Teta_44 = link->R_T[6] * REAL(2.0011941703010714);
+    const ella_real J_Teta_45 = link->R_T[6] * REAL(2.0700807911885764);
+    const ella_real J_Teta_46 = link->R_T[6] * REAL(3.5651069283690613);
+    const ella_real J_Teta_51 = link->R_T[4] * REAL(2.0011941703010714);
+    const ella_real J_Teta_52 = link->R_T[4] * REAL(2.0700807911885764);
+    const ella_real J_Teta_53 = link->R_T[4] * REAL(3.5651069283690613);
+    const ella_real J_Teta_54 = link->R_T[7] * REAL(2.0011941703010714);
+    const ella_real J_Teta_55 = link->R_T[7] * REAL(2.0700807911885764);
+    const ella_real J_Teta_56 = link->R_T[7] * REAL(3.5651069283690613);
+    const ella_real J_Teta_61 = link->R_T[5] * REAL(2.0011941703010714);
+    const ella_real J_Teta_62 = link->R_T[5] * REAL(2.0700807911885764);
+    const ella_real J_Teta_63 = link->R_T[5] * REAL(3.5651069283690613);
+    const ella_real J_Teta_64 = link->R_T[8] * REAL(2.0011941703010714);
+    const ella_real J_Teta_65 = link->R_T[8] * REAL(2.0700807911885764);
+    const ella_real J_Teta_66 = link->R_T[8] * REAL(3.5651069283690613);
 
     /* V_V: twist rows, twist columns (100) */
-    const ella_real t13 = minus_J_TV_41 * c->body0_mass;
-    const ella_real t14 = J_TV_51 * c->body0_mass;
-    const ella_real t15 = J_TV_61 * c->body0_mass;
-    const ella_real V_V_11 = link->M_V[0] + minus_J_TV_41 * t13 + J_TV_51 * t14 + J_TV_61 * t15;
-    const ella_real V_V_12 = J_TV_62 * t15 - (link->M_V[1] + J_TV_42 * t13 + minus_J_TV_52 * t14);
-    const ella_real V_V_13 = J_TV_53 * t14 - (link->M_V[2] + J_TV_43 * t13) + J_TV_63 * t15;
-    const ella_real V_V_14 = link->R_T[2] * t15 - (link->R_T[0] * t13 + link->R_T[1] * t14);
-    const ella_real V_V_15 = link->R_T[3] * t14 - (link->M_V[3] + link->R_T[1] * t13) + link->R_T[4] * t15;
-    const ella_real V_V_16 = link->M_V[4] + link->R_T[2] * t13 + link->R_T[4] * t14 + link->R_T[5] * t15;
-    const ella_real t16 = J_TV_42 * c->body0_mass;
-    const ella_real t17 = minus_J_TV_52 * c->body0_mass;
-    const ella_real t18 = J_TV_62 * c->body0_mass;
-    const ella_real V_V_22 = link->M_V[5] + J_TV_42 * t16 + minus_J_TV_52 * t17 + J_TV_62 * t18;
-    const ella_real V_V_23 = J_TV_43 * t16 - link->M_V[6] - J_TV_53 * t17 + J_TV_63 * t18;
-    const ella_real V_V_24 = link->M_V[3] + link->R_T[0] * t16 + link->R_T[1] * t17 + link->R_T[2] * t18;
-    const ella_real V_V_25 = link->R_T[1] * t16 - link->R_T[3] * t17 + link->R_T[4] * t18;
-    const ella_real V_V_26 = link->R_T[5] * t18 - (link->M_V[7] + link->R_T[2] * t16 + link->R_T[4] * t17);
-    const ella_real t19 = J_TV_43 * c->body0_mass;
-    const ella_real t20 = J_TV_53 * c->body0_mass;
-    const ella_real t21 = J_TV_63 * c->body0_mass;
-    const ella_real V_V_33 = link->M_V[8] + J_TV_43 * t19 + J_TV_53 * t20 + J_TV_63 * t21;
-    const ella_real V_V_34 = link->R_T[0] * t19 - link->M_V[4] - link->R_T[1] * t20 + link->R_T[2] * t21;
-    const ella_real V_V_35 = link->M_V[7] + link->R_T[1] * t19 + link->R_T[3] * t20 + link->R_T[4] * t21;
-    const ella_real V_V_36 = link->R_T[4] * t20 - link->R_T[2] * t19 + link->R_T[5] * t21;
-    const ella_real t22 = c->body0_mass * link->R_T[0];
-    const ella_real t23 = c->body0_mass * link->R_T[1];
-    const ella_real t24 = link->R_T[1] * t23;
-    const ella_real t25 = c->body0_mass * link->R_T[2];
-    const ella_real t26 = link->R_T[2] * t25;
-    const ella_real V_V_44 = c->mu + link->R_T[0] * t22 + t24 + t26;
-    const ella_real V_V_45 = link->R_T[1] * t22 - link->R_T[3] * t23 + link->R_T[4] * t25;
-    const ella_real V_V_46 = link->R_T[5] * t25 - (link->R_T[2] * t22 + link->R_T[4] * t23);
-    const ella_real t27 = c->body0_mass * link->R_T[3];
-    const ella_real t28 = c->body0_mass * link->R_T[4];
-    const ella_real t29 = link->R_T[4] * t28;
-    const ella_real V_V_55 = c->mu + t24 + link->R_T[3] * t27 + t29;
-    const ella_real V_V_56 = link->R_T[4] * t27 - link->R_T[2] * t23 + link->R_T[5] * t28;
-    const ella_real t30 = c->body0_mass * link->R_T[5];
-    const ella_real V_V_66 = c->mu + t26 + t29 + link->R_T[5] * t30;
+    const ella_real t28 = J_TV_41 * c->body0_mass;
+    const ella_real t29 = J_TV_51 * c->body0_mass;
+    const ella_real t30 = J_TV_61 * c->body0_mass;
+    const ella_real V_V_11 = link->M_V[0] + J_TV_41 * t28 + J_TV_51 * t29 + J_TV_61 * t30;
+    const ella_real V_V_12 = J_TV_42 * t28 - link->M_V[1] + J_TV_52 * t29 + J_TV_62 * t30;
+    const ella_real V_V_13 = J_TV_43 * t28 - link->M_V[2] + J_TV_53 * t29 + J_TV_63 * t30;
+    const ella_real V_V_14 = link->R_T[0] * t28 + link->R_T[1] * t29 + link->R_T[2] * t30;
+    const ella_real V_V_15 = link->R_T[3] * t28 - link->M_V[3] + link->R_T[4] * t29 + link->R_T[5] * t30;
+    const ella_real V_V_16 = link->M_V[4] + link->R_T[6] * t28 + link->R_T[7] * t29 + link->R_T[8] * t30;
+    const ella_real t31 = J_TV_42 * c->body0_mass;
+    const ella_real t32 = J_TV_52 * c->body0_mass;
+    const ella_real t33 = J_TV_62 * c->body0_mass;
+    const ella_real V_V_22 = link->M_V[5] + J_TV_42 * t31 + J_TV_52 * t32 + J_TV_62 * t33;
+    const ella_real V_V_23 = J_TV_43 * t31 - link->M_V[6] + J_TV_53 * t32 + J_TV_63 * t33;
+    const ella_real V_V_24 = link->M_V[3] + link->R_T[0] * t31 + link->R_T[1] * t32 + link->R_T[2] * t33;
+    const ella_real V_V_25 = link->R_T[3] * t31 + link->R_T[4] * t32 + link->R_T[5] * t33;
+    const ella_real V_V_26 = link->R_T[6] * t31 - c->S_0_x + link->R_T[7] * t32 + link->R_T[8] * t33;
+    const ella_real t34 = J_TV_43 * c->body0_mass;
+    const ella_real t35 = J_TV_53 * c->body0_mass;
+    const ella_real t36 = J_TV_63 * c->body0_mass;
+    const ella_real V_V_33 = link->M_V[7] + J_TV_43 * t34 + J_TV_53 * t35 + J_TV_63 * t36;
+    const ella_real V_V_34 = link->R_T[0] * t34 - link->M_V[4] + link->R_T[1] * t35 + link->R_T[2] * t36;
+    const ella_real V_V_35 = c->S_0_x + link->R_T[3] * t34 + link->R_T[4] * t35 + link->R_T[5] * t36;
+    const ella_real V_V_36 = link->R_T[6] * t34 + link->R_T[7] * t35 + link->R_T[8] * t36;
+    const ella_real t37 = c->body0_mass * link->R_T[0];
+    const ella_real t38 = c->body0_mass * link->R_T[1];
+    const ella_real t39 = c->body0_mass * link->R_T[2];
+    const ella_real V_V_44 = c->mu + link->R_T[0] * t37 + link->R_T[1] * t38 + link->R_T[2] * t39;
+    const ella_real V_V_45 = link->R_T[3] * t37 + link->R_T[4] * t38 + link->R_T[5] * t39;
+    const ella_real V_V_46 = link->R_T[6] * t37 + link->R_T[7] * t38 + link->R_T[8] * t39;
+    const ella_real t40 = c->body0_mass * link->R_T[3];
+    const ella_real t41 = c->body0_mass * link->R_T[4];
+    const ella_real t42 = c->body0_mass * link->R_T[5];
+    const ella_real V_V_55 = c->mu + link->R_T[3] * t40 + link->R_T[4] * t41 + link->R_T[5] * t42;
+    const ella_real V_V_56 = link->R_T[6] * t40 + link->R_T[7] * t41 + link->R_T[8] * t42;
+    const ella_real t43 = c->body0_mass * link->R_T[6];
+    const ella_real t44 = c->body0_mass * link->R_T[7];
+    const ella_real t45 = c->body0_mass * link->R_T[8];
+    const ella_real V_V_66 = c->mu + link->R_T[6] * t43 + link->R_T[7] * t44 + link->R_T[8] * t45;
 
     /* V_eta: twist rows, modal columns (100) */
-    const ella_real V_eta_11 = J_Teta_61 * t15 - (J_Teta_41 * t13 + minus_J_Teta_51 * t14);
-    const ella_real V_eta_12 = J_Teta_52 * t14 - (link->M_D[0] + J_Teta_42 * t13) + J_Teta_53 * t15;
-    const ella_real V_eta_13 = link->M_D[1] + minus_J_Teta_43 * t13 + J_Teta_53 * t14 + J_Teta_63 * t15;
-    const ella_real V_eta_21 = link->M_D[2] + J_Teta_41 * t16 + minus_J_Teta_51 * t17 + J_Teta_61 * t18;
-    const ella_real V_eta_22 = J_Teta_42 * t16 - J_Teta_52 * t17 + J_Teta_53 * t18;
-    const ella_real V_eta_23 = J_Teta_63 * t18 - (link->M_D[3] + minus_J_Teta_43 * t16 + J_Teta_53 * t17);
-    const ella_real V_eta_31 = J_Teta_41 * t19 - link->M_D[4] - minus_J_Teta_51 * t20 + J_Teta_61 * t21;
-    const ella_real V_eta_32 = link->M_D[3] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
-    const ella_real V_eta_33 = J_Teta_53 * t20 - minus_J_Teta_43 * t19 + J_Teta_63 * t21;
-    const ella_real V_eta_41 = c->sigma_x1 + J_Teta_41 * t22 + minus_J_Teta_51 * t23 + J_Teta_61 * t25;
-    const ella_real V_eta_42 = J_Teta_42 * t22 - J_Teta_52 * t23 + J_Teta_53 * t25;
-    const ella_real V_eta_43 = J_Teta_63 * t25 - (minus_J_Teta_43 * t22 + J_Teta_53 * t23);
-    const ella_real V_eta_51 = J_Teta_41 * t23 - minus_J_Teta_51 * t27 + J_Teta_61 * t28;
-    const ella_real t31 = J_Teta_53 * t28;
-    const ella_real V_eta_52 = c->sigma_y2 + J_Teta_42 * t23 + J_Teta_52 * t27 + t31;
-    const ella_real V_eta_53 = J_Teta_53 * t27 - minus_J_Teta_43 * t23 + J_Teta_63 * t28;
-    const ella_real V_eta_61 = J_Teta_61 * t30 - (J_Teta_41 * t25 + minus_J_Teta_51 * t28);
-    const ella_real V_eta_62 = J_Teta_52 * t28 - J_Teta_42 * t25 + J_Teta_53 * t30;
-    const ella_real V_eta_63 = c->sigma_y2 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
+    const ella_real V_eta_11 = J_Teta_41 * t28 - link->M_D[0] + J_Teta_51 * t29 + J_Teta_61 * t30;
+    const ella_real V_eta_12 = J_Teta_42 * t28 - link->M_D[1] + J_Teta_52 * t29 + J_Teta_62 * t30;
+    const ella_real V_eta_13 = J_Teta_43 * t28 - link->M_D[2] + J_Teta_53 * t29 + J_Teta_63 * t30;
+    const ella_real V_eta_14 = link->M_D[3] + J_Teta_44 * t28 + J_Teta_54 * t29 + J_Teta_64 * t30;
+    const ella_real V_eta_15 = link->M_D[4] + J_Teta_45 * t28 + J_Teta_55 * t29 + J_Teta_65 * t30;
+    const ella_real V_eta_16 = link->M_D[5] + J_Teta_46 * t28 + J_Teta_56 * t29 + J_Teta_66 * t30;
+    const ella_real V_eta_21 = J_Teta_41 * t31 + J_Teta_51 * t32 + J_Teta_61 * t33;
+    const ella_real V_eta_22 = J_Teta_42 * t31 + J_Teta_52 * t32 + J_Teta_62 * t33;
+    const ella_real V_eta_23 = J_Teta_43 * t31 + J_Teta_53 * t32 + J_Teta_63 * t33;
+    const ella_real V_eta_24 = J_Teta_44 * t31 - c->chi_1 + J_Teta_54 * t32 + J_Teta_64 * t33;
+    const ella_real V_eta_25 = J_Teta_45 * t31 - c->chi_2 + J_Teta_55 * t32 + J_Teta_65 * t33;
+    const ella_real V_eta_26 = J_Teta_46 * t31 - c->chi_3 + J_Teta_56 * t32 + J_Teta_66 * t33;
+    const ella_real V_eta_31 = c->chi_1 + J_Teta_41 * t34 + J_Teta_51 * t35 + J_Teta_61 * t36;
+    const ella_real V_eta_32 = c->chi_2 + J_Teta_42 * t34 + J_Teta_52 * t35 + J_Teta_62 * t36;
+    const ella_real V_eta_33 = c->chi_3 + J_Teta_43 * t34 + J_Teta_53 * t35 + J_Teta_63 * t36;
+    const ella_real V_eta_34 = J_Teta_44 * t34 + J_Teta_54 * t35 + J_Teta_64 * t36;
+    const ella_real V_eta_35 = J_Teta_45 * t34 + J_Teta_55 * t35 + J_Teta_65 * t36;
+    const ella_real V_eta_36 = J_Teta_46 * t34 + J_Teta_56 * t35 + J_Teta_66 * t36;
+    const ella_real V_eta_41 = J_Teta_41 * t37 + J_Teta_51 * t38 + J_Teta_61 * t39;
+    const ella_real V_eta_42 = J_Teta_42 * t37 + J_Teta_52 * t38 + J_Teta_62 * t39;
+    const ella_real V_eta_43 = J_Teta_43 * t37 + J_Teta_53 * t38 + J_Teta_63 * t39;
+    const ella_real V_eta_44 = J_Teta_44 * t37 + J_Teta_54 * t38 + J_Teta_64 * t39;
+    const ella_real V_eta_45 = J_Teta_45 * t37 + J_Teta_55 * t38 + J_Teta_65 * t39;
+    const ella_real V_eta_46 = J_Teta_46 * t37 + J_Teta_56 * t38 + J_Teta_66 * t39;
+    const ella_real V_eta_51 = c->sigma_y1 + J_Teta_41 * t40 + J_Teta_51 * t41 + J_Teta_61 * t42;
+    const ella_real V_eta_52 = c->sigma_y2 + J_Teta_42 * t40 + J_Teta_52 * t41 + J_Teta_62 * t42;
+    const ella_real V_eta_53 = c->sigma_y3 + J_Teta_43 * t40 + J_Teta_53 * t41 + J_Teta_63 * t42;
+    const ella_real V_eta_54 = J_Teta_44 * t40 + J_Teta_54 * t41 + J_Teta_64 * t42;
+    const ella_real V_eta_55 = J_Teta_45 * t40 + J_Teta_55 * t41 + J_Teta_65 * t42;
+    const ella_real V_eta_56 = J_Teta_46 * t40 + J_Teta_56 * t41 + J_Teta_66 * t42;
+    const ella_real V_eta_61 = J_Teta_41 * t43 + J_Teta_51 * t44 + J_Teta_61 * t45;
+    const ella_real V_eta_62 = J_Teta_42 * t43 + J_Teta_52 * t44 + J_Teta_62 * t45;
+    const ella_real V_eta_63 = J_Teta_43 * t43 + J_Teta_53 * t44 + J_Teta_63 * t45;
+    const ella_real V_eta_64 = c->sigma_y1 + J_Teta_44 * t43 + J_Teta_54 * t44 + J_Teta_64 * t45;
+    const ella_real V_eta_65 = c->sigma_y2 + J_Teta_45 * t43 + J_Teta_55 * t44 + J_Teta_65 * t45;
+    const ella_real V_eta_66 = c->sigma_y3 + J_Teta_46 * t43 + J_Teta_56 * t44 + J_Teta_66 * t45;
 
     /* eta_eta: modal rows, modal columns (100) */
-    const ella_real t32 = J_Teta_41 * c->body0_mass;
-    const ella_real t33 = minus_J_Teta_51 * c->body0_mass;
-    const ella_real t34 = J_Teta_61 * c->body0_mass;
-    const ella_real eta_eta_11 = m_eta[0] + J_Teta_41 * t32 + minus_J_Teta_51 * t33 + J_Teta_61 * t34;
-    const ella_real eta_eta_12 = J_Teta_42 * t32 - J_Teta_52 * t33 + J_Teta_53 * t34;
-    const ella_real eta_eta_13 = J_Teta_63 * t34 - (minus_J_Teta_43 * t32 + J_Teta_53 * t33);
-    const ella_real t35 = J_Teta_42 * c->body0_mass;
-    const ella_real t36 = J_Teta_52 * c->body0_mass;
-    const ella_real t37 = J_Teta_53 * c->body0_mass;
-    const ella_real t38 = J_Teta_53 * t37;
-    const ella_real eta_eta_22 = m_eta[1] + J_Teta_42 * t35 + J_Teta_52 * t36 + t38;
-    const ella_real eta_eta_23 = J_Teta_53 * t36 - minus_J_Teta_43 * t35 + J_Teta_63 * t37;
-    const ella_real eta_eta_33 = m_eta[2] + minus_J_Teta_43 * (minus_J_Teta_43 * c->body0_mass) + t38
-        + J_Teta_63 * (J_Teta_63 * c->body0_mass);
+    const ella_real t46 = J_Teta_41 * c->body0_mass;
+    const ella_real t47 = J_Teta_51 * c->body0_mass;
+    const ella_real t48 = J_Teta_61 * c->body0_mass;
+    const ella_real eta_eta_11 = m_eta[0] + J_Teta_41 * t46 + J_Teta_51 * t47 + J_Teta_61 * t48;
+    const ella_real eta_eta_12 = J_Teta_42 * t46 + J_Teta_52 * t47 + J_Teta_62 * t48;
+    const ella_real eta_eta_13 = J_Teta_43 * t46 + J_Teta_53 * t47 + J_Teta_63 * t48;
+    const ella_real eta_eta_14 = J_Teta_44 * t46 + J_Teta_54 * t47 + J_Teta_64 * t48;
+    const ella_real eta_eta_15 = J_Teta_45 * t46 + J_Teta_55 * t47 + J_Teta_65 * t48;
+    const ella_real eta_eta_16 = J_Teta_46 * t46 + J_Teta_56 * t47 + J_Teta_66 * t48;
+    const ella_real t49 = J_Teta_42 * c->body0_mass;
+    const ella_real t50 = J_Teta_52 * c->body0_mass;
+    const ella_real t51 = J_Teta_62 * c->body0_mass;
+    const ella_real eta_eta_22 = m_eta[1] + J_Teta_42 * t49 + J_Teta_52 * t50 + J_Teta_62 * t51;
+    const ella_real eta_eta_23 = J_Teta_43 * t49 + J_Teta_53 * t50 + J_Teta_63 * t51;
+    const ella_real eta_eta_24 = J_Teta_44 * t49 + J_Teta_54 * t50 + J_Teta_64 * t51;
+    const ella_real eta_eta_25 = J_Teta_45 * t49 + J_Teta_55 * t50 + J_Teta_65 * t51;
+    const ella_real eta_eta_26 = J_Teta_46 * t49 + J_Teta_56 * t50 + J_Teta_66 * t51;
+    const ella_real t52 = J_Teta_43 * c->body0_mass;
+    const ella_real t53 = J_Teta_53 * c->body0_mass;
+    const ella_real t54 = J_Teta_63 * c->body0_mass;
+    const ella_real eta_eta_33 = m_eta[2] + J_Teta_43 * t52 + J_Teta_53 * t53 + J_Teta_63 * t54;
+    const ella_real eta_eta_34 = J_Teta_44 * t52 + J_Teta_54 * t53 + J_Teta_64 * t54;
+    const ella_real eta_eta_35 = J_Teta_45 * t52 + J_Teta_55 * t53 + J_Teta_65 * t54;
+    const ella_real eta_eta_36 = J_Teta_46 * t52 + J_Teta_56 * t53 + J_Teta_66 * t54;
+    const ella_real t55 = J_Teta_44 * c->body0_mass;
+    const ella_real t56 = J_Teta_54 * c->body0_mass;
+    const ella_real t57 = J_Teta_64 * c->body0_mass;
+    const ella_real eta_eta_44 = m_eta[3] + J_Teta_44 * t55 + J_Teta_54 * t56 + J_Teta_64 * t57;
+    const ella_real eta_eta_45 = J_Teta_45 * t55 + J_Teta_55 * t56 + J_Teta_65 * t57;
+    const ella_real eta_eta_46 = J_Teta_46 * t55 + J_Teta_56 * t56 + J_Teta_66 * t57;
+    const ella_real t58 = J_Teta_45 * c->body0_mass;
+    const ella_real t59 = J_Teta_55 * c->body0_mass;
+    const ella_real t60 = J_Teta_65 * c->body0_mass;
+    const ella_real eta_eta_55 = m_eta[4] + J_Teta_45 * t58 + J_Teta_55 * t59 + J_Teta_65 * t60;
+    const ella_real eta_eta_56 = J_Teta_46 * t58 + J_Teta_56 * t59 + J_Teta_66 * t60;
+    const ella_real eta_eta_66 = m_eta[5] + J_Teta_46 * (J_Teta_46 * c->body0_mass)
+        + J_Teta_56 * (J_Teta_56 * c->body0_mass) + J_Teta_66 * (J_Teta_66 * c->body0_mass);
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const ella_real V_next_11 = link->R_T[0] * tip->X[0] - link->R_T[1] * tip->X[1];
-    const ella_real V_next_12 = link->R_T[0] * tip->X[6] - link->R_T[1] * tip->X[7];
-    const ella_real V_next_14 = J_TV_51 * tip->X[22] - minus_J_TV_41 * tip->X[21];
-    const ella_real V_next_15 = J_TV_51 * tip->X[28] - minus_J_TV_41 * tip->X[27];
-    const ella_real V_next_21 = link->R_T[1] * tip->X[0] + link->R_T[3] * tip->X[1];
-    const ella_real V_next_22 = link->R_T[1] * tip->X[6] + link->R_T[3] * tip->X[7];
-    const ella_real V_next_24 = J_TV_42 * tip->X[21] - minus_J_TV_52 * tip->X[22];
-    const ella_real V_next_25 = J_TV_42 * tip->X[27] - minus_J_TV_52 * tip->X[28];
-    const ella_real V_next_31 = link->R_T[4] * tip->X[1] - link->R_T[2] * tip->X[0];
-    const ella_real V_next_32 = link->R_T[4] * tip->X[7] - link->R_T[2] * tip->X[6];
+    const ella_real V_next_11 = link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1];
+    const ella_real V_next_12 = link->R_T[0] * tip->X[6] + link->R_T[1] * tip->X[7];
+    const ella_real V_next_14 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22];
+    const ella_real V_next_15 = J_TV_41 * tip->X[27] + J_TV_51 * tip->X[28];
+    const ella_real V_next_21 = link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1];
+    const ella_real V_next_22 = link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7];
+    const ella_real V_next_24 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22];
+    const ella_real V_next_25 = J_TV_42 * tip->X[27] + J_TV_52 * tip->X[28];
+    const ella_real V_next_31 = link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1];
+    const ella_real V_next_32 = link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7];
     const ella_real V_next_34 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22];
     const ella_real V_next_35 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28];
-    const ella_real V_next_44 = link->R_T[0] * tip->X[21] - link->R_T[1] * tip->X[22];
-    const ella_real V_next_45 = link->R_T[0] * tip->X[27] - link->R_T[1] * tip->X[28];
-    const ella_real V_next_54 = link->R_T[1] * tip->X[21] + link->R_T[3] * tip->X[22];
-    const ella_real V_next_55 = link->R_T[1] * tip->X[27] + link->R_T[3] * tip->X[28];
-    const ella_real V_next_64 = link->R_T[4] * tip->X[22] - link->R_T[2] * tip->X[21];
-    const ella_real V_next_65 = link->R_T[4] * tip->X[28] - link->R_T[2] * tip->X[27];
+    const ella_real V_next_44 = link->R_T[0] * tip->X[21] + link->R_T[1] * tip->X[22];
+    const ella_real V_next_45 = link->R_T[0] * tip->X[27] + link->R_T[1] * tip->X[28];
+    const ella_real V_next_54 = link->R_T[3] * tip->X[21] + link->R_T[4] * tip->X[22];
+    const ella_real V_next_55 = link->R_T[3] * tip->X[27] + link->R_T[4] * tip->X[28];
+    const ella_real V_next_64 = link->R_T[6] * tip->X[21] + link->R_T[7] * tip->X[22];
+    const ella_real V_next_65 = link->R_T[6] * tip->X[27] + link->R_T[7] * tip->X[28];
 
     /* eta_next: modal rows, columns of the next joint's wrench (100) */
-    const ella_real eta_next_14 = J_Teta_41 * tip->X[21] - minus_J_Teta_51 * tip->X[22];
-    const ella_real eta_next_15 = J_Teta_41 * tip->X[27] - minus_J_Teta_51 * tip->X[28];
+    const ella_real eta_next_11 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1];
+    const ella_real eta_next_12 = J_Teta_11 * tip->X[6] + J_Teta_21 * tip->X[7];
+    const ella_real eta_next_14 = J_Teta_41 * tip->X[21] + J_Teta_51 * tip->X[22];
+    const ella_real eta_next_15 = J_Teta_41 * tip->X[27] + J_Teta_51 * tip->X[28];
     const ella_real eta_next_21 = J_Teta_12 * tip->X[0] + J_Teta_22 * tip->X[1];
     const ella_real eta_next_22 = J_Teta_12 * tip->X[6] + J_Teta_22 * tip->X[7];
     const ella_real eta_next_24 = J_Teta_42 * tip->X[21] + J_Teta_52 * tip->X[22];
     const ella_real eta_next_25 = J_Teta_42 * tip->X[27] + J_Teta_52 * tip->X[28];
     const ella_real eta_next_31 = J_Teta_13 * tip->X[0] + J_Teta_23 * tip->X[1];
     const ella_real eta_next_32 = J_Teta_13 * tip->X[6] + J_Teta_23 * tip->X[7];
-    const ella_real eta_next_34 = J_Teta_53 * tip->X[22] - minus_J_Teta_43 * tip->X[21];
-    const ella_real eta_next_35 = J_Teta_53 * tip->X[28] - minus_J_Teta_43 * tip->X[27];
+    const ella_real eta_next_34 = J_Teta_43 * tip->X[21] + J_Teta_53 * tip->X[22];
+    const ella_real eta_next_35 = J_Teta_43 * tip->X[27] + J_Teta_53 * tip->X[28];
+    const ella_real eta_next_41 = J_Teta_14 * tip->X[0] + J_Teta_24 * tip->X[1];
+    const ella_real eta_next_42 = J_Teta_14 * tip->X[6] + J_Teta_24 * tip->X[7];
+    const ella_real eta_next_44 = J_Teta_44 * tip->X[21] + J_Teta_54 * tip->X[22];
+    const ella_real eta_next_45 = J_Teta_44 * tip->X[27] + J_Teta_54 * tip->X[28];
+    const ella_real eta_next_51 = J_Teta_15 * tip->X[0] + J_Teta_25 * tip->X[1];
+    const ella_real eta_next_52 = J_Teta_15 * tip->X[6] + J_Teta_25 * tip->X[7];
+    const ella_real eta_next_54 = J_Teta_45 * tip->X[21] + J_Teta_55 * tip->X[22];
+    const ella_real eta_next_55 = J_Teta_45 * tip->X[27] + J_Teta_55 * tip->X[28];
+    const ella_real eta_next_61 = J_Teta_16 * tip->X[0] + J_Teta_26 * tip->X[1];
+    const ella_real eta_next_62 = J_Teta_16 * tip->X[6] + J_Teta_26 * tip->X[7];
+    const ella_real eta_next_64 = J_Teta_46 * tip->X[21] + J_Teta_56 * tip->X[22];
+    const ella_real eta_next_65 = J_Teta_46 * tip->X[27] + J_Teta_56 * tip->X[28];
+    const ella_real eta_next_71 = J_Teta_17 * tip->X[0] + J_Teta_27 * tip->X[1];
+    const ella_real eta_next_72 = J_Teta_17 * tip->X[6] + J_Teta_27 * tip->X[7];
 
     /* next_V: next joint's rows, twist columns (100) */
-    const ella_real next_V_11 = tip->PX[1] * link->R_T[1] - tip->PX[0] * link->R_T[0];
-    const ella_real minus_next_V_12 = tip->PX[0] * link->R_T[1] + tip->PX[1] * link->R_T[3];
-    const ella_real t39 = -minus_next_V_12;
-    const ella_real next_V_13 = tip->PX[0] * link->R_T[2] - tip->PX[1] * link->R_T[4];
-    const ella_real next_V_21 = tip->PX[7] * link->R_T[1] - tip->PX[6] * link->R_T[0];
-    const ella_real minus_next_V_22 = tip->PX[6] * link->R_T[1] + tip->PX[7] * link->R_T[3];
-    const ella_real t40 = -minus_next_V_22;
-    const ella_real next_V_23 = tip->PX[6] * link->R_T[2] - tip->PX[7] * link->R_T[4];
-    const ella_real next_V_41 = minus_J_TV_41 * tip->PX[21] - J_TV_51 * tip->PX[22];
-    const ella_real next_V_42 = minus_J_TV_52 * tip->PX[22] - J_TV_42 * tip->PX[21];
+    const ella_real minus_next_V_11 = tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1];
+    const ella_real t61 = -minus_next_V_11;
+    const ella_real minus_next_V_12 = tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4];
+    const ella_real t62 = -minus_next_V_12;
+    const ella_real minus_next_V_13 = tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7];
+    const ella_real t63 = -minus_next_V_13;
+    const ella_real minus_next_V_21 = tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1];
+    const ella_real t64 = -minus_next_V_21;
+    const ella_real minus_next_V_22 = tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4];
+    const ella_real t65 = -minus_next_V_22;
+    const ella_real minus_next_V_23 = tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7];
+    const ella_real t66 = -minus_next_V_23;
+    const ella_real minus_next_V_41 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22];
+    const ella_real t67 = -minus_next_V_41;
+    const ella_real minus_next_V_42 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22];
+    const ella_real t68 = -minus_next_V_42;
     const ella_real minus_next_V_43 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22];
-    const ella_real t41 = -minus_next_V_43;
-    const ella_real next_V_44 = tip->PX[22] * link->R_T[1] - tip->PX[21] * link->R_T[0];
-    const ella_real minus_next_V_45 = tip->PX[21] * link->R_T[1] + tip->PX[22] * link->R_T[3];
-    const ella_real t42 = -minus_next_V_45;
-    const ella_real next_V_46 = tip->PX[21] * link->R_T[2] - tip->PX[22] * link->R_T[4];
-    const ella_real next_V_51 = minus_J_TV_41 * tip->PX[27] - J_TV_51 * tip->PX[28];
-    const ella_real next_V_52 = minus_J_TV_52 * tip->PX[28] - J_TV_42 * tip->PX[27];
+    const ella_real t69 = -minus_next_V_43;
+    const ella_real minus_next_V_44 = tip->PX[21] * link->R_T[0] + tip->PX[22] * link->R_T[1];
+    const ella_real t70 = -minus_next_V_44;
+    const ella_real minus_next_V_45 = tip->PX[21] * link->R_T[3] + tip->PX[22] * link->R_T[4];
+    const ella_real t71 = -minus_next_V_45;
+    const ella_real minus_next_V_46 = tip->PX[21] * link->R_T[6] + tip->PX[22] * link->R_T[7];
+    const ella_real t72 = -minus_next_V_46;
+    const ella_real minus_next_V_51 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28];
+    const ella_real t73 = -minus_next_V_51;
+    const ella_real minus_next_V_52 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28];
+    const ella_real t74 = -minus_next_V_52;
     const ella_real minus_next_V_53 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28];
-    const ella_real t43 = -minus_next_V_53;
-    const ella_real next_V_54 = tip->PX[28] * link->R_T[1] - tip->PX[27] * link->R_T[0];
-    const ella_real minus_next_V_55 = tip->PX[27] * link->R_T[1] + tip->PX[28] * link->R_T[3];
-    const ella_real t44 = -minus_next_V_55;
-    const ella_real next_V_56 = tip->PX[27] * link->R_T[2] - tip->PX[28] * link->R_T[4];
-    const ella_real t45 = -J_TV_61;
-    const ella_real t46 = -J_TV_62;
-    const ella_real t47 = -J_TV_63;
-    const ella_real t48 = -link->R_T[2];
-    const ella_real t49 = -link->R_T[4];
-    const ella_real t50 = -link->R_T[5];
+    const ella_real t75 = -minus_next_V_53;
+    const ella_real minus_next_V_54 = tip->PX[27] * link->R_T[0] + tip->PX[28] * link->R_T[1];
+    const ella_real t76 = -minus_next_V_54;
+    const ella_real minus_next_V_55 = tip->PX[27] * link->R_T[3] + tip->PX[28] * link->R_T[4];
+    const ella_real t77 = -minus_next_V_55;
+    const ella_real minus_next_V_56 = tip->PX[27] * link->R_T[6] + tip->PX[28] * link->R_T[7];
+    const ella_real t78 = -minus_next_V_56;
+    const ella_real t79 = -J_TV_61;
+    const ella_real t80 = -J_TV_62;
+    const ella_real t81 = -J_TV_63;
+    const ella_real t82 = -link->R_T[2];
+    const ella_real t83 = -link->R_T[5];
+    const ella_real t84 = -link->R_T[8];
 
     /* next_eta: next joint's rows, modal columns (100) */
+    const ella_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1];
+    const ella_real t85 = -minus_next_eta_11;
     const ella_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1];
-    const ella_real t51 = -minus_next_eta_12;
+    const ella_real t86 = -minus_next_eta_12;
     const ella_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1];
-    const ella_real t52 = -minus_next_eta_13;
+    const ella_real t87 = -minus_next_eta_13;
+    const ella_real minus_next_eta_14 = J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1];
+    const ella_real t88 = -minus_next_eta_14;
+    const ella_real minus_next_eta_15 = J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1];
+    const ella_real t89 = -minus_next_eta_15;
+    const ella_real minus_next_eta_16 = J_Teta_16 * tip->PX[0] + J_Teta_26 * tip->PX[1];
+    const ella_real t90 = -minus_next_eta_16;
+    const ella_real minus_next_eta_17 = J_Teta_17 * tip->PX[0] + J_Teta_27 * tip->PX[1];
+    const ella_real t91 = -minus_next_eta_17;
+    const ella_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7];
+    const ella_real t92 = -minus_next_eta_21;
     const ella_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7];
-    const ella_real t53 = -minus_next_eta_22;
+    const ella_real t93 = -minus_next_eta_22;
     const ella_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7];
-    const ella_real t54 = -minus_next_eta_23;
-    const ella_real next_eta_41 = minus_J_Teta_51 * tip->PX[22] - J_Teta_41 * tip->PX[21];
+    const ella_real t94 = -minus_next_eta_23;
+    const ella_real minus_next_eta_24 = J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7];
+    const ella_real t95 = -minus_next_eta_24;
+    const ella_real minus_next_eta_25 = J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7];
+    const ella_real t96 = -minus_next_eta_25;
+    const ella_real minus_next_eta_26 = J_Teta_16 * tip->PX[6] + J_Teta_26 * tip->PX[7];
+    const ella_real t97 = -minus_next_eta_26;
+    const ella_real minus_next_eta_27 = J_Teta_17 * tip->PX[6] + J_Teta_27 * tip->PX[7];
+    const ella_real t98 = -minus_next_eta_27;
+    const ella_real minus_next_eta_41 = J_Teta_41 * tip->PX[21] + J_Teta_51 * tip->PX[22];
+    const ella_real t99 = -minus_next_eta_41;
     const ella_real minus_next_eta_42 = J_Teta_42 * tip->PX[21] + J_Teta_52 * tip->PX[22];
-    const ella_real t55 = -minus_next_eta_42;
-    const ella_real next_eta_43 = minus_J_Teta_43 * tip->PX[21] - J_Teta_53 * tip->PX[22];
-    const ella_real next_eta_51 = minus_J_Teta_51 * tip->PX[28] - J_Teta_41 * tip->PX[27];
+    const ella_real t100 = -minus_next_eta_42;
+    const ella_real minus_next_eta_43 = J_Teta_43 * tip->PX[21] + J_Teta_53 * tip->PX[22];
+    const ella_real t101 = -minus_next_eta_43;
+    const ella_real minus_next_eta_44 = J_Teta_44 * tip->PX[21] + J_Teta_54 * tip->PX[22];
+    const ella_real t102 = -minus_next_eta_44;
+    const ella_real minus_next_eta_45 = J_Teta_45 * tip->PX[21] + J_Teta_55 * tip->PX[22];
+    const ella_real t103 = -minus_next_eta_45;
+    const ella_real minus_next_eta_46 = J_Teta_46 * tip->PX[21] + J_Teta_56 * tip->PX[22];
+    const ella_real t104 = -minus_next_eta_46;
+    const ella_real minus_next_eta_51 = J_Teta_41 * tip->PX[27] + J_Teta_51 * tip->PX[28];
+    const ella_real t105 = -minus_next_eta_51;
     const ella_real minus_next_eta_52 = J_Teta_42 * tip->PX[27] + J_Teta_52 * tip->PX[28];
-    const ella_real t56 = -minus_next_eta_52;
-    const ella_real next_eta_53 = minus_J_Teta_43 * tip->PX[27] - J_Teta_53 * tip->PX[28];
-    const ella_real t57 = -J_Teta_61;
-    const ella_real t58 = -J_Teta_53;
-    const ella_real t59 = -J_Teta_63;
+    const ella_real t106 = -minus_next_eta_52;
+    const ella_real minus_next_eta_53 = J_Teta_43 * tip->PX[27] + J_Teta_53 * tip->PX[28];
+    const ella_real t107 = -minus_next_eta_53;
+    const ella_real minus_next_eta_54 = J_Teta_44 * tip->PX[27] + J_Teta_54 * tip->PX[28];
+    const ella_real t108 = -minus_next_eta_54;
+    const ella_real minus_next_eta_55 = J_Teta_45 * tip->PX[27] + J_Teta_55 * tip->PX[28];
+    const ella_real t109 = -minus_next_eta_55;
+    const ella_real minus_next_eta_56 = J_Teta_46 * tip->PX[27] + J_Teta_56 * tip->PX[28];
+    const ella_real t110 = -minus_next_eta_56;
+    const ella_real t111 = -J_Teta_61;
+    const ella_real t112 = -J_Teta_62;
+    const ella_real t113 = -J_Teta_63;
+    const ella_real t114 = -J_Teta_64;
+    const ella_real t115 = -J_Teta_65;
+    const ella_real t116 = -J_Teta_66;
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
     const ella_real h_carried_4 = link->h_T[0] + c->body0_mass * link->b_T[3];
@@ -3675,215 +5268,335 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     const ella_real h_carried_6 = link->h_T[2] + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const ella_real V_H_1 = link->h_V[0] - minus_J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
-        + J_TV_61 * h_carried_6;
-    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 - minus_J_TV_52 * h_carried_5
-        + J_TV_62 * h_carried_6;
+    const ella_real V_H_1 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5 + J_TV_61 * h_carried_6;
+    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5 + J_TV_62 * h_carried_6;
     const ella_real V_H_3 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5 + J_TV_63 * h_carried_6;
-    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 - link->R_T[1] * h_carried_5
+    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
         + link->R_T[2] * h_carried_6;
-    const ella_real V_H_5 = link->h_V[4] + link->R_T[1] * h_carried_4 + link->R_T[3] * h_carried_5
-        + link->R_T[4] * h_carried_6;
-    const ella_real V_H_6 = link->h_V[5] - link->R_T[2] * h_carried_4 + link->R_T[4] * h_carried_5
+    const ella_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
         + link->R_T[5] * h_carried_6;
+    const ella_real V_H_6 = link->h_V[5] + link->R_T[6] * h_carried_4 + link->R_T[7] * h_carried_5
+        + link->R_T[8] * h_carried_6;
 
     /* eta_H: bias of the modal rows (100) */
-    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 - minus_J_Teta_51 * h_carried_5
-        + J_Teta_61 * h_carried_6;
-    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_53 * h_carried_6;
-    const ella_real eta_H_3 = t3 - minus_J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5
-        + J_Teta_63 * h_carried_6;
+    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
+    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
+    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5 + J_Teta_63 * h_carried_6;
+    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_4 + J_Teta_54 * h_carried_5 + J_Teta_64 * h_carried_6;
+    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_4 + J_Teta_55 * h_carried_5 + J_Teta_65 * h_carried_6;
+    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_4 + J_Teta_56 * h_carried_5 + J_Teta_66 * h_carried_6;
 
     /* V_W: external wrench in the twist rows (100) */
-    const ella_real t60 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
-        + link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1];
-    const ella_real V_W_1 = t60 + link->R_T[2] * w_ext[2];
-    const ella_real t61 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
-        + link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1];
-    const ella_real V_W_2 = t61 + link->R_T[4] * w_ext[2];
-    const ella_real t62 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] - link->R_T[2] * w_ext[0]
+    const ella_real t117 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
+        + link->R_T[1] * w_ext[1];
+    const ella_real V_W_1 = t117 + link->R_T[2] * w_ext[2];
+    const ella_real t118 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
         + link->R_T[4] * w_ext[1];
-    const ella_real V_W_3 = t62 + link->R_T[5] * w_ext[2];
-    const ella_real V_W_4 = link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
-    const ella_real V_W_5 = link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5];
-    const ella_real V_W_6 = link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_2 = t118 + link->R_T[5] * w_ext[2];
+    const ella_real t119 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
+        + link->R_T[7] * w_ext[1];
+    const ella_real V_W_3 = t119 + link->R_T[8] * w_ext[2];
+    const ella_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
+    const ella_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const ella_real eta_W_1 = J_Teta_41 * w_ext[3] - minus_J_Teta_51 * w_ext[4] + J_Teta_61 * w_ext[5];
-    const ella_real t63 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+    const ella_real t120 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+        + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
+    const ella_real eta_W_1 = t120 + J_Teta_61 * w_ext[5];
+    const ella_real t121 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
         + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const ella_real eta_W_2 = t63 + J_Teta_53 * w_ext[5];
-    const ella_real t64 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
-        - minus_J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
-    const ella_real eta_W_3 = t64 + J_Teta_63 * w_ext[5];
+    const ella_real eta_W_2 = t121 + J_Teta_62 * w_ext[5];
+    const ella_real t122 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
+        + J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const ella_real eta_W_3 = t122 + J_Teta_63 * w_ext[5];
+    const ella_real t123 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
+        + J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const ella_real eta_W_4 = t123 + J_Teta_64 * w_ext[5];
+    const ella_real t124 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2]
+        + J_Teta_45 * w_ext[3] + J_Teta_55 * w_ext[4];
+    const ella_real eta_W_5 = t124 + J_Teta_65 * w_ext[5];
+    const ella_real t125 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2]
+        + J_Teta_46 * w_ext[3] + J_Teta_56 * w_ext[4];
+    const ella_real eta_W_6 = t125 + J_Teta_66 * w_ext[5];
+    const ella_real eta_W_7 = J_Teta_17 * w_ext[0] + J_Teta_27 * w_ext[1] + J_Teta_37 * w_ext[2];
 
     /* outputs */
-    M[place[12]] = next_V_11;
-    M[place[13]] = t39;
-    M[place[14]] = next_V_13;
-    M[place[15]] = next_V_21;
-    M[place[16]] = t40;
-    M[place[17]] = next_V_23;
-    M[place[18]] = next_V_41;
-    M[place[19]] = next_V_42;
-    M[place[20]] = t41;
-    M[place[21]] = next_V_44;
-    M[place[22]] = t42;
-    M[place[23]] = next_V_46;
-    M[place[24]] = next_V_51;
-    M[place[25]] = next_V_52;
-    M[place[26]] = t43;
-    M[place[27]] = next_V_54;
-    M[place[28]] = t44;
-    M[place[29]] = next_V_56;
-    M[place[30]] = t45;
-    M[place[31]] = t46;
-    M[place[32]] = t47;
-    M[place[33]] = t48;
-    M[place[34]] = t49;
-    M[place[35]] = t50;
-    M[place[36]] = t51;
-    M[place[37]] = t52;
-    M[place[38]] = t53;
-    M[place[39]] = t54;
-    M[place[40]] = next_eta_41;
-    M[place[41]] = t55;
-    M[place[42]] = next_eta_43;
-    M[place[43]] = next_eta_51;
-    M[place[44]] = t56;
-    M[place[45]] = next_eta_53;
-    M[place[46]] = t57;
-    M[place[47]] = t58;
-    M[place[48]] = t59;
-    M[place[49]] = -1;
-    M[place[50]] = -1;
-    M[place[51]] = -1;
-    M[place[52]] = -1;
-    M[place[53]] = -1;
-    M[place[54]] = -1;
-    M[place[55]] = V_V_11;
-    M[place[56]] = V_V_12;
-    M[place[57]] = V_V_13;
-    M[place[58]] = V_V_14;
-    M[place[59]] = V_V_15;
-    M[place[60]] = V_V_16;
-    M[place[61]] = V_V_12;
-    M[place[62]] = V_V_22;
-    M[place[63]] = V_V_23;
-    M[place[64]] = V_V_24;
-    M[place[65]] = V_V_25;
-    M[place[66]] = V_V_26;
-    M[place[67]] = V_V_13;
-    M[place[68]] = V_V_23;
-    M[place[69]] = V_V_33;
-    M[place[70]] = V_V_34;
-    M[place[71]] = V_V_35;
-    M[place[72]] = V_V_36;
-    M[place[73]] = V_V_14;
-    M[place[74]] = V_V_24;
-    M[place[75]] = V_V_34;
-    M[place[76]] = V_V_44;
-    M[place[77]] = V_V_45;
-    M[place[78]] = V_V_46;
-    M[place[79]] = V_V_15;
-    M[place[80]] = V_V_25;
-    M[place[81]] = V_V_35;
-    M[place[82]] = V_V_45;
-    M[place[83]] = V_V_55;
-    M[place[84]] = V_V_56;
-    M[place[85]] = V_V_16;
-    M[place[86]] = V_V_26;
-    M[place[87]] = V_V_36;
-    M[place[88]] = V_V_46;
-    M[place[89]] = V_V_56;
-    M[place[90]] = V_V_66;
-    M[place[91]] = V_eta_11;
-    M[place[92]] = V_eta_12;
-    M[place[93]] = V_eta_13;
-    M[place[94]] = V_eta_21;
-    M[place[95]] = V_eta_22;
-    M[place[96]] = V_eta_23;
-    M[place[97]] = V_eta_31;
-    M[place[98]] = V_eta_32;
-    M[place[99]] = V_eta_33;
-    M[place[100]] = V_eta_41;
-    M[place[101]] = V_eta_42;
-    M[place[102]] = V_eta_43;
-    M[place[103]] = V_eta_51;
-    M[place[104]] = V_eta_52;
-    M[place[105]] = V_eta_53;
-    M[place[106]] = V_eta_61;
-    M[place[107]] = V_eta_62;
-    M[place[108]] = V_eta_63;
-    M[place[109]] = V_next_11;
-    M[place[110]] = V_next_12;
-    M[place[111]] = link->R_T[2];
-    M[place[112]] = V_next_14;
-    M[place[113]] = V_next_15;
-    M[place[114]] = J_TV_61;
-    M[place[115]] = V_next_21;
-    M[place[116]] = V_next_22;
-    M[place[117]] = link->R_T[4];
-    M[place[118]] = V_next_24;
-    M[place[119]] = V_next_25;
-    M[place[120]] = J_TV_62;
-    M[place[121]] = V_next_31;
-    M[place[122]] = V_next_32;
-    M[place[123]] = link->R_T[5];
-    M[place[124]] = V_next_34;
-    M[place[125]] = V_next_35;
-    M[place[126]] = J_TV_63;
-    M[place[127]] = V_next_44;
-    M[place[128]] = V_next_45;
-    M[place[129]] = link->R_T[2];
-    M[place[130]] = V_next_54;
-    M[place[131]] = V_next_55;
-    M[place[132]] = link->R_T[4];
-    M[place[133]] = V_next_64;
-    M[place[134]] = V_next_65;
-    M[place[135]] = link->R_T[5];
-    M[place[136]] = V_eta_11;
-    M[place[137]] = V_eta_21;
-    M[place[138]] = V_eta_31;
-    M[place[139]] = V_eta_41;
-    M[place[140]] = V_eta_51;
+    M[place[12]] = t61;
+    M[place[13]] = t62;
+    M[place[14]] = t63;
+    M[place[15]] = t64;
+    M[place[16]] = t65;
+    M[place[17]] = t66;
+    M[place[18]] = t67;
+    M[place[19]] = t68;
+    M[place[20]] = t69;
+    M[place[21]] = t70;
+    M[place[22]] = t71;
+    M[place[23]] = t72;
+    M[place[24]] = t73;
+    M[place[25]] = t74;
+    M[place[26]] = t75;
+    M[place[27]] = t76;
+    M[place[28]] = t77;
+    M[place[29]] = t78;
+    M[place[30]] = t79;
+    M[place[31]] = t80;
+    M[place[32]] = t81;
+    M[place[33]] = t82;
+    M[place[34]] = t83;
+    M[place[35]] = t84;
+    M[place[36]] = t85;
+    M[place[37]] = t86;
+    M[place[38]] = t87;
+    M[place[39]] = t88;
+    M[place[40]] = t89;
+    M[place[41]] = t90;
+    M[place[42]] = t91;
+    M[place[43]] = t92;
+    M[place[44]] = t93;
+    M[place[45]] = t94;
+    M[place[46]] = t95;
+    M[place[47]] = t96;
+    M[place[48]] = t97;
+    M[place[49]] = t98;
+    M[place[50]] = t99;
+    M[place[51]] = t100;
+    M[place[52]] = t101;
+    M[place[53]] = t102;
+    M[place[54]] = t103;
+    M[place[55]] = t104;
+    M[place[56]] = t105;
+    M[place[57]] = t106;
+    M[place[58]] = t107;
+    M[place[59]] = t108;
+    M[place[60]] = t109;
+    M[place[61]] = t110;
+    M[place[62]] = t111;
+    M[place[63]] = t112;
+    M[place[64]] = t113;
+    M[place[65]] = t114;
+    M[place[66]] = t115;
+    M[place[67]] = t116;
+    M[place[68]] = -1;
+    M[place[69]] = -1;
+    M[place[70]] = -1;
+    M[place[71]] = -1;
+    M[place[72]] = -1;
+    M[place[73]] = -1;
+    M[place[74]] = V_V_11;
+    M[place[75]] = V_V_12;
+    M[place[76]] = V_V_13;
+    M[place[77]] = V_V_14;
+    M[place[78]] = V_V_15;
+    M[place[79]] = V_V_16;
+    M[place[80]] = V_V_12;
+    M[place[81]] = V_V_22;
+    M[place[82]] = V_V_23;
+    M[place[83]] = V_V_24;
+    M[place[84]] = V_V_25;
+    M[place[85]] = V_V_26;
+    M[place[86]] = V_V_13;
+    M[place[87]] = V_V_23;
+    M[place[88]] = V_V_33;
+    M[place[89]] = V_V_34;
+    M[place[90]] = V_V_35;
+    M[place[91]] = V_V_36;
+    M[place[92]] = V_V_14;
+    M[place[93]] = V_V_24;
+    M[place[94]] = V_V_34;
+    M[place[95]] = V_V_44;
+    M[place[96]] = V_V_45;
+    M[place[97]] = V_V_46;
+    M[place[98]] = V_V_15;
+    M[place[99]] = V_V_25;
+    M[place[100]] = V_V_35;
+    M[place[101]] = V_V_45;
+    M[place[102]] = V_V_55;
+    M[place[103]] = V_V_56;
+    M[place[104]] = V_V_16;
+    M[place[105]] = V_V_26;
+    M[place[106]] = V_V_36;
+    M[place[107]] = V_V_46;
+    M[place[108]] = V_V_56;
+    M[place[109]] = V_V_66;
+    M[place[110]] = V_eta_11;
+    M[place[111]] = V_eta_12;
+    M[place[112]] = V_eta_13;
+    M[place[113]] = V_eta_14;
+    M[place[114]] = V_eta_15;
+    M[place[115]] = V_eta_16;
+    M[place[116]] = c->sigma_t_7;
+    M[place[117]] = V_eta_21;
+    M[place[118]] = V_eta_22;
+    M[place[119]] = V_eta_23;
+    M[place[120]] = V_eta_24;
+    M[place[121]] = V_eta_25;
+    M[place[122]] = V_eta_26;
+    M[place[123]] = V_eta_31;
+    M[place[124]] = V_eta_32;
+    M[place[125]] = V_eta_33;
+    M[place[126]] = V_eta_34;
+    M[place[127]] = V_eta_35;
+    M[place[128]] = V_eta_36;
+    M[place[129]] = V_eta_41;
+    M[place[130]] = V_eta_42;
+    M[place[131]] = V_eta_43;
+    M[place[132]] = V_eta_44;
+    M[place[133]] = V_eta_45;
+    M[place[134]] = V_eta_46;
+    M[place[135]] = V_eta_51;
+    M[place[136]] = V_eta_52;
+    M[place[137]] = V_eta_53;
+    M[place[138]] = V_eta_54;
+    M[place[139]] = V_eta_55;
+    M[place[140]] = V_eta_56;
     M[place[141]] = V_eta_61;
-    M[place[142]] = V_eta_12;
-    M[place[143]] = V_eta_22;
-    M[place[144]] = V_eta_32;
-    M[place[145]] = V_eta_42;
-    M[place[146]] = V_eta_52;
-    M[place[147]] = V_eta_62;
-    M[place[148]] = V_eta_13;
-    M[place[149]] = V_eta_23;
-    M[place[150]] = V_eta_33;
-    M[place[151]] = V_eta_43;
-    M[place[152]] = V_eta_53;
-    M[place[153]] = V_eta_63;
-    M[place[154]] = eta_eta_11;
-    M[place[155]] = eta_eta_12;
-    M[place[156]] = eta_eta_13;
-    M[place[157]] = eta_eta_12;
-    M[place[158]] = eta_eta_22;
-    M[place[159]] = eta_eta_23;
-    M[place[160]] = eta_eta_13;
-    M[place[161]] = eta_eta_23;
-    M[place[162]] = eta_eta_33;
-    M[place[163]] = eta_next_14;
-    M[place[164]] = eta_next_15;
-    M[place[165]] = J_Teta_61;
-    M[place[166]] = eta_next_21;
-    M[place[167]] = eta_next_22;
-    M[place[168]] = J_Teta_32;
-    M[place[169]] = eta_next_24;
-    M[place[170]] = eta_next_25;
-    M[place[171]] = J_Teta_53;
-    M[place[172]] = eta_next_31;
-    M[place[173]] = eta_next_32;
-    M[place[174]] = J_Teta_33;
-    M[place[175]] = eta_next_34;
-    M[place[176]] = eta_next_35;
-    M[place[177]] = J_Teta_63;
+    M[place[142]] = V_eta_62;
+    M[place[143]] = V_eta_63;
+    M[place[144]] = V_eta_64;
+    M[place[145]] = V_eta_65;
+    M[place[146]] = V_eta_66;
+    M[place[147]] = V_next_11;
+    M[place[148]] = V_next_12;
+    M[place[149]] = link->R_T[2];
+    M[place[150]] = V_next_14;
+    M[place[151]] = V_next_15;
+    M[place[152]] = J_TV_61;
+    M[place[153]] = V_next_21;
+    M[place[154]] = V_next_22;
+    M[place[155]] = link->R_T[5];
+    M[place[156]] = V_next_24;
+    M[place[157]] = V_next_25;
+    M[place[158]] = J_TV_62;
+    M[place[159]] = V_next_31;
+    M[place[160]] = V_next_32;
+    M[place[161]] = link->R_T[8];
+    M[place[162]] = V_next_34;
+    M[place[163]] = V_next_35;
+    M[place[164]] = J_TV_63;
+    M[place[165]] = V_next_44;
+    M[place[166]] = V_next_45;
+    M[place[167]] = link->R_T[2];
+    M[place[168]] = V_next_54;
+    M[place[169]] = V_next_55;
+    M[place[170]] = link->R_T[5];
+    M[place[171]] = V_next_64;
+    M[place[172]] = V_next_65;
+    M[place[173]] = link->R_T[8];
+    M[place[174]] = V_eta_11;
+    M[place[175]] = V_eta_21;
+    M[place[176]] = V_eta_31;
+    M[place[177]] = V_eta_41;
+    M[place[178]] = V_eta_51;
+    M[place[179]] = V_eta_61;
+    M[place[180]] = V_eta_12;
+    M[place[181]] = V_eta_22;
+    M[place[182]] = V_eta_32;
+    M[place[183]] = V_eta_42;
+    M[place[184]] = V_eta_52;
+    M[place[185]] = V_eta_62;
+    M[place[186]] = V_eta_13;
+    M[place[187]] = V_eta_23;
+    M[place[188]] = V_eta_33;
+    M[place[189]] = V_eta_43;
+    M[place[190]] = V_eta_53;
+    M[place[191]] = V_eta_63;
+    M[place[192]] = V_eta_14;
+    M[place[193]] = V_eta_24;
+    M[place[194]] = V_eta_34;
+    M[place[195]] = V_eta_44;
+    M[place[196]] = V_eta_54;
+    M[place[197]] = V_eta_64;
+    M[place[198]] = V_eta_15;
+    M[place[199]] = V_eta_25;
+    M[place[200]] = V_eta_35;
+    M[place[201]] = V_eta_45;
+    M[place[202]] = V_eta_55;
+    M[place[203]] = V_eta_65;
+    M[place[204]] = V_eta_16;
+    M[place[205]] = V_eta_26;
+    M[place[206]] = V_eta_36;
+    M[place[207]] = V_eta_46;
+    M[place[208]] = V_eta_56;
+    M[place[209]] = V_eta_66;
+    M[place[210]] = c->sigma_t_7;
+    M[place[211]] = eta_eta_11;
+    M[place[212]] = eta_eta_12;
+    M[place[213]] = eta_eta_13;
+    M[place[214]] = eta_eta_14;
+    M[place[215]] = eta_eta_15;
+    M[place[216]] = eta_eta_16;
+    M[place[217]] = eta_eta_12;
+    M[place[218]] = eta_eta_22;
+    M[place[219]] = eta_eta_23;
+    M[place[220]] = eta_eta_24;
+    M[place[221]] = eta_eta_25;
+    M[place[222]] = eta_eta_26;
+    M[place[223]] = eta_eta_13;
+    M[place[224]] = eta_eta_23;
+    M[place[225]] = eta_eta_33;
+    M[place[226]] = eta_eta_34;
+    M[place[227]] = eta_eta_35;
+    M[place[228]] = eta_eta_36;
+    M[place[229]] = eta_eta_14;
+    M[place[230]] = eta_eta_24;
+    M[place[231]] = eta_eta_34;
+    M[place[232]] = eta_eta_44;
+    M[place[233]] = eta_eta_45;
+    M[place[234]] = eta_eta_46;
+    M[place[235]] = eta_eta_15;
+    M[place[236]] = eta_eta_25;
+    M[place[237]] = eta_eta_35;
+    M[place[238]] = eta_eta_45;
+    M[place[239]] = eta_eta_55;
+    M[place[240]] = eta_eta_56;
+    M[place[241]] = eta_eta_16;
+    M[place[242]] = eta_eta_26;
+    M[place[243]] = eta_eta_36;
+    M[place[244]] = eta_eta_46;
+    M[place[245]] = eta_eta_56;
+    M[place[246]] = eta_eta_66;
+    M[place[247]] = m_eta[6];
+    M[place[248]] = eta_next_11;
+    M[place[249]] = eta_next_12;
+    M[place[250]] = J_Teta_31;
+    M[place[251]] = eta_next_14;
+    M[place[252]] = eta_next_15;
+    M[place[253]] = J_Teta_61;
+    M[place[254]] = eta_next_21;
+    M[place[255]] = eta_next_22;
+    M[place[256]] = J_Teta_32;
+    M[place[257]] = eta_next_24;
+    M[place[258]] = eta_next_25;
+    M[place[259]] = J_Teta_62;
+    M[place[260]] = eta_next_31;
+    M[place[261]] = eta_next_32;
+    M[place[262]] = J_Teta_33;
+    M[place[263]] = eta_next_34;
+    M[place[264]] = eta_next_35;
+    M[place[265]] = J_Teta_63;
+    M[place[266]] = eta_next_41;
+    M[place[267]] = eta_next_42;
+    M[place[268]] = J_Teta_34;
+    M[place[269]] = eta_next_44;
+    M[place[270]] = eta_next_45;
+    M[place[271]] = J_Teta_64;
+    M[place[272]] = eta_next_51;
+    M[place[273]] = eta_next_52;
+    M[place[274]] = J_Teta_35;
+    M[place[275]] = eta_next_54;
+    M[place[276]] = eta_next_55;
+    M[place[277]] = J_Teta_65;
+    M[place[278]] = eta_next_61;
+    M[place[279]] = eta_next_62;
+    M[place[280]] = J_Teta_36;
+    M[place[281]] = eta_next_64;
+    M[place[282]] = eta_next_65;
+    M[place[283]] = J_Teta_66;
+    M[place[284]] = eta_next_71;
+    M[place[285]] = eta_next_72;
+    M[place[286]] = J_Teta_37;
     H[6] = V_H_1;
     H[7] = V_H_2;
     H[8] = V_H_3;
@@ -3893,6 +5606,10 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
     eta_H[2] = eta_H_3;
+    eta_H[3] = eta_H_4;
+    eta_H[4] = eta_H_5;
+    eta_H[5] = eta_H_6;
+    eta_H[6] = f_eta[6];
     W[6] = V_W_1;
     W[7] = V_W_2;
     W[8] = V_W_3;
@@ -3902,131 +5619,215 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
     eta_W[2] = eta_W_3;
+    eta_W[3] = eta_W_4;
+    eta_W[4] = eta_W_5;
+    eta_W[5] = eta_W_6;
+    eta_W[6] = eta_W_7;
     return ELLA_OK;
 }
 
-/* link rows, links like forearm: 476 operations */
-ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link, const ella_real m_eta[3],
-    const ella_real f_eta[3], const ella_real w_ext[6], ella_real eta_H[3], ella_real eta_W[3],
+/* link rows, links like forearm: 839 operations */
+ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link, const ella_real m_eta[7],
+    const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7], ella_real eta_W[7],
     const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
     const ella_real t3 = link->h_eta[2] + f_eta[2];
+    const ella_real t4 = link->h_eta[3] + f_eta[3];
+    const ella_real t5 = link->h_eta[4] + f_eta[4];
+    const ella_real t6 = link->h_eta[5] + f_eta[5];
 
     /* J_TV: twist of the tip section from that of F_i (46) */
-    const ella_real t4 = link->R_T[2] * link->r_T[1];
-    const ella_real t5 = link->R_T[1] * link->r_T[2];
-    const ella_real minus_J_TV_41 = t4 + t5;
-    const ella_real J_TV_42 = link->R_T[0] * link->r_T[2] + link->R_T[2] * link->r_T[0];
-    const ella_real J_TV_43 = link->R_T[1] * link->r_T[0] - link->R_T[0] * link->r_T[1];
-    const ella_real J_TV_51 = link->R_T[4] * link->r_T[1] - link->R_T[3] * link->r_T[2];
-    const ella_real t6 = link->R_T[4] * link->r_T[0];
-    const ella_real minus_J_TV_52 = t5 + t6;
-    const ella_real J_TV_53 = link->R_T[3] * link->r_T[0] + link->R_T[1] * link->r_T[1];
-    const ella_real J_TV_61 = link->R_T[5] * link->r_T[1] - link->R_T[4] * link->r_T[2];
-    const ella_real J_TV_62 = link->R_T[2] * link->r_T[2] - link->R_T[5] * link->r_T[0];
-    const ella_real J_TV_63 = t6 - t4;
+    const ella_real J_TV_41 = link->R_T[6] * link->r_T[0] - link->R_T[3] * link->r_T[1];
+    const ella_real J_TV_42 = link->R_T[0] * link->r_T[1] - link->R_T[6] * c->length;
+    const ella_real J_TV_43 = link->R_T[3] * c->length - link->R_T[0] * link->r_T[0];
+    const ella_real J_TV_51 = link->R_T[7] * link->r_T[0] - link->R_T[4] * link->r_T[1];
+    const ella_real J_TV_52 = link->R_T[1] * link->r_T[1] - link->R_T[7] * c->length;
+    const ella_real J_TV_53 = link->R_T[4] * c->length - link->R_T[1] * link->r_T[0];
+    const ella_real J_TV_61 = link->R_T[8] * link->r_T[0] - link->R_T[5] * link->r_T[1];
+    const ella_real J_TV_62 = link->R_T[2] * link->r_T[1] - link->R_T[8] * c->length;
+    const ella_real J_TV_63 = link->R_T[5] * c->length - link->R_T[2] * link->r_T[0];
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const ella_real t7 = link->J_l[2] * c->Psi_c_z2;
-    const ella_real t8 = link->J_l[4] * c->Psi_c_z2;
-    const ella_real t9 = link->J_l[5] * c->Psi_c_z2;
-    const ella_real J_Teta_12 = link->R_T[0] * t7 + link->R_T[1] * t8 - link->R_T[2] * t9;
-    const ella_real t10 = link->J_l[1] * c->Psi_c_y3;
-    const ella_real t11 = link->J_l[3] * c->Psi_c_y3;
-    const ella_real t12 = link->J_l[4] * c->Psi_c_y3;
-    const ella_real J_Teta_13 = link->R_T[1] * t11 - link->R_T[0] * t10 - link->R_T[2] * t12;
-    const ella_real J_Teta_22 = link->R_T[3] * t8 - link->R_T[1] * t7 + link->R_T[4] * t9;
-    const ella_real J_Teta_23 = link->R_T[1] * t10 + link->R_T[3] * t11 + link->R_T[4] * t12;
-    const ella_real J_Teta_32 = link->R_T[2] * t7 + link->R_T[4] * t8 + link->R_T[5] * t9;
-    const ella_real J_Teta_33 = link->R_T[4] * t11 - link->R_T[2] * t10 + link->R_T[5] * t12;
-    const ella_real J_Teta_41 = link->R_T[0] * REAL(1.4142135623730951);
-    const ella_real J_Teta_42 = link->R_T[1] * 2;
-    const ella_real minus_J_Teta_43 = link->R_T[2] * 2;
-    const ella_real minus_J_Teta_51 = link->R_T[1] * REAL(1.4142135623730951);
-    const ella_real J_Teta_52 = link->R_T[3] * 2;
-    const ella_real J_Teta_53 = link->R_T[4] * 2;
-    const ella_real J_Teta_61 = link->R_T[2] * REAL(1.4142135623730951);
-    const ella_real J_Teta_63 = link->R_T[5] * 2;
+    const ella_real t7 = link->J_l[2] * c->Psi_c_z1;
+    const ella_real t8 = link->J_l[5] * c->Psi_c_z1;
+    const ella_real t9 = link->J_l[8] * c->Psi_c_z1;
+    const ella_real J_Teta_11 = link->R_T[0] * t7 + link->R_T[3] * t8 + link->R_T[6] * t9;
+    const ella_real t10 = link->J_l[2] * c->Psi_c_z2;
+    const ella_real t11 = link->J_l[5] * c->Psi_c_z2;
+    const ella_real t12 = link->J_l[8] * c->Psi_c_z2;
+    const ella_real J_Teta_12 = link->R_T[0] * t10 + link->R_T[3] * t11 + link->R_T[6] * t12;
+    const ella_real t13 = link->J_l[2] * c->Psi_c_z3;
+    const ella_real t14 = link->J_l[5] * c->Psi_c_z3;
+    const ella_real t15 = link->J_l[8] * c->Psi_c_z3;
+    const ella_real J_Teta_13 = link->R_T[0] * t13 + link->R_T[3] * t14 + link->R_T[6] * t15;
+    const ella_real t16 = link->J_l[1] * c->Psi_c_y4;
+    const ella_real t17 = link->J_l[4] * c->Psi_c_y4;
+    const ella_real t18 = link->J_l[7] * c->Psi_c_y4;
+    const ella_real J_Teta_14 = link->R_T[0] * t16 + link->R_T[3] * t17 + link->R_T[6] * t18;
+    const ella_real t19 = link->J_l[1] * c->Psi_c_y5;
+    const ella_real t20 = link->J_l[4] * c->Psi_c_y5;
+    const ella_real t21 = link->J_l[7] * c->Psi_c_y5;
+    const ella_real J_Teta_15 = link->R_T[0] * t19 + link->R_T[3] * t20 + link->R_T[6] * t21;
+    const ella_real t22 = link->J_l[1] * c->Psi_c_y6;
+    const ella_real t23 = link->J_l[4] * c->Psi_c_y6;
+    const ella_real t24 = link->J_l[7] * c->Psi_c_y6;
+    const ella_real J_Teta_16 = link->R_T[0] * t22 + link->R_T[3] * t23 + link->R_T[6] * t24;
+    const ella_real t25 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real t26 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real t27 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real J_Teta_17 = link->R_T[0] * t25 + link->R_T[3] * t26 + link->R_T[6] * t27;
+    const ella_real J_Teta_21 = link->R_T[1] * t7 + link->R_T[4] * t8 + link->R_T[7] * t9;
+    const ella_real J_Teta_22 = link->R_T[1] * t10 + link->R_T[4] * t11 + link->R_T[7] * t12;
+    const ella_real J_Teta_23 = link->R_T[1] * t13 + link->R_T[4] * t14 + link->R_T[7] * t15;
+    const ella_real J_Teta_24 = link->R_T[1] * t16 + link->R_T[4] * t17 + link->R_T[7] * t18;
+    const ella_real J_Teta_25 = link->R_T[1] * t19 + link->R_T[4] * t20 + link->R_T[7] * t21;
+    const ella_real J_Teta_26 = link->R_T[1] * t22 + link->R_T[4] * t23 + link->R_T[7] * t24;
+    const ella_real J_Teta_27 = link->R_T[1] * t25 + link->R_T[4] * t26 + link->R_T[7] * t27;
+    const ella_real J_Teta_31 = link->R_T[2] * t7 + link->R_T[5] * t8 + link->R_T[8] * t9;
+    const ella_real J_Teta_32 = link->R_T[2] * t10 + link->R_T[5] * t11 + link->R_T[8] * t12;
+    const ella_real J_Teta_33 = link->R_T[2] * t13 + link->R_T[5] * t14 + link->R_T[8] * t15;
+    const ella_real J_Teta_34 = link->R_T[2] * t16 + link->R_T[5] * t17 + link->R_T[8] * t18;
+    const ella_real J_Teta_35 = link->R_T[2] * t19 + link->R_T[5] * t20 + link->R_T[8] * t21;
+    const ella_real J_Teta_36 = link->R_T[2] * t22 + link->R_T[5] * t23 + link->R_T[8] * t24;
+    const ella_real J_Teta_37 = link->R_T[2] * t25 + link->R_T[5] * t26 + link->R_T[8] * t27;
+    const ella_real J_Teta_41 = link->R_T[3] * REAL(2.0011941703010714);
+    const ella_real J_Teta_42 = link->R_T[3] * REAL(2.0700807911885764);
+    const ella_real J_Teta_43 = link->R_T[3] * REAL(3.5651069283690613);
+    const ella_real J_Teta_44 = link->R_T[6] * REAL(2.0011941703010714);
+    const ella_real J_Teta_45 = link->R_T[6] * REAL(2.0700807911885764);
+    const ella_real J_Teta_46 = link->R_T[6] * REAL(3.5651069283690613);
+    const ella_real J_Teta_51 = link->R_T[4] * REAL(2.0011941703010714);
+    const ella_real J_Teta_52 = link->R_T[4] * REAL(2.0700807911885764);
+    const ella_real J_Teta_53 = link->R_T[4] * REAL(3.5651069283690613);
+    const ella_real J_Teta_54 = link->R_T[7] * REAL(2.0011941703010714);
+    const ella_real J_Teta_55 = link->R_T[7] * REAL(2.0700807911885764);
+    const ella_real J_Teta_56 = link->R_T[7] * REAL(3.5651069283690613);
+    const ella_real J_Teta_61 = link->R_T[5] * REAL(2.0011941703010714);
+    const ella_real J_Teta_62 = link->R_T[5] * REAL(2.0700807911885764);
+    const ella_real J_Teta_63 = link->R_T[5] * REAL(3.5651069283690613);
+    const ella_real J_Teta_64 = link->R_T[8] * REAL(2.0011941703010714);
+    const ella_real J_Teta_65 = link->R_T[8] * REAL(2.0700807911885764);
+    const ella_real J_Teta_66 = link->R_T[8] * REAL(3.5651069283690613);
 
     /* V_V: twist rows, twist columns (100) */
-    const ella_real t13 = minus_J_TV_41 * c->body0_mass;
-    const ella_real t14 = J_TV_51 * c->body0_mass;
-    const ella_real t15 = J_TV_61 * c->body0_mass;
-    const ella_real V_V_11 = link->M_V[0] + minus_J_TV_41 * t13 + J_TV_51 * t14 + J_TV_61 * t15;
-    const ella_real V_V_12 = J_TV_62 * t15 - (link->M_V[1] + J_TV_42 * t13 + minus_J_TV_52 * t14);
-    const ella_real V_V_13 = J_TV_53 * t14 - (link->M_V[2] + J_TV_43 * t13) + J_TV_63 * t15;
-    const ella_real V_V_14 = link->R_T[2] * t15 - (link->R_T[0] * t13 + link->R_T[1] * t14);
-    const ella_real V_V_15 = link->R_T[3] * t14 - (link->M_V[3] + link->R_T[1] * t13) + link->R_T[4] * t15;
-    const ella_real V_V_16 = link->M_V[4] + link->R_T[2] * t13 + link->R_T[4] * t14 + link->R_T[5] * t15;
-    const ella_real t16 = J_TV_42 * c->body0_mass;
-    const ella_real t17 = minus_J_TV_52 * c->body0_mass;
-    const ella_real t18 = J_TV_62 * c->body0_mass;
-    const ella_real V_V_22 = link->M_V[5] + J_TV_42 * t16 + minus_J_TV_52 * t17 + J_TV_62 * t18;
-    const ella_real V_V_23 = J_TV_43 * t16 - link->M_V[6] - J_TV_53 * t17 + J_TV_63 * t18;
-    const ella_real V_V_24 = link->M_V[3] + link->R_T[0] * t16 + link->R_T[1] * t17 + link->R_T[2] * t18;
-    const ella_real V_V_25 = link->R_T[1] * t16 - link->R_T[3] * t17 + link->R_T[4] * t18;
-    const ella_real V_V_26 = link->R_T[5] * t18 - (link->M_V[7] + link->R_T[2] * t16 + link->R_T[4] * t17);
-    const ella_real t19 = J_TV_43 * c->body0_mass;
-    const ella_real t20 = J_TV_53 * c->body0_mass;
-    const ella_real t21 = J_TV_63 * c->body0_mass;
-    const ella_real V_V_33 = link->M_V[8] + J_TV_43 * t19 + J_TV_53 * t20 + J_TV_63 * t21;
-    const ella_real V_V_34 = link->R_T[0] * t19 - link->M_V[4] - link->R_T[1] * t20 + link->R_T[2] * t21;
-    const ella_real V_V_35 = link->M_V[7] + link->R_T[1] * t19 + link->R_T[3] * t20 + link->R_T[4] * t21;
-    const ella_real V_V_36 = link->R_T[4] * t20 - link->R_T[2] * t19 + link->R_T[5] * t21;
-    const ella_real t22 = c->body0_mass * link->R_T[0];
-    const ella_real t23 = c->body0_mass * link->R_T[1];
-    const ella_real t24 = link->R_T[1] * t23;
-    const ella_real t25 = c->body0_mass * link->R_T[2];
-    const ella_real t26 = link->R_T[2] * t25;
-    const ella_real V_V_44 = c->mu + link->R_T[0] * t22 + t24 + t26;
-    const ella_real V_V_45 = link->R_T[1] * t22 - link->R_T[3] * t23 + link->R_T[4] * t25;
-    const ella_real V_V_46 = link->R_T[5] * t25 - (link->R_T[2] * t22 + link->R_T[4] * t23);
-    const ella_real t27 = c->body0_mass * link->R_T[3];
-    const ella_real t28 = c->body0_mass * link->R_T[4];
-    const ella_real t29 = link->R_T[4] * t28;
-    const ella_real V_V_55 = c->mu + t24 + link->R_T[3] * t27 + t29;
-    const ella_real V_V_56 = link->R_T[4] * t27 - link->R_T[2] * t23 + link->R_T[5] * t28;
-    const ella_real t30 = c->body0_mass * link->R_T[5];
-    const ella_real V_V_66 = c->mu + t26 + t29 + link->R_T[5] * t30;
+    const ella_real t28 = J_TV_41 * c->body0_mass;
+    const ella_real t29 = J_TV_51 * c->body0_mass;
+    const ella_real t30 = J_TV_61 * c->body0_mass;
+    const ella_real V_V_11 = link->M_V[0] + J_TV_41 * t28 + J_TV_51 * t29 + J_TV_61 * t30;
+    const ella_real V_V_12 = J_TV_42 * t28 - link->M_V[1] + J_TV_52 * t29 + J_TV_62 * t30;
+    const ella_real V_V_13 = J_TV_43 * t28 - link->M_V[2] + J_TV_53 * t29 + J_TV_63 * t30;
+    const ella_real V_V_14 = link->R_T[0] * t28 + link->R_T[1] * t29 + link->R_T[2] * t30;
+    const ella_real V_V_15 = link->R_T[3] * t28 - link->M_V[3] + link->R_T[4] * t29 + link->R_T[5] * t30;
+    const ella_real V_V_16 = link->M_V[4] + link->R_T[6] * t28 + link->R_T[7] * t29 + link->R_T[8] * t30;
+    const ella_real t31 = J_TV_42 * c->body0_mass;
+    const ella_real t32 = J_TV_52 * c->body0_mass;
+    const ella_real t33 = J_TV_62 * c->body0_mass;
+    const ella_real V_V_22 = link->M_V[5] + J_TV_42 * t31 + J_TV_52 * t32 + J_TV_62 * t33;
+    const ella_real V_V_23 = J_TV_43 * t31 - link->M_V[6] + J_TV_53 * t32 + J_TV_63 * t33;
+    const ella_real V_V_24 = link->M_V[3] + link->R_T[0] * t31 + link->R_T[1] * t32 + link->R_T[2] * t33;
+    const ella_real V_V_25 = link->R_T[3] * t31 + link->R_T[4] * t32 + link->R_T[5] * t33;
+    const ella_real V_V_26 = link->R_T[6] * t31 - c->S_0_x + link->R_T[7] * t32 + link->R_T[8] * t33;
+    const ella_real t34 = J_TV_43 * c->body0_mass;
+    const ella_real t35 = J_TV_53 * c->body0_mass;
+    const ella_real t36 = J_TV_63 * c->body0_mass;
+    const ella_real V_V_33 = link->M_V[7] + J_TV_43 * t34 + J_TV_53 * t35 + J_TV_63 * t36;
+    const ella_real V_V_34 = link->R_T[0] * t34 - link->M_V[4] + link->R_T[1] * t35 + link->R_T[2] * t36;
+    const ella_real V_V_35 = c->S_0_x + link->R_T[3] * t34 + link->R_T[4] * t35 + link->R_T[5] * t36;
+    const ella_real V_V_36 = link->R_T[6] * t34 + link->R_T[7] * t35 + link->R_T[8] * t36;
+    const ella_real t37 = c->body0_mass * link->R_T[0];
+    const ella_real t38 = c->body0_mass * link->R_T[1];
+    const ella_real t39 = c->body0_mass * link->R_T[2];
+    const ella_real V_V_44 = c->mu + link->R_T[0] * t37 + link->R_T[1] * t38 + link->R_T[2] * t39;
+    const ella_real V_V_45 = link->R_T[3] * t37 + link->R_T[4] * t38 + link->R_T[5] * t39;
+    const ella_real V_V_46 = link->R_T[6] * t37 + link->R_T[7] * t38 + link->R_T[8] * t39;
+    const ella_real t40 = c->body0_mass * link->R_T[3];
+    const ella_real t41 = c->body0_mass * link->R_T[4];
+    const ella_real t42 = c->body0_mass * link->R_T[5];
+    const ella_real V_V_55 = c->mu + link->R_T[3] * t40 + link->R_T[4] * t41 + link->R_T[5] * t42;
+    const ella_real V_V_56 = link->R_T[6] * t40 + link->R_T[7] * t41 + link->R_T[8] * t42;
+    const ella_real t43 = c->body0_mass * link->R_T[6];
+    const ella_real t44 = c->body0_mass * link->R_T[7];
+    const ella_real t45 = c->body0_mass * link->R_T[8];
+    const ella_real V_V_66 = c->mu + link->R_T[6] * t43 + link->R_T[7] * t44 + link->R_T[8] * t45;
 
     /* V_eta: twist rows, modal columns (100) */
-    const ella_real V_eta_11 = J_Teta_61 * t15 - (J_Teta_41 * t13 + minus_J_Teta_51 * t14);
-    const ella_real V_eta_12 = J_Teta_52 * t14 - (link->M_D[0] + J_Teta_42 * t13) + J_Teta_53 * t15;
-    const ella_real V_eta_13 = link->M_D[1] + minus_J_Teta_43 * t13 + J_Teta_53 * t14 + J_Teta_63 * t15;
-    const ella_real V_eta_21 = link->M_D[2] + J_Teta_41 * t16 + minus_J_Teta_51 * t17 + J_Teta_61 * t18;
-    const ella_real V_eta_22 = J_Teta_42 * t16 - J_Teta_52 * t17 + J_Teta_53 * t18;
-    const ella_real V_eta_23 = J_Teta_63 * t18 - (link->M_D[3] + minus_J_Teta_43 * t16 + J_Teta_53 * t17);
-    const ella_real V_eta_31 = J_Teta_41 * t19 - link->M_D[4] - minus_J_Teta_51 * t20 + J_Teta_61 * t21;
-    const ella_real V_eta_32 = link->M_D[3] + J_Teta_42 * t19 + J_Teta_52 * t20 + J_Teta_53 * t21;
-    const ella_real V_eta_33 = J_Teta_53 * t20 - minus_J_Teta_43 * t19 + J_Teta_63 * t21;
-    const ella_real V_eta_41 = c->sigma_x1 + J_Teta_41 * t22 + minus_J_Teta_51 * t23 + J_Teta_61 * t25;
-    const ella_real V_eta_42 = J_Teta_42 * t22 - J_Teta_52 * t23 + J_Teta_53 * t25;
-    const ella_real V_eta_43 = J_Teta_63 * t25 - (minus_J_Teta_43 * t22 + J_Teta_53 * t23);
-    const ella_real V_eta_51 = J_Teta_41 * t23 - minus_J_Teta_51 * t27 + J_Teta_61 * t28;
-    const ella_real t31 = J_Teta_53 * t28;
-    const ella_real V_eta_52 = c->sigma_y2 + J_Teta_42 * t23 + J_Teta_52 * t27 + t31;
-    const ella_real V_eta_53 = J_Teta_53 * t27 - minus_J_Teta_43 * t23 + J_Teta_63 * t28;
-    const ella_real V_eta_61 = J_Teta_61 * t30 - (J_Teta_41 * t25 + minus_J_Teta_51 * t28);
-    const ella_real V_eta_62 = J_Teta_52 * t28 - J_Teta_42 * t25 + J_Teta_53 * t30;
-    const ella_real V_eta_63 = c->sigma_y2 + minus_J_Teta_43 * t25 + t31 + J_Teta_63 * t30;
+    const ella_real V_eta_11 = J_Teta_41 * t28 - link->M_D[0] + J_Teta_51 * t29 + J_Teta_61 * t30;
+    const ella_real V_eta_12 = J_Teta_42 * t28 - link->M_D[1] + J_Teta_52 * t29 + J_Teta_62 * t30;
+    const ella_real V_eta_13 = J_Teta_43 * t28 - link->M_D[2] + J_Teta_53 * t29 + J_Teta_63 * t30;
+    const ella_real V_eta_14 = link->M_D[3] + J_Teta_44 * t28 + J_Teta_54 * t29 + J_Teta_64 * t30;
+    const ella_real V_eta_15 = link->M_D[4] + J_Teta_45 * t28 + J_Teta_55 * t29 + J_Teta_65 * t30;
+    const ella_real V_eta_16 = link->M_D[5] + J_Teta_46 * t28 + J_Teta_56 * t29 + J_Teta_66 * t30;
+    const ella_real V_eta_21 = J_Teta_41 * t31 + J_Teta_51 * t32 + J_Teta_61 * t33;
+    const ella_real V_eta_22 = J_Teta_42 * t31 + J_Teta_52 * t32 + J_Teta_62 * t33;
+    const ella_real V_eta_23 = J_Teta_43 * t31 + J_Teta_53 * t32 + J_Teta_63 * t33;
+    const ella_real V_eta_24 = J_Teta_44 * t31 - c->chi_1 + J_Teta_54 * t32 + J_Teta_64 * t33;
+    const ella_real V_eta_25 = J_Teta_45 * t31 - c->chi_2 + J_Teta_55 * t32 + J_Teta_65 * t33;
+    const ella_real V_eta_26 = J_Teta_46 * t31 - c->chi_3 + J_Teta_56 * t32 + J_Teta_66 * t33;
+    const ella_real V_eta_31 = c->chi_1 + J_Teta_41 * t34 + J_Teta_51 * t35 + J_Teta_61 * t36;
+    const ella_real V_eta_32 = c->chi_2 + J_Teta_42 * t34 + J_Teta_52 * t35 + J_Teta_62 * t36;
+    const ella_real V_eta_33 = c->chi_3 + J_Teta_43 * t34 + J_Teta_53 * t35 + J_Teta_63 * t36;
+    const ella_real V_eta_34 = J_Teta_44 * t34 + J_Teta_54 * t35 + J_Teta_64 * t36;
+    const ella_real V_eta_35 = J_Teta_45 * t34 + J_Teta_55 * t35 + J_Teta_65 * t36;
+    const ella_real V_eta_36 = J_Teta_46 * t34 + J_Teta_56 * t35 + J_Teta_66 * t36;
+    const ella_real V_eta_41 = J_Teta_41 * t37 + J_Teta_51 * t38 + J_Teta_61 * t39;
+    const ella_real V_eta_42 = J_Teta_42 * t37 + J_Teta_52 * t38 + J_Teta_62 * t39;
+    const ella_real V_eta_43 = J_Teta_43 * t37 + J_Teta_53 * t38 + J_Teta_63 * t39;
+    const ella_real V_eta_44 = J_Teta_44 * t37 + J_Teta_54 * t38 + J_Teta_64 * t39;
+    const ella_real V_eta_45 = J_Teta_45 * t37 + J_Teta_55 * t38 + J_Teta_65 * t39;
+    const ella_real V_eta_46 = J_Teta_46 * t37 + J_Teta_56 * t38 + J_Teta_66 * t39;
+    const ella_real V_eta_51 = c->sigma_y1 + J_Teta_41 * t40 + J_Teta_51 * t41 + J_Teta_61 * t42;
+    const ella_real V_eta_52 = c->sigma_y2 + J_Teta_42 * t40 + J_Teta_52 * t41 + J_Teta_62 * t42;
+    const ella_real V_eta_53 = c->sigma_y3 + J_Teta_43 * t40 + J_Teta_53 * t41 + J_Teta_63 * t42;
+    const ella_real V_eta_54 = J_Teta_44 * t40 + J_Teta_54 * t41 + J_Teta_64 * t42;
+    const ella_real V_eta_55 = J_Teta_45 * t40 + J_Teta_55 * t41 + J_Teta_65 * t42;
+    const ella_real V_eta_56 = J_Teta_46 * t40 + J_Teta_56 * t41 + J_Teta_66 * t42;
+    const ella_real V_eta_61 = J_Teta_41 * t43 + J_Teta_51 * t44 + J_Teta_61 * t45;
+    const ella_real V_eta_62 = J_Teta_42 * t43 + J_Teta_52 * t44 + J_Teta_62 * t45;
+    const ella_real V_eta_63 = J_Teta_43 * t43 + J_Teta_53 * t44 + J_Teta_63 * t45;
+    const ella_real V_eta_64 = c->sigma_y1 + J_Teta_44 * t43 + J_Teta_54 * t44 + J_Teta_64 * t45;
+    const ella_real V_eta_65 = c->sigma_y2 + J_Teta_45 * t43 + J_Teta_55 * t44 + J_Teta_65 * t45;
+    const ella_real V_eta_66 = c->sigma_y3 + J_Teta_46 * t43 + J_Teta_56 * t44 + J_Teta_66 * t45;
 
     /* eta_eta: modal rows, modal columns (100) */
-    const ella_real t32 = J_Teta_41 * c->body0_mass;
-    const ella_real t33 = minus_J_Teta_51 * c->body0_mass;
-    const ella_real t34 = J_Teta_61 * c->body0_mass;
-    const ella_real eta_eta_11 = m_eta[0] + J_Teta_41 * t32 + minus_J_Teta_51 * t33 + J_Teta_61 * t34;
-    const ella_real eta_eta_12 = J_Teta_42 * t32 - J_Teta_52 * t33 + J_Teta_53 * t34;
-    const ella_real eta_eta_13 = J_Teta_63 * t34 - (minus_J_Teta_43 * t32 + J_Teta_53 * t33);
-    const ella_real t35 = J_Teta_42 * c->body0_mass;
-    const ella_real t36 = J_Teta_52 * c->body0_mass;
-    const ella_real t37 = J_Teta_53 * c->body0_mass;
-    const ella_real t38 = J_Teta_53 * t37;
-    const ella_real eta_eta_22 = m_eta[1] + J_Teta_42 * t35 + J_Teta_52 * t36 + t38;
-    const ella_real eta_eta_23 = J_Teta_53 * t36 - minus_J_Teta_43 * t35 + J_Teta_63 * t37;
-    const ella_real eta_eta_33 = m_eta[2] + minus_J_Teta_43 * (minus_J_Teta_43 * c->body0_mass) + t38
-        + J_Teta_63 * (J_Teta_63 * c->body0_mass);
+    const ella_real t46 = J_Teta_41 * c->body0_mass;
+    const ella_real t47 = J_Teta_51 * c->body0_mass;
+    const ella_real t48 = J_Teta_61 * c->body0_mass;
+    const ella_real eta_eta_11 = m_eta[0] + J_Teta_41 * t46 + J_Teta_51 * t47 + J_Teta_61 * t48;
+    const ella_real eta_eta_12 = J_Teta_42 * t46 + J_Teta_52 * t47 + J_Teta_62 * t48;
+    const ella_real eta_eta_13 = J_Teta_43 * t46 + J_Teta_53 * t47 + J_Teta_63 * t48;
+    const ella_real eta_eta_14 = J_Teta_44 * t46 + J_Teta_54 * t47 + J_Teta_64 * t48;
+    const ella_real eta_eta_15 = J_Teta_45 * t46 + J_Teta_55 * t47 + J_Teta_65 * t48;
+    const ella_real eta_eta_16 = J_Teta_46 * t46 + J_Teta_56 * t47 + J_Teta_66 * t48;
+    const ella_real t49 = J_Teta_42 * c->body0_mass;
+    const ella_real t50 = J_Teta_52 * c->body0_mass;
+    const ella_real t51 = J_Teta_62 * c->body0_mass;
+    const ella_real eta_eta_22 = m_eta[1] + J_Teta_42 * t49 + J_Teta_52 * t50 + J_Teta_62 * t51;
+    const ella_real eta_eta_23 = J_Teta_43 * t49 + J_Teta_53 * t50 + J_Teta_63 * t51;
+    const ella_real eta_eta_24 = J_Teta_44 * t49 + J_Teta_54 * t50 + J_Teta_64 * t51;
+    const ella_real eta_eta_25 = J_Teta_45 * t49 + J_Teta_55 * t50 + J_Teta_65 * t51;
+    const ella_real eta_eta_26 = J_Teta_46 * t49 + J_Teta_56 * t50 + J_Teta_66 * t51;
+    const ella_real t52 = J_Teta_43 * c->body0_mass;
+    const ella_real t53 = J_Teta_53 * c->body0_mass;
+    const ella_real t54 = J_Teta_63 * c->body0_mass;
+    const ella_real eta_eta_33 = m_eta[2] + J_Teta_43 * t52 + J_Teta_53 * t53 + J_Teta_63 * t54;
+    const ella_real eta_eta_34 = J_Teta_44 * t52 + J_Teta_54 * t53 + J_Teta_64 * t54;
+    const ella_real eta_eta_35 = J_Teta_45 * t52 + J_Teta_55 * t53 + J_Teta_65 * t54;
+    const ella_real eta_eta_36 = J_Teta_46 * t52 + J_Teta_56 * t53 + J_Teta_66 * t54;
+    const ella_real t55 = J_Teta_44 * c->body0_mass;
+    const ella_real t56 = J_Teta_54 * c->body0_mass;
+    const ella_real t57 = J_Teta_64 * c->body0_mass;
+    const ella_real eta_eta_44 = m_eta[3] + J_Teta_44 * t55 + J_Teta_54 * t56 + J_Teta_64 * t57;
+    const ella_real eta_eta_45 = J_Teta_45 * t55 + J_Teta_55 * t56 + J_Teta_65 * t57;
+    const ella_real eta_eta_46 = J_Teta_46 * t55 + J_Teta_56 * t56 + J_Teta_66 * t57;
+    const ella_real t58 = J_Teta_45 * c->body0_mass;
+    const ella_real t59 = J_Teta_55 * c->body0_mass;
+    const ella_real t60 = J_Teta_65 * c->body0_mass;
+    const ella_real eta_eta_55 = m_eta[4] + J_Teta_45 * t58 + J_Teta_55 * t59 + J_Teta_65 * t60;
+    const ella_real eta_eta_56 = J_Teta_46 * t58 + J_Teta_56 * t59 + J_Teta_66 * t60;
+    const ella_real eta_eta_66 = m_eta[5] + J_Teta_46 * (J_Teta_46 * c->body0_mass)
+        + J_Teta_56 * (J_Teta_56 * c->body0_mass) + J_Teta_66 * (J_Teta_66 * c->body0_mass);
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
     const ella_real h_carried_4 = link->h_T[0] + c->body0_mass * link->b_T[3];
@@ -4034,47 +5835,58 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     const ella_real h_carried_6 = link->h_T[2] + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const ella_real V_H_1 = link->h_V[0] - minus_J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
-        + J_TV_61 * h_carried_6;
-    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 - minus_J_TV_52 * h_carried_5
-        + J_TV_62 * h_carried_6;
+    const ella_real V_H_1 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5 + J_TV_61 * h_carried_6;
+    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5 + J_TV_62 * h_carried_6;
     const ella_real V_H_3 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5 + J_TV_63 * h_carried_6;
-    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 - link->R_T[1] * h_carried_5
+    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
         + link->R_T[2] * h_carried_6;
-    const ella_real V_H_5 = link->h_V[4] + link->R_T[1] * h_carried_4 + link->R_T[3] * h_carried_5
-        + link->R_T[4] * h_carried_6;
-    const ella_real V_H_6 = link->h_V[5] - link->R_T[2] * h_carried_4 + link->R_T[4] * h_carried_5
+    const ella_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
         + link->R_T[5] * h_carried_6;
+    const ella_real V_H_6 = link->h_V[5] + link->R_T[6] * h_carried_4 + link->R_T[7] * h_carried_5
+        + link->R_T[8] * h_carried_6;
 
     /* eta_H: bias of the modal rows (100) */
-    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 - minus_J_Teta_51 * h_carried_5
-        + J_Teta_61 * h_carried_6;
-    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_53 * h_carried_6;
-    const ella_real eta_H_3 = t3 - minus_J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5
-        + J_Teta_63 * h_carried_6;
+    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
+    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
+    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5 + J_Teta_63 * h_carried_6;
+    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_4 + J_Teta_54 * h_carried_5 + J_Teta_64 * h_carried_6;
+    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_4 + J_Teta_55 * h_carried_5 + J_Teta_65 * h_carried_6;
+    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_4 + J_Teta_56 * h_carried_5 + J_Teta_66 * h_carried_6;
 
     /* V_W: external wrench in the twist rows (100) */
-    const ella_real t39 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
-        + link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1];
-    const ella_real V_W_1 = t39 + link->R_T[2] * w_ext[2];
-    const ella_real t40 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
-        + link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1];
-    const ella_real V_W_2 = t40 + link->R_T[4] * w_ext[2];
-    const ella_real t41 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] - link->R_T[2] * w_ext[0]
+    const ella_real t61 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
+        + link->R_T[1] * w_ext[1];
+    const ella_real V_W_1 = t61 + link->R_T[2] * w_ext[2];
+    const ella_real t62 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
         + link->R_T[4] * w_ext[1];
-    const ella_real V_W_3 = t41 + link->R_T[5] * w_ext[2];
-    const ella_real V_W_4 = link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
-    const ella_real V_W_5 = link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5];
-    const ella_real V_W_6 = link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_2 = t62 + link->R_T[5] * w_ext[2];
+    const ella_real t63 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
+        + link->R_T[7] * w_ext[1];
+    const ella_real V_W_3 = t63 + link->R_T[8] * w_ext[2];
+    const ella_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
+    const ella_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const ella_real eta_W_1 = J_Teta_41 * w_ext[3] - minus_J_Teta_51 * w_ext[4] + J_Teta_61 * w_ext[5];
-    const ella_real t42 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+    const ella_real t64 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+        + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
+    const ella_real eta_W_1 = t64 + J_Teta_61 * w_ext[5];
+    const ella_real t65 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
         + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const ella_real eta_W_2 = t42 + J_Teta_53 * w_ext[5];
-    const ella_real t43 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
-        - minus_J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
-    const ella_real eta_W_3 = t43 + J_Teta_63 * w_ext[5];
+    const ella_real eta_W_2 = t65 + J_Teta_62 * w_ext[5];
+    const ella_real t66 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
+        + J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const ella_real eta_W_3 = t66 + J_Teta_63 * w_ext[5];
+    const ella_real t67 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
+        + J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const ella_real eta_W_4 = t67 + J_Teta_64 * w_ext[5];
+    const ella_real t68 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2]
+        + J_Teta_45 * w_ext[3] + J_Teta_55 * w_ext[4];
+    const ella_real eta_W_5 = t68 + J_Teta_65 * w_ext[5];
+    const ella_real t69 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2]
+        + J_Teta_46 * w_ext[3] + J_Teta_56 * w_ext[4];
+    const ella_real eta_W_6 = t69 + J_Teta_66 * w_ext[5];
+    const ella_real eta_W_7 = J_Teta_17 * w_ext[0] + J_Teta_27 * w_ext[1] + J_Teta_37 * w_ext[2];
 
     /* outputs */
     M[place[6]] = -1;
@@ -4122,48 +5934,114 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     M[place[48]] = V_eta_11;
     M[place[49]] = V_eta_12;
     M[place[50]] = V_eta_13;
-    M[place[51]] = V_eta_21;
-    M[place[52]] = V_eta_22;
-    M[place[53]] = V_eta_23;
-    M[place[54]] = V_eta_31;
-    M[place[55]] = V_eta_32;
-    M[place[56]] = V_eta_33;
-    M[place[57]] = V_eta_41;
-    M[place[58]] = V_eta_42;
-    M[place[59]] = V_eta_43;
-    M[place[60]] = V_eta_51;
-    M[place[61]] = V_eta_52;
-    M[place[62]] = V_eta_53;
-    M[place[63]] = V_eta_61;
-    M[place[64]] = V_eta_62;
-    M[place[65]] = V_eta_63;
-    M[place[66]] = V_eta_11;
-    M[place[67]] = V_eta_21;
-    M[place[68]] = V_eta_31;
-    M[place[69]] = V_eta_41;
-    M[place[70]] = V_eta_51;
-    M[place[71]] = V_eta_61;
-    M[place[72]] = V_eta_12;
-    M[place[73]] = V_eta_22;
-    M[place[74]] = V_eta_32;
-    M[place[75]] = V_eta_42;
-    M[place[76]] = V_eta_52;
-    M[place[77]] = V_eta_62;
-    M[place[78]] = V_eta_13;
-    M[place[79]] = V_eta_23;
-    M[place[80]] = V_eta_33;
-    M[place[81]] = V_eta_43;
-    M[place[82]] = V_eta_53;
-    M[place[83]] = V_eta_63;
-    M[place[84]] = eta_eta_11;
-    M[place[85]] = eta_eta_12;
-    M[place[86]] = eta_eta_13;
-    M[place[87]] = eta_eta_12;
-    M[place[88]] = eta_eta_22;
-    M[place[89]] = eta_eta_23;
-    M[place[90]] = eta_eta_13;
-    M[place[91]] = eta_eta_23;
-    M[place[92]] = eta_eta_33;
+    M[place[51]] = V_eta_14;
+    M[place[52]] = V_eta_15;
+    M[place[53]] = V_eta_16;
+    M[place[54]] = c->sigma_t_7;
+    M[place[55]] = V_eta_21;
+    M[place[56]] = V_eta_22;
+    M[place[57]] = V_eta_23;
+    M[place[58]] = V_eta_24;
+    M[place[59]] = V_eta_25;
+    M[place[60]] = V_eta_26;
+    M[place[61]] = V_eta_31;
+    M[place[62]] = V_eta_32;
+    M[place[63]] = V_eta_33;
+    M[place[64]] = V_eta_34;
+    M[place[65]] = V_eta_35;
+    M[place[66]] = V_eta_36;
+    M[place[67]] = V_eta_41;
+    M[place[68]] = V_eta_42;
+    M[place[69]] = V_eta_43;
+    M[place[70]] = V_eta_44;
+    M[place[71]] = V_eta_45;
+    M[place[72]] = V_eta_46;
+    M[place[73]] = V_eta_51;
+    M[place[74]] = V_eta_52;
+    M[place[75]] = V_eta_53;
+    M[place[76]] = V_eta_54;
+    M[place[77]] = V_eta_55;
+    M[place[78]] = V_eta_56;
+    M[place[79]] = V_eta_61;
+    M[place[80]] = V_eta_62;
+    M[place[81]] = V_eta_63;
+    M[place[82]] = V_eta_64;
+    M[place[83]] = V_eta_65;
+    M[place[84]] = V_eta_66;
+    M[place[85]] = V_eta_11;
+    M[place[86]] = V_eta_21;
+    M[place[87]] = V_eta_31;
+    M[place[88]] = V_eta_41;
+    M[place[89]] = V_eta_51;
+    M[place[90]] = V_eta_61;
+    M[place[91]] = V_eta_12;
+    M[place[92]] = V_eta_22;
+    M[place[93]] = V_eta_32;
+    M[place[94]] = V_eta_42;
+    M[place[95]] = V_eta_52;
+    M[place[96]] = V_eta_62;
+    M[place[97]] = V_eta_13;
+    M[place[98]] = V_eta_23;
+    M[place[99]] = V_eta_33;
+    M[place[100]] = V_eta_43;
+    M[place[101]] = V_eta_53;
+    M[place[102]] = V_eta_63;
+    M[place[103]] = V_eta_14;
+    M[place[104]] = V_eta_24;
+    M[place[105]] = V_eta_34;
+    M[place[106]] = V_eta_44;
+    M[place[107]] = V_eta_54;
+    M[place[108]] = V_eta_64;
+    M[place[109]] = V_eta_15;
+    M[place[110]] = V_eta_25;
+    M[place[111]] = V_eta_35;
+    M[place[112]] = V_eta_45;
+    M[place[113]] = V_eta_55;
+    M[place[114]] = V_eta_65;
+    M[place[115]] = V_eta_16;
+    M[place[116]] = V_eta_26;
+    M[place[117]] = V_eta_36;
+    M[place[118]] = V_eta_46;
+    M[place[119]] = V_eta_56;
+    M[place[120]] = V_eta_66;
+    M[place[121]] = c->sigma_t_7;
+    M[place[122]] = eta_eta_11;
+    M[place[123]] = eta_eta_12;
+    M[place[124]] = eta_eta_13;
+    M[place[125]] = eta_eta_14;
+    M[place[126]] = eta_eta_15;
+    M[place[127]] = eta_eta_16;
+    M[place[128]] = eta_eta_12;
+    M[place[129]] = eta_eta_22;
+    M[place[130]] = eta_eta_23;
+    M[place[131]] = eta_eta_24;
+    M[place[132]] = eta_eta_25;
+    M[place[133]] = eta_eta_26;
+    M[place[134]] = eta_eta_13;
+    M[place[135]] = eta_eta_23;
+    M[place[136]] = eta_eta_33;
+    M[place[137]] = eta_eta_34;
+    M[place[138]] = eta_eta_35;
+    M[place[139]] = eta_eta_36;
+    M[place[140]] = eta_eta_14;
+    M[place[141]] = eta_eta_24;
+    M[place[142]] = eta_eta_34;
+    M[place[143]] = eta_eta_44;
+    M[place[144]] = eta_eta_45;
+    M[place[145]] = eta_eta_46;
+    M[place[146]] = eta_eta_15;
+    M[place[147]] = eta_eta_25;
+    M[place[148]] = eta_eta_35;
+    M[place[149]] = eta_eta_45;
+    M[place[150]] = eta_eta_55;
+    M[place[151]] = eta_eta_56;
+    M[place[152]] = eta_eta_16;
+    M[place[153]] = eta_eta_26;
+    M[place[154]] = eta_eta_36;
+    M[place[155]] = eta_eta_46;
+    M[place[156]] = eta_eta_56;
+    M[place[157]] = eta_eta_66;
+    M[place[158]] = m_eta[6];
     H[6] = V_H_1;
     H[7] = V_H_2;
     H[8] = V_H_3;
@@ -4173,6 +6051,10 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
     eta_H[2] = eta_H_3;
+    eta_H[3] = eta_H_4;
+    eta_H[4] = eta_H_5;
+    eta_H[5] = eta_H_6;
+    eta_H[6] = f_eta[6];
     W[6] = V_W_1;
     W[7] = V_W_2;
     W[8] = V_W_3;
@@ -4182,6 +6064,10 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
     eta_W[2] = eta_W_3;
+    eta_W[3] = eta_W_4;
+    eta_W[4] = eta_W_5;
+    eta_W[5] = eta_W_6;
+    eta_W[6] = eta_W_7;
     return ELLA_OK;
 }
 
@@ -4279,7 +6165,7 @@ static ELLA_TARGETS ella_status inverse_inverse_outward(const ella_constants *c,
     case 0:
         return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
     default:
-        return inverse_outward_forearm(&chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
     }
 }
 
@@ -4305,7 +6191,7 @@ static ELLA_TARGETS ella_status inertia_kinematics(const ella_constants *c, cons
     case 0:
         return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     default:
-        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
+        return kinematics_forearm_2(&chain->links[i], &chain->nodes[i], call->q + q, call->eta + e);
     }
 }
 
@@ -4318,7 +6204,7 @@ static ELLA_TARGETS ella_status inertia_inverse_outward(const ella_constants *c,
     case 0:
         return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
     default:
-        return inverse_outward_forearm(&chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
     }
 }
 
@@ -4333,6 +6219,46 @@ static ELLA_TARGETS ella_status inertia_inverse_inward(const ella_constants *c, 
     default:
         return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
     }
+}
+
+static ELLA_TARGETS ella_status motion_of_velocities(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+{
+    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return velocities_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    default:
+        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    }
+}
+
+static ELLA_TARGETS ella_status motion_of_poses(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+{
+    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return poses_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+    default:
+        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+    }
+}
+
+static ELLA_TARGETS ella_status motion_of_tip_twist(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+{
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    return tip_twist_upper_arm(&chain->nodes[i + 1], call->tip_twist + 6 * i);
+}
+
+static ELLA_TARGETS ella_status measuring_measure(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+{
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
 }
 
 static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
@@ -4490,6 +6416,48 @@ ELLA_TARGETS ella_status ella_inertia_column(const ella_constants *c, const ella
     }
     for (i = ELLA_NLINKS - 1; i >= 0; --i) {
         status = inertia_inverse_inward(c, call, chain, i);
+        if (status != ELLA_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return ELLA_OK;
+}
+
+ELLA_TARGETS ella_status ella_motion_of(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+{
+    ella_status status;
+    int i;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        status = motion_of_velocities(c, call, chain, i);
+        if (status != ELLA_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        status = motion_of_poses(c, call, chain, i);
+        if (status != ELLA_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        status = motion_of_tip_twist(c, call, chain, i);
+        if (status != ELLA_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return ELLA_OK;
+}
+
+ELLA_TARGETS ella_status ella_measuring(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+{
+    ella_status status;
+    int i;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        status = measuring_measure(c, call, chain, i);
         if (status != ELLA_OK) {
             *fault = i;
             return status;

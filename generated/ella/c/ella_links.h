@@ -8,13 +8,14 @@
 typedef struct {
     const ella_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
     const ella_real *quaternion, *twist, *given_alpha, *given_qddot, *given_etaddot;
+    const ella_real *given_wrench, *given_motion;
     ella_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
-    ella_real *force, *force_eta, *M, *H, *W;
+    ella_real *force, *force_eta, *M, *H, *W, *rotation, *position, *tip_twist, *motion, *measures;
     int tip_pose; /* whether the tip's pose is wanted; the wrenches are where there is a place for them */
 } ella_call;
 
 /* What a caller wants of the forward dynamics besides vdot. */
-enum { ELLA_WRENCHES = 1, ELLA_TIP_POSE = 2 };
+enum { ELLA_WRENCHES = 1, ELLA_TIP_POSE = 2, ELLA_MOTION = 4 };
 
 /* Joint form: vdot and what is wanted; the rest of output is left alone. fault is set with ELLA_SINGULAR. */
 ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
@@ -37,6 +38,12 @@ ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call,
 
 /* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
 ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* Poses of links and tips, twists of the tips. */
+ella_status ella_motion_of(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
+
+/* How far every link is from the limits of the first-order model. */
+ella_status ella_measuring(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 
 /* M_sys, H_sys and W_sys. */
 ella_status ella_assembly(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);

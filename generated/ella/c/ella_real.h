@@ -12,6 +12,12 @@
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "compile without -ffast-math: it removes the checks for NaN and infinity"
 #endif
+#ifdef __ASSOCIATIVE_MATH__
+#error "compile without -fassociative-math, -funsafe-math-optimizations: they reorder sums that round an angle"
+#endif
+#if defined(__clang__) && __clang_major__ >= 13
+#pragma clang fp reassociate(off) /* clang does not tell of these options */
+#endif
 
 #ifdef ELLA_REAL_FLOAT
 #define REAL(x) x##f

@@ -51,19 +51,32 @@ static int wild(const ella_input *u)
     return !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 
-ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
-    ella_work *work, ella_output *output)
+/* All of output, and what else is wanted. */
+static ella_status complete(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, int wanted, ella_output *output)
 {
     ella_status status;
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = evaluate(c, state, input, work, ELLA_WRENCHES | ELLA_TIP_POSE, output);
+    status = evaluate(c, state, input, work, wanted | ELLA_WRENCHES | ELLA_TIP_POSE, output);
     if (status == ELLA_OK && (wild(input) || !ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
         || !ella_finite(&output->tip_rotation[0][0], 9) || !ella_finite(output->tip_position, 3))) {
         return ELLA_NONFINITE;
     }
     return status;
+}
+
+ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, ella_output *output)
+{
+    return complete(c, state, input, work, 0, output);
+}
+
+ella_status ella_watched_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
+    ella_work *work, ella_output *output)
+{
+    return complete(c, state, input, work, ELLA_MOTION, output);
 }
 
 ella_status ella_accelerations(const ella_constants *c, const ella_state *state, const ella_input *input,

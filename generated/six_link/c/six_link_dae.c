@@ -2,13 +2,21 @@
 #include "six_link_links.h"
 #include "six_link_se3.h"
 
-static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt, six_link_dae_work *work)
+/* Inertia and force of coordinates x, implicit over dt; their columns begin at first. */
+static void own_terms(const six_link_constants *c, int first, int count, const six_link_real *x, const six_link_real *xdot,
+    six_link_real dt, six_link_dae_work *work)
 {
     int k;
-    for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
-        work->f_eta[k] = c->K[k] * (s->eta[k] + dt * s->etadot[k]) + c->D[k] * s->etadot[k];
+    for (k = 0; k < count; ++k) {
+        const six_link_real K = c->K[first + k], D = c->D[first + k];
+        work->m_eta[first + k] = c->M_eta[first + k] + dt * (D + dt * K);
+        work->f_eta[first + k] = K * (x[k] + dt * xdot[k]) + D * xdot[k];
     }
+}
+
+static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt, six_link_dae_work *work)
+{
+    own_terms(c, SIX_LINK_NTAU, SIX_LINK_NMODES, s->eta, s->etadot, dt, work);
 }
 
 static six_link_call call_of(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u, six_link_dae_work *work)
@@ -20,8 +28,10 @@ static six_link_call call_of(const six_link_constants *c, const six_link_dae_sta
     call.etadot = s->etadot;
     call.quaternion = &s->quaternion[0][0];
     call.twist = &s->twist[0][0];
-    call.m_eta = work->m_eta;
-    call.f_eta = work->f_eta;
+    call.m_q = work->m_eta;
+    call.f_q = work->f_eta;
+    call.m_eta = &work->m_eta[SIX_LINK_NTAU];
+    call.f_eta = &work->f_eta[SIX_LINK_NTAU];
     call.new_qdot = work->qdot;
     call.qdot = work->qdot;
     if (u) {
@@ -42,7 +52,7 @@ static int finite_state(const six_link_dae_state *s)
 static int moderate_state(const six_link_dae_state *s, const six_link_dae_work *work)
 {
     return six_link_moderate(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_moderate(s->eta, SIX_LINK_NMODES)
-        && six_link_moderate(s->etadot, SIX_LINK_NMODES) && six_link_finite(work->m_eta, SIX_LINK_NMODES);
+        && six_link_moderate(s->etadot, SIX_LINK_NMODES) && six_link_finite(&work->m_eta[SIX_LINK_NTAU], SIX_LINK_NMODES);
 }
 
 static int finite_input(const six_link_dae_state *s, const six_link_input *u)
@@ -50,7 +60,9 @@ static int finite_input(const six_link_dae_state *s, const six_link_input *u)
     return finite_state(s) && six_link_finite(u->tau, SIX_LINK_NTAU) && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
-/* Vdot, etaddot, qdot and the wrenches at s, with the modal force that they lead to dt after the state from. */
+/* Vdot, etaddot, qdot and the wrenches at s, with the forces of joints and modes that they lead to dt after the state
+ * from; where that is not s, the joints' are still those of the call before, which was at from.
+ */
 static six_link_status accelerate(const six_link_constants *c, const six_link_dae_state *s, const six_link_dae_state *from,
     const six_link_input *u, six_link_real dt, six_link_dae_work *work)
 {
@@ -66,9 +78,15 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_da
         return SIX_LINK_NONFINITE;
     }
     modal_terms(c, from, dt, work);
-    status = six_link_dae_dynamics(c, &call, &work->chain, &work->fault);
+    status = six_link_dae_motion(c, &call, &work->chain, &work->fault);
+    if (status == SIX_LINK_OK) {
+        if (from == s) {
+            own_terms(c, 0, SIX_LINK_NTAU, s->q, work->qdot, dt, work);
+        }
+        status = six_link_dae_solution(c, &call, &work->chain, &work->fault);
+    }
     if (status != SIX_LINK_OK) {
-        return moderate_state(s, work) ? status : SIX_LINK_NONFINITE;
+        return moderate_state(s, work) && six_link_finite(work->qdot, SIX_LINK_NTAU) ? status : SIX_LINK_NONFINITE;
     }
     if (!six_link_finite(&work->Vdot[0][0], 6 * SIX_LINK_NLINKS) || !six_link_finite(work->etaddot, SIX_LINK_NMODES)
         || !six_link_finite(&work->wrench[0][0], 6 * SIX_LINK_NLINKS)) {
@@ -115,7 +133,7 @@ six_link_status six_link_dae_from_state(const six_link_constants *c, const six_l
     call.new_position = &work->next.position[0][0];
     call.new_twist = &work->next.twist[0][0];
     status = six_link_placement(c, &call, &work->chain, &work->fault);
-    if (status == SIX_LINK_OK && !(six_link_finite(state->q, SIX_LINK_NQ) && six_link_finite(state->v, SIX_LINK_NV))) {
+    if (status == SIX_LINK_OK && !finite_state(&work->next)) {
         status = SIX_LINK_NONFINITE;
     }
     if (status == SIX_LINK_OK) {
@@ -182,6 +200,16 @@ static void advance(const six_link_dae_state *x, six_link_real dt, const six_lin
     }
 }
 
+/* The joints of y turned with the new rates, as its poses and modes move: a stage must fit together. */
+static void turn_joints(const six_link_dae_state *x, six_link_real dt, const six_link_dae_work *work,
+    six_link_dae_state *y)
+{
+    int k;
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        y->q[k] = x->q[k] + dt * (work->qdot[k] + dt * work->qddot[k]);
+    }
+}
+
 /* Poses moved from those of x by dt times the twists V. */
 static void move(const six_link_dae_state *x, six_link_real dt, six_link_real V[][6], six_link_dae_state *y)
 {
@@ -227,7 +255,7 @@ six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_da
     return accept(c, work, state);
 }
 
-/* Twists and modal rates first, then poses and modal coordinates with the new rates. */
+/* Twists and modal rates first, then poses, modal coordinates and joints with the new rates. */
 static six_link_status symplectic(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input, six_link_real dt,
     six_link_real modal_dt, six_link_dae_work *work)
 {
@@ -241,6 +269,7 @@ static six_link_status symplectic(const six_link_constants *c, six_link_dae_stat
     }
     advance(state, dt, state->etadot, work, &work->next);
     advance(state, dt, work->next.etadot, work, &work->next);
+    turn_joints(state, dt, work, &work->next);
     move(state, dt, work->next.twist, &work->next);
     return accept(c, work, state);
 }
@@ -272,6 +301,7 @@ six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, si
     }
     advance(state, dt / 2, state->etadot, work, &work->stage);
     advance(state, dt / 2, work->stage.etadot, work, &work->stage);
+    turn_joints(state, dt / 2, work, &work->stage);
     move(state, dt / 2, work->stage.twist, &work->stage);
     status = accelerate(c, &work->stage, state, input, dt / 2, work);
     if (status != SIX_LINK_OK) {
@@ -337,36 +367,42 @@ const short six_link_M_row[SIX_LINK_NNZ] = {
     7, 8, 9, 11, 13, 15, 17, 2, 6, 7, 8, 9, 10, 12, 14, 15, 16, 17, 3, 7,
     8, 9, 15, 17, 4, 6, 8, 10, 16, 5, 6, 7, 11, 15, 17, 6, 8, 18, 7, 13,
     19, 6, 8, 20, 6, 7, 8, 9, 11, 21, 6, 8, 10, 22, 6, 7, 8, 9, 11, 23,
-    12, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 13, 18, 19, 20,
-    21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 14, 18, 19, 20, 21, 22, 23, 24,
-    25, 26, 27, 28, 29, 72, 73, 74, 15, 18, 19, 20, 21, 22, 23, 27, 28, 29, 72, 73,
-    74, 16, 18, 19, 20, 21, 22, 23, 27, 28, 29, 72, 73, 74, 17, 18, 19, 20, 21, 22,
-    23, 27, 28, 29, 72, 73, 74, 18, 19, 20, 30, 72, 73, 74, 18, 19, 20, 25, 31, 72,
-    73, 74, 18, 19, 20, 32, 72, 73, 74, 18, 19, 20, 21, 22, 23, 33, 72, 73, 74, 18,
-    19, 20, 21, 22, 23, 34, 72, 73, 74, 18, 19, 20, 21, 22, 23, 35, 72, 73, 74, 24,
-    30, 31, 32, 34, 35, 36, 37, 38, 39, 40, 41, 75, 76, 25, 30, 31, 32, 33, 35, 36,
-    37, 38, 39, 40, 41, 76, 26, 30, 31, 32, 33, 34, 36, 37, 38, 39, 40, 41, 75, 27,
-    31, 32, 33, 39, 40, 41, 28, 30, 32, 34, 39, 40, 41, 75, 29, 30, 31, 35, 39, 40,
-    41, 76, 30, 31, 32, 36, 42, 75, 76, 30, 31, 32, 43, 75, 76, 30, 31, 32, 44, 75,
-    76, 30, 31, 32, 33, 34, 35, 45, 75, 76, 30, 31, 32, 33, 34, 35, 46, 75, 76, 30,
-    31, 32, 33, 34, 35, 47, 75, 76, 36, 42, 48, 50, 37, 43, 47, 49, 51, 53, 38, 44,
-    46, 48, 50, 52, 39, 45, 51, 53, 40, 44, 46, 52, 41, 43, 47, 51, 53, 42, 44, 54,
-    43, 49, 55, 42, 44, 56, 43, 45, 47, 57, 44, 46, 58, 43, 45, 47, 59, 48, 54, 60,
-    49, 55, 59, 61, 62, 64, 65, 50, 56, 58, 61, 62, 64, 65, 51, 57, 63, 52, 56, 58,
-    64, 65, 53, 55, 59, 64, 65, 54, 60, 66, 55, 56, 67, 55, 56, 68, 57, 69, 55, 56,
-    58, 59, 70, 55, 56, 58, 59, 71, 60, 66, 67, 68, 70, 71, 61, 66, 67, 68, 69, 71,
-    62, 66, 67, 68, 69, 70, 63, 67, 68, 69, 64, 66, 68, 70, 65, 66, 67, 71, 18, 19,
-    20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 18, 19, 20, 21, 22, 23, 24,
-    25, 26, 27, 28, 29, 72, 73, 74, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29,
-    72, 73, 74, 30, 32, 34, 36, 37, 38, 39, 40, 41, 75, 30, 31, 35, 36, 37, 38, 39,
-    40, 41, 76,
+    12, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 13, 18,
+    19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 14, 18, 19, 20,
+    21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 15, 18, 19, 20, 21, 22,
+    23, 27, 28, 29, 72, 73, 74, 75, 76, 16, 18, 19, 20, 21, 22, 23, 27, 28, 29, 72,
+    73, 74, 75, 76, 17, 18, 19, 20, 21, 22, 23, 27, 28, 29, 72, 73, 74, 75, 76, 18,
+    19, 20, 30, 72, 73, 74, 75, 76, 18, 19, 20, 25, 31, 72, 73, 74, 75, 76, 18, 19,
+    20, 32, 72, 73, 74, 75, 76, 18, 19, 20, 21, 22, 23, 33, 72, 73, 74, 75, 76, 18,
+    19, 20, 21, 22, 23, 34, 72, 73, 74, 75, 76, 18, 19, 20, 21, 22, 23, 35, 72, 73,
+    74, 75, 76, 24, 30, 31, 32, 34, 35, 36, 37, 38, 39, 40, 41, 77, 78, 79, 80, 25,
+    30, 31, 32, 33, 35, 36, 37, 38, 39, 40, 41, 79, 80, 26, 30, 31, 32, 33, 34, 36,
+    37, 38, 39, 40, 41, 77, 78, 27, 31, 32, 33, 39, 40, 41, 28, 30, 32, 34, 39, 40,
+    41, 77, 78, 29, 30, 31, 35, 39, 40, 41, 79, 80, 30, 31, 32, 36, 42, 77, 78, 79,
+    80, 30, 31, 32, 43, 77, 78, 79, 80, 30, 31, 32, 44, 77, 78, 79, 80, 30, 31, 32,
+    33, 34, 35, 45, 77, 78, 79, 80, 30, 31, 32, 33, 34, 35, 46, 77, 78, 79, 80, 30,
+    31, 32, 33, 34, 35, 47, 77, 78, 79, 80, 36, 42, 48, 50, 37, 43, 47, 49, 51, 53,
+    38, 44, 46, 48, 50, 52, 39, 45, 51, 53, 40, 44, 46, 52, 41, 43, 47, 51, 53, 42,
+    44, 54, 43, 49, 55, 42, 44, 56, 43, 45, 47, 57, 44, 46, 58, 43, 45, 47, 59, 48,
+    54, 60, 49, 55, 59, 61, 62, 64, 65, 50, 56, 58, 61, 62, 64, 65, 51, 57, 63, 52,
+    56, 58, 64, 65, 53, 55, 59, 64, 65, 54, 60, 66, 55, 56, 67, 55, 56, 68, 57, 69,
+    55, 56, 58, 59, 70, 55, 56, 58, 59, 71, 60, 66, 67, 68, 70, 71, 61, 66, 67, 68,
+    69, 71, 62, 66, 67, 68, 69, 70, 63, 67, 68, 69, 64, 66, 68, 70, 65, 66, 67, 71,
+    18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 18, 19, 20,
+    21, 22, 23, 24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 18, 19, 20, 21, 22, 23,
+    24, 25, 26, 27, 28, 29, 72, 73, 74, 75, 76, 18, 19, 20, 21, 22, 23, 24, 25, 26,
+    27, 28, 29, 72, 73, 74, 75, 76, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29,
+    72, 73, 74, 75, 76, 30, 32, 34, 36, 37, 38, 39, 40, 41, 77, 30, 32, 34, 36, 37,
+    38, 39, 40, 41, 78, 30, 31, 35, 36, 37, 38, 39, 40, 41, 79, 30, 31, 35, 36, 37,
+    38, 39, 40, 41, 80,
 };
 
 const int six_link_M_column[SIX_LINK_NZ + 1] = {
-    0, 1, 2, 4, 5, 6, 7, 18, 27, 38, 44, 49, 55, 58, 61, 64, 70, 74, 80, 96,
-    112, 128, 141, 154, 167, 174, 182, 189, 199, 209, 219, 233, 246, 259, 266, 274, 282, 289, 295, 301,
-    310, 319, 328, 332, 338, 344, 348, 352, 357, 360, 363, 366, 370, 373, 377, 380, 387, 394, 397, 402,
-    407, 410, 413, 416, 418, 423, 428, 434, 440, 446, 450, 454, 458, 473, 488, 503, 513, 523,
+    0, 1, 2, 4, 5, 6, 7, 18, 27, 38, 44, 49, 55, 58, 61, 64, 70, 74, 80, 98,
+    116, 134, 149, 164, 179, 188, 198, 207, 219, 231, 243, 259, 273, 287, 294, 303, 312, 321, 329, 337,
+    348, 359, 370, 374, 380, 386, 390, 394, 399, 402, 405, 408, 412, 415, 419, 422, 429, 436, 439, 444,
+    449, 452, 455, 458, 460, 465, 470, 476, 482, 488, 492, 496, 500, 517, 534, 551, 568, 585, 595, 605,
+    615, 625,
 };
 
 six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state, const six_link_input *input,

@@ -50,13 +50,23 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_rel_upper_arm_xx * c->gravity[2] + minus_omega_R_upper_arm_1 * t1;
 
     /* upper_arm, r_T: tip point (11) */
-    const six_link_real r_T_upper_arm_y = state->q[6] * 2;
-    const six_link_real r_T_upper_arm_z = state->q[7] * 2;
+    const six_link_real r_T_upper_arm_y = state->q[7] * REAL(2.8145226674626453)
+        + state->q[6] * REAL(2.0195202782688155);
+    const six_link_real r_T_upper_arm_z = state->q[9] * REAL(2.8145226674626453)
+        + state->q[8] * REAL(2.0195202782688155);
+
+    /* upper_arm, udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_upper_arm_y = state->v[7] * REAL(2.8145226674626453)
+        + state->v[6] * REAL(2.0195202782688155);
+    const six_link_real udot_T_upper_arm_z = state->v[9] * REAL(2.8145226674626453)
+        + state->v[8] * REAL(2.0195202782688155);
 
     /* upper_arm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_upper_arm_x = state->q[8] * REAL(1.4142135623730951);
-    const six_link_real theta_upper_arm_y = c->links[1].Psi_c_y2 * state->q[7];
-    const six_link_real theta_upper_arm_z = c->links[1].Psi_c_z1 * state->q[6];
+    const six_link_real theta_upper_arm_x = state->q[10] * REAL(1.7320508075688772);
+    const six_link_real theta_upper_arm_y = c->links[1].Psi_c_y3 * state->q[8]
+        + c->links[1].Psi_c_y4 * state->q[9];
+    const six_link_real theta_upper_arm_z = c->links[1].Psi_c_z1 * state->q[6]
+        + c->links[1].Psi_c_z2 * state->q[7];
 
     /* upper_arm, x: squared angle of the tip section */
     const six_link_real t3 = theta_upper_arm_x * theta_upper_arm_x;
@@ -116,9 +126,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real R_T_upper_arm_zz = 1 - c2_upper_arm * minus_theta_hat2_upper_arm_33;
 
     /* upper_arm, thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_upper_arm_x = state->v[8] * REAL(1.4142135623730951);
-    const six_link_real thetadot_upper_arm_y = c->links[1].Psi_c_y2 * state->v[7];
-    const six_link_real thetadot_upper_arm_z = c->links[1].Psi_c_z1 * state->v[6];
+    const six_link_real thetadot_upper_arm_x = state->v[10] * REAL(1.7320508075688772);
+    const six_link_real thetadot_upper_arm_y = c->links[1].Psi_c_y3 * state->v[8]
+        + c->links[1].Psi_c_y4 * state->v[9];
+    const six_link_real thetadot_upper_arm_z = c->links[1].Psi_c_z1 * state->v[6]
+        + c->links[1].Psi_c_z2 * state->v[7];
 
     /* upper_arm, omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t20 = theta_upper_arm_y * thetadot_upper_arm_z - theta_upper_arm_z * thetadot_upper_arm_y;
@@ -132,7 +144,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real omega_s_upper_arm_z = thetadot_upper_arm_z + c2_upper_arm * t21 + c3_upper_arm * t25;
 
     /* upper_arm, xdot: rate of the squared angle */
-    const six_link_real t26 = state->q[8] * REAL(2.8284271247461903) * thetadot_upper_arm_x
+    const six_link_real t26 = state->q[10] * REAL(3.4641016151377544) * thetadot_upper_arm_x
         + theta_upper_arm_y * 2 * thetadot_upper_arm_y;
     const six_link_real xdot_upper_arm = t26 + theta_upper_arm_z * 2 * thetadot_upper_arm_z;
 
@@ -164,8 +176,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (minus_alpha_0_upper_arm_1 * r_T_upper_arm_z - minus_alpha_0_upper_arm_3 * c->links[1].length);
     const six_link_real t28 = state->v[1] * r_T_upper_arm_z - omega_R_upper_arm_3 * r_T_upper_arm_y;
     const six_link_real t29 = omega_R_upper_arm_3 * c->links[1].length
-        + minus_omega_R_upper_arm_1 * r_T_upper_arm_z + state->v[6] * 4;
-    const six_link_real t30 = state->v[7] * 4
+        + minus_omega_R_upper_arm_1 * r_T_upper_arm_z + udot_T_upper_arm_y * 2;
+    const six_link_real t30 = udot_T_upper_arm_z * 2
         - (minus_omega_R_upper_arm_1 * r_T_upper_arm_y + state->v[1] * c->links[1].length);
     const six_link_real alpha_0_T_upper_arm_4 = alpha_0_upper_arm_4 + minus_alpha_0_upper_arm_3 * r_T_upper_arm_y
         + (state->v[1] * t30 - omega_R_upper_arm_3 * t29);
@@ -246,12 +258,22 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real alpha_0_forearm_6 = t37 + t43;
 
     /* forearm, r_T: tip point (11) */
-    const six_link_real r_T_forearm_y = state->q[9] * REAL(2.23606797749979);
-    const six_link_real r_T_forearm_z = state->q[10] * REAL(2.23606797749979);
+    const six_link_real r_T_forearm_y = state->q[12] * REAL(2.8145226674626453)
+        + state->q[11] * REAL(2.0195202782688155);
+    const six_link_real r_T_forearm_z = state->q[14] * REAL(2.8145226674626453)
+        + state->q[13] * REAL(2.0195202782688155);
+
+    /* forearm, udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_forearm_y = state->v[12] * REAL(2.8145226674626453)
+        + state->v[11] * REAL(2.0195202782688155);
+    const six_link_real udot_T_forearm_z = state->v[14] * REAL(2.8145226674626453)
+        + state->v[13] * REAL(2.0195202782688155);
 
     /* forearm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_forearm_y = c->links[2].Psi_c_y2 * state->q[10];
-    const six_link_real theta_forearm_z = c->links[2].Psi_c_z1 * state->q[9];
+    const six_link_real theta_forearm_y = c->links[2].Psi_c_y3 * state->q[13]
+        + c->links[2].Psi_c_y4 * state->q[14];
+    const six_link_real theta_forearm_z = c->links[2].Psi_c_z1 * state->q[11]
+        + c->links[2].Psi_c_z2 * state->q[12];
 
     /* forearm, x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_forearm_33 = theta_forearm_y * theta_forearm_y;
@@ -286,8 +308,10 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real R_T_forearm_zz = 1 - c2_forearm * minus_theta_hat2_forearm_33;
 
     /* forearm, thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_forearm_y = c->links[2].Psi_c_y2 * state->v[10];
-    const six_link_real thetadot_forearm_z = c->links[2].Psi_c_z1 * state->v[9];
+    const six_link_real thetadot_forearm_y = c->links[2].Psi_c_y3 * state->v[13]
+        + c->links[2].Psi_c_y4 * state->v[14];
+    const six_link_real thetadot_forearm_z = c->links[2].Psi_c_z1 * state->v[11]
+        + c->links[2].Psi_c_z2 * state->v[12];
 
     /* forearm, omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t46 = theta_forearm_y * thetadot_forearm_z - theta_forearm_z * thetadot_forearm_y;
@@ -324,9 +348,9 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (omega_R_forearm_1 * omega_s_forearm_y - omega_forearm_y * omega_s_forearm_x);
     const six_link_real t47 = omega_forearm_y * r_T_forearm_z - omega_R_forearm_3 * r_T_forearm_y;
     const six_link_real t48 = omega_R_forearm_3 * c->links[2].length - omega_R_forearm_1 * r_T_forearm_z
-        + state->v[9] * REAL(4.47213595499958);
+        + udot_T_forearm_y * 2;
     const six_link_real t49 = omega_R_forearm_1 * r_T_forearm_y - omega_forearm_y * c->links[2].length
-        + state->v[10] * REAL(4.47213595499958);
+        + udot_T_forearm_z * 2;
     const six_link_real alpha_0_T_forearm_4 = alpha_0_forearm_4
         + (alpha_0_forearm_2 * r_T_forearm_z - alpha_0_forearm_3 * r_T_forearm_y)
         + (omega_forearm_y * t49 - omega_R_forearm_3 * t48);
@@ -520,7 +544,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_flange_6 = H_star_flange_6 + p_T_flange_6;
 
     /* flange, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_flange_11 = M_loaded_flange_11 + c->links[5].armature_1;
+    const six_link_real joint_inertia_flange_11 = M_loaded_flange_11 + m_eta[5];
     const six_link_real t79 = SIX_LINK_REAL_EPSILON * 8;
     bad |= (unsigned long)(!(joint_inertia_flange_11 - t79 * (M_loaded_flange_11 + M_loaded_flange_22 + M_loaded_flange_33) > 0)) << 5;
     const six_link_real joint_inverse_flange_1 = 1 / joint_inertia_flange_11;
@@ -529,8 +553,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_joint_W_flange_13 = minus_M_loaded_flange_13 * joint_inverse_flange_1;
     const six_link_real minus_joint_W_flange_15 = c->links[5].S_T_z * joint_inverse_flange_1;
     const six_link_real joint_W_flange_16 = c->links[5].S_T_y * joint_inverse_flange_1;
-    const six_link_real joint_w_flange_1 = (input->tau[5] - c->links[5].joint_damping_1 * state->v[5]
-        - h_loaded_flange_1) * joint_inverse_flange_1;
+    const six_link_real joint_w_flange_1 = (input->tau[5] - work->f_eta[5] - h_loaded_flange_1)
+        * joint_inverse_flange_1;
     const six_link_real Lambda_i_flange_11 = M_loaded_flange_11 - M_loaded_flange_11 * joint_W_flange_11;
     const six_link_real Lambda_i_flange_12 = M_loaded_flange_11 * minus_joint_W_flange_12
         - minus_M_loaded_flange_12;
@@ -659,7 +683,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_wrist_pitch_6 = H_star_wrist_pitch_6 + p_T_wrist_pitch_6;
 
     /* wrist_pitch, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_wrist_pitch_11 = M_loaded_wrist_pitch_22 + c->links[4].armature_1;
+    const six_link_real joint_inertia_wrist_pitch_11 = M_loaded_wrist_pitch_22 + m_eta[4];
     bad |= (unsigned long)(!(joint_inertia_wrist_pitch_11 - t79 * (M_loaded_wrist_pitch_11 + M_loaded_wrist_pitch_22 + M_loaded_wrist_pitch_33) > 0)) << 4;
     const six_link_real joint_inverse_wrist_pitch_1 = 1 / joint_inertia_wrist_pitch_11;
     const six_link_real joint_W_wrist_pitch_11 = M_loaded_wrist_pitch_12 * joint_inverse_wrist_pitch_1;
@@ -669,8 +693,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_joint_W_wrist_pitch_15 = minus_M_loaded_wrist_pitch_25
         * joint_inverse_wrist_pitch_1;
     const six_link_real joint_W_wrist_pitch_16 = M_loaded_wrist_pitch_26 * joint_inverse_wrist_pitch_1;
-    const six_link_real joint_w_wrist_pitch_1 = (input->tau[4] - c->links[4].joint_damping_1 * state->v[4]
-        - h_loaded_wrist_pitch_2) * joint_inverse_wrist_pitch_1;
+    const six_link_real joint_w_wrist_pitch_1 = (input->tau[4] - work->f_eta[4] - h_loaded_wrist_pitch_2)
+        * joint_inverse_wrist_pitch_1;
     const six_link_real Lambda_i_wrist_pitch_11 = M_loaded_wrist_pitch_11
         - M_loaded_wrist_pitch_12 * joint_W_wrist_pitch_11;
     const six_link_real Lambda_i_wrist_pitch_12 = M_loaded_wrist_pitch_12
@@ -834,7 +858,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_wrist_roll_6 = H_star_wrist_roll_6 + p_T_wrist_roll_6;
 
     /* wrist_roll, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_wrist_roll_11 = M_loaded_wrist_roll_11 + c->links[3].armature_1;
+    const six_link_real joint_inertia_wrist_roll_11 = M_loaded_wrist_roll_11 + m_eta[3];
     bad |= (unsigned long)(!(joint_inertia_wrist_roll_11 - t79 * (M_loaded_wrist_roll_11 + M_loaded_wrist_roll_22 + M_loaded_wrist_roll_33) > 0)) << 3;
     const six_link_real joint_inverse_wrist_roll_1 = 1 / joint_inertia_wrist_roll_11;
     const six_link_real joint_W_wrist_roll_11 = M_loaded_wrist_roll_11 * joint_inverse_wrist_roll_1;
@@ -843,8 +867,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real joint_W_wrist_roll_14 = Lambda_wrist_pitch_4 * joint_inverse_wrist_roll_1;
     const six_link_real joint_W_wrist_roll_15 = Lambda_wrist_pitch_5 * joint_inverse_wrist_roll_1;
     const six_link_real joint_W_wrist_roll_16 = Lambda_wrist_pitch_6 * joint_inverse_wrist_roll_1;
-    const six_link_real joint_w_wrist_roll_1 = (input->tau[3] - c->links[3].joint_damping_1 * state->v[3]
-        - h_loaded_wrist_roll_1) * joint_inverse_wrist_roll_1;
+    const six_link_real joint_w_wrist_roll_1 = (input->tau[3] - work->f_eta[3] - h_loaded_wrist_roll_1)
+        * joint_inverse_wrist_roll_1;
     const six_link_real Lambda_i_wrist_roll_11 = M_loaded_wrist_roll_11
         - M_loaded_wrist_roll_11 * joint_W_wrist_roll_11;
     const six_link_real Lambda_i_wrist_roll_12 = M_loaded_wrist_roll_12
@@ -991,27 +1015,40 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_P_wrist_roll_33 * p_i_wrist_roll_6;
 
     /* forearm, S: first moment */
-    const six_link_real S_forearm_y = c->links[2].S_B_y + state->q[9] * c->links[2].sigma_y1;
-    const six_link_real S_forearm_z = c->links[2].S_B_z + state->q[10] * c->links[2].sigma_y1;
+    const six_link_real S_forearm_y = c->links[2].S_B_y + state->q[11] * c->links[2].sigma_y1
+        + state->q[12] * c->links[2].sigma_y2;
+    const six_link_real S_forearm_z = c->links[2].S_B_z + state->q[13] * c->links[2].sigma_y1
+        + state->q[14] * c->links[2].sigma_y2;
 
     /* forearm, Sdot: rate of the first moment */
-    const six_link_real Sdot_forearm_y = state->v[9] * c->links[2].sigma_y1;
-    const six_link_real Sdot_forearm_z = state->v[10] * c->links[2].sigma_y1;
+    const six_link_real Sdot_forearm_y = state->v[11] * c->links[2].sigma_y1
+        + state->v[12] * c->links[2].sigma_y2;
+    const six_link_real Sdot_forearm_z = state->v[13] * c->links[2].sigma_y1
+        + state->v[14] * c->links[2].sigma_y2;
 
     /* forearm, L: first moment weighted by each mode shape (85) */
-    const six_link_real L_forearm_y1 = c->links[2].mu * state->q[9];
-    const six_link_real L_forearm_z1 = state->q[10] * c->links[2].mu;
+    const six_link_real L_forearm_y1 = c->links[2].mu * state->q[11];
+    const six_link_real L_forearm_y2 = c->links[2].mu * state->q[12];
+    const six_link_real L_forearm_z1 = state->q[13] * c->links[2].mu;
+    const six_link_real L_forearm_z2 = state->q[14] * c->links[2].mu;
 
     /* forearm, Ldot: rate of L */
-    const six_link_real Ldot_forearm_y1 = c->links[2].mu * state->v[9];
-    const six_link_real Ldot_forearm_z1 = state->v[10] * c->links[2].mu;
+    const six_link_real Ldot_forearm_y1 = c->links[2].mu * state->v[11];
+    const six_link_real Ldot_forearm_y2 = c->links[2].mu * state->v[12];
+    const six_link_real Ldot_forearm_z1 = state->v[13] * c->links[2].mu;
+    const six_link_real Ldot_forearm_z2 = state->v[14] * c->links[2].mu;
 
     /* forearm, J: second moment */
-    const six_link_real J_forearm_xy = c->links[2].J_B_xy + c->links[2].chi_1 * state->q[9];
-    const six_link_real J_forearm_xz = c->links[2].J_B_xz + c->links[2].chi_1 * state->q[10];
-    const six_link_real J_forearm_yy = c->links[2].J_B_yy + L_forearm_y1 * state->q[9];
-    const six_link_real J_forearm_yz = c->links[2].J_B_yz + L_forearm_z1 * state->q[9];
-    const six_link_real J_forearm_zz = c->links[2].J_B_zz + L_forearm_z1 * state->q[10];
+    const six_link_real J_forearm_xy = c->links[2].J_B_xy + c->links[2].chi_1 * state->q[11]
+        + c->links[2].chi_2 * state->q[12];
+    const six_link_real J_forearm_xz = c->links[2].J_B_xz + c->links[2].chi_1 * state->q[13]
+        + c->links[2].chi_2 * state->q[14];
+    const six_link_real J_forearm_yy = c->links[2].J_B_yy + L_forearm_y1 * state->q[11]
+        + L_forearm_y2 * state->q[12];
+    const six_link_real J_forearm_yz = c->links[2].J_B_yz + L_forearm_z1 * state->q[11]
+        + L_forearm_z2 * state->q[12];
+    const six_link_real J_forearm_zz = c->links[2].J_B_zz + L_forearm_z1 * state->q[13]
+        + L_forearm_z2 * state->q[14];
 
     /* forearm, I: inertia about the origin, deformed */
     const six_link_real I_forearm_xx = c->links[2].I_s + J_forearm_yy + J_forearm_zz;
@@ -1036,12 +1073,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_Omega_forearm_zz = t137 + t133;
 
     /* forearm, B: moment of the elastic velocity */
-    const six_link_real B_forearm_yx = c->links[2].chi_1 * state->v[9];
-    const six_link_real B_forearm_yy = L_forearm_y1 * state->v[9];
-    const six_link_real B_forearm_yz = L_forearm_z1 * state->v[9];
-    const six_link_real B_forearm_zx = c->links[2].chi_1 * state->v[10];
-    const six_link_real B_forearm_zy = L_forearm_y1 * state->v[10];
-    const six_link_real B_forearm_zz = L_forearm_z1 * state->v[10];
+    const six_link_real B_forearm_yx = c->links[2].chi_1 * state->v[11] + c->links[2].chi_2 * state->v[12];
+    const six_link_real B_forearm_yy = L_forearm_y1 * state->v[11] + L_forearm_y2 * state->v[12];
+    const six_link_real B_forearm_yz = L_forearm_z1 * state->v[11] + L_forearm_z2 * state->v[12];
+    const six_link_real B_forearm_zx = c->links[2].chi_1 * state->v[13] + c->links[2].chi_2 * state->v[14];
+    const six_link_real B_forearm_zy = L_forearm_y1 * state->v[13] + L_forearm_y2 * state->v[14];
+    const six_link_real B_forearm_zz = L_forearm_z1 * state->v[13] + L_forearm_z2 * state->v[14];
 
     /* forearm, h_c: half of the Coriolis wrench */
     const six_link_real h_c_forearm_1 = B_forearm_yy * omega_R_forearm_1 + B_forearm_zz * omega_R_forearm_1;
@@ -1097,86 +1134,100 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + Omega_forearm_yx * c->links[2].chi_1;
     const six_link_real h_eta_forearm_1 = t149 + alpha_0_forearm_5 * c->links[2].sigma_y1
         - Ldot_forearm_z1 * 2 * omega_R_forearm_1;
-    const six_link_real t150 = L_forearm_y1 * Omega_forearm_zy - L_forearm_z1 * minus_Omega_forearm_zz
+    const six_link_real t150 = L_forearm_z2 * Omega_forearm_yz - L_forearm_y2 * minus_Omega_forearm_yy
+        + Omega_forearm_yx * c->links[2].chi_2;
+    const six_link_real h_eta_forearm_2 = t150 + alpha_0_forearm_5 * c->links[2].sigma_y2
+        - Ldot_forearm_z2 * 2 * omega_R_forearm_1;
+    const six_link_real t151 = L_forearm_y1 * Omega_forearm_zy - L_forearm_z1 * minus_Omega_forearm_zz
         + Omega_forearm_zx * c->links[2].chi_1;
-    const six_link_real h_eta_forearm_2 = t150 + alpha_0_forearm_6 * c->links[2].sigma_y1
+    const six_link_real h_eta_forearm_3 = t151 + alpha_0_forearm_6 * c->links[2].sigma_y1
         + Ldot_forearm_y1 * 2 * omega_R_forearm_1;
+    const six_link_real t152 = L_forearm_y2 * Omega_forearm_zy - L_forearm_z2 * minus_Omega_forearm_zz
+        + Omega_forearm_zx * c->links[2].chi_2;
+    const six_link_real h_eta_forearm_4 = t152 + alpha_0_forearm_6 * c->links[2].sigma_y2
+        + Ldot_forearm_y2 * 2 * omega_R_forearm_1;
 
     /* forearm, tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t151 = R_T_forearm_xx * input->w_ext[2][0] - minus_R_T_forearm_xy * input->w_ext[2][1]
+    const six_link_real t153 = R_T_forearm_xx * input->w_ext[2][0] - minus_R_T_forearm_xy * input->w_ext[2][1]
         + R_T_forearm_xz * input->w_ext[2][2];
-    const six_link_real t152 = minus_R_T_forearm_xy * input->w_ext[2][0] + R_T_forearm_yy * input->w_ext[2][1]
+    const six_link_real t154 = minus_R_T_forearm_xy * input->w_ext[2][0] + R_T_forearm_yy * input->w_ext[2][1]
         + R_T_forearm_yz * input->w_ext[2][2];
-    const six_link_real t153 = R_T_forearm_yz * input->w_ext[2][1] - R_T_forearm_xz * input->w_ext[2][0]
+    const six_link_real t155 = R_T_forearm_yz * input->w_ext[2][1] - R_T_forearm_xz * input->w_ext[2][0]
         + R_T_forearm_zz * input->w_ext[2][2];
-    const six_link_real t154 = R_T_forearm_xx * input->w_ext[2][3] - minus_R_T_forearm_xy * input->w_ext[2][4]
+    const six_link_real t156 = R_T_forearm_xx * input->w_ext[2][3] - minus_R_T_forearm_xy * input->w_ext[2][4]
         + R_T_forearm_xz * input->w_ext[2][5];
-    const six_link_real t155 = minus_R_T_forearm_xy * input->w_ext[2][3] + R_T_forearm_yy * input->w_ext[2][4]
+    const six_link_real t157 = minus_R_T_forearm_xy * input->w_ext[2][3] + R_T_forearm_yy * input->w_ext[2][4]
         + R_T_forearm_yz * input->w_ext[2][5];
-    const six_link_real t156 = R_T_forearm_yz * input->w_ext[2][4] - R_T_forearm_xz * input->w_ext[2][3]
+    const six_link_real t158 = R_T_forearm_yz * input->w_ext[2][4] - R_T_forearm_xz * input->w_ext[2][3]
         + R_T_forearm_zz * input->w_ext[2][5];
-    const six_link_real p_T_forearm_1 = p_wrist_roll_1 - t151;
-    const six_link_real p_T_forearm_2 = p_wrist_roll_2 - t152;
-    const six_link_real p_T_forearm_3 = p_wrist_roll_3 - t153;
-    const six_link_real p_T_forearm_4 = p_wrist_roll_4 - t154;
-    const six_link_real p_T_forearm_5 = p_wrist_roll_5 - t155;
-    const six_link_real p_T_forearm_6 = p_wrist_roll_6 - t156;
+    const six_link_real p_T_forearm_1 = p_wrist_roll_1 - t153;
+    const six_link_real p_T_forearm_2 = p_wrist_roll_2 - t154;
+    const six_link_real p_T_forearm_3 = p_wrist_roll_3 - t155;
+    const six_link_real p_T_forearm_4 = p_wrist_roll_4 - t156;
+    const six_link_real p_T_forearm_5 = p_wrist_roll_5 - t157;
+    const six_link_real p_T_forearm_6 = p_wrist_roll_6 - t158;
 
     /* forearm, modes: the tip load folded in, modal accelerations eliminated (83) */
     const six_link_real Theta_forearm_11 = J_l_forearm_xz * c->links[2].Psi_c_z1;
-    const six_link_real minus_Theta_forearm_12 = minus_J_l_forearm_xy * c->links[2].Psi_c_y2;
+    const six_link_real Theta_forearm_12 = J_l_forearm_xz * c->links[2].Psi_c_z2;
+    const six_link_real minus_Theta_forearm_13 = minus_J_l_forearm_xy * c->links[2].Psi_c_y3;
+    const six_link_real minus_Theta_forearm_14 = minus_J_l_forearm_xy * c->links[2].Psi_c_y4;
     const six_link_real Theta_forearm_21 = J_l_forearm_yz * c->links[2].Psi_c_z1;
-    const six_link_real Theta_forearm_22 = J_l_forearm_yy * c->links[2].Psi_c_y2;
+    const six_link_real Theta_forearm_22 = J_l_forearm_yz * c->links[2].Psi_c_z2;
+    const six_link_real Theta_forearm_23 = J_l_forearm_yy * c->links[2].Psi_c_y3;
+    const six_link_real Theta_forearm_24 = J_l_forearm_yy * c->links[2].Psi_c_y4;
     const six_link_real Theta_forearm_31 = J_l_forearm_zz * c->links[2].Psi_c_z1;
-    const six_link_real Theta_forearm_32 = J_l_forearm_yz * c->links[2].Psi_c_y2;
-    const six_link_real t157 = r_T_forearm_z * Lambda_wrist_roll_17;
-    const six_link_real t158 = r_T_forearm_y * Lambda_wrist_roll_18;
-    const six_link_real t159 = c->links[2].length * Lambda_wrist_roll_20;
-    const six_link_real M_loaded_forearm_14 = Lambda_wrist_roll_4 + (t158 - t157);
-    const six_link_real t160 = Lambda_wrist_roll_5
+    const six_link_real Theta_forearm_32 = J_l_forearm_zz * c->links[2].Psi_c_z2;
+    const six_link_real Theta_forearm_33 = J_l_forearm_yz * c->links[2].Psi_c_y3;
+    const six_link_real Theta_forearm_34 = J_l_forearm_yz * c->links[2].Psi_c_y4;
+    const six_link_real t159 = r_T_forearm_z * Lambda_wrist_roll_17;
+    const six_link_real t160 = r_T_forearm_y * Lambda_wrist_roll_18;
+    const six_link_real t161 = c->links[2].length * Lambda_wrist_roll_20;
+    const six_link_real M_loaded_forearm_14 = Lambda_wrist_roll_4 + (t160 - t159);
+    const six_link_real t162 = Lambda_wrist_roll_5
         + (r_T_forearm_y * Lambda_wrist_roll_20 - r_T_forearm_z * Lambda_wrist_roll_19);
-    const six_link_real t161 = Lambda_wrist_roll_6
+    const six_link_real t163 = Lambda_wrist_roll_6
         + (r_T_forearm_y * Lambda_wrist_roll_21 - r_T_forearm_z * Lambda_wrist_roll_20);
-    const six_link_real t162 = Lambda_wrist_roll_9
+    const six_link_real t164 = Lambda_wrist_roll_9
         + (r_T_forearm_z * Lambda_wrist_roll_16 - c->links[2].length * Lambda_wrist_roll_18);
-    const six_link_real M_loaded_forearm_25 = Lambda_wrist_roll_10 + (t157 - t159);
-    const six_link_real t163 = Lambda_wrist_roll_11
+    const six_link_real M_loaded_forearm_25 = Lambda_wrist_roll_10 + (t159 - t161);
+    const six_link_real t165 = Lambda_wrist_roll_11
         + (r_T_forearm_z * Lambda_wrist_roll_18 - c->links[2].length * Lambda_wrist_roll_21);
-    const six_link_real t164 = Lambda_wrist_roll_13
+    const six_link_real t166 = Lambda_wrist_roll_13
         + (c->links[2].length * Lambda_wrist_roll_17 - r_T_forearm_y * Lambda_wrist_roll_16);
-    const six_link_real t165 = Lambda_wrist_roll_14
+    const six_link_real t167 = Lambda_wrist_roll_14
         + (c->links[2].length * Lambda_wrist_roll_19 - r_T_forearm_y * Lambda_wrist_roll_17);
-    const six_link_real M_loaded_forearm_36 = Lambda_wrist_roll_15 + (t159 - t158);
-    const six_link_real t166 = Lambda_wrist_roll_1
+    const six_link_real M_loaded_forearm_36 = Lambda_wrist_roll_15 + (t161 - t160);
+    const six_link_real t168 = Lambda_wrist_roll_1
         - (Lambda_wrist_roll_5 * r_T_forearm_z - Lambda_wrist_roll_6 * r_T_forearm_y);
-    const six_link_real t167 = Lambda_wrist_roll_2
+    const six_link_real t169 = Lambda_wrist_roll_2
         - (Lambda_wrist_roll_6 * c->links[2].length - Lambda_wrist_roll_4 * r_T_forearm_z);
-    const six_link_real t168 = Lambda_wrist_roll_3
+    const six_link_real t170 = Lambda_wrist_roll_3
         - (Lambda_wrist_roll_4 * r_T_forearm_y - Lambda_wrist_roll_5 * c->links[2].length);
-    const six_link_real t169 = Lambda_wrist_roll_7
+    const six_link_real t171 = Lambda_wrist_roll_7
         - (Lambda_wrist_roll_11 * c->links[2].length - Lambda_wrist_roll_9 * r_T_forearm_z);
-    const six_link_real t170 = Lambda_wrist_roll_8
+    const six_link_real t172 = Lambda_wrist_roll_8
         - (Lambda_wrist_roll_9 * r_T_forearm_y - Lambda_wrist_roll_10 * c->links[2].length);
-    const six_link_real t171 = Lambda_wrist_roll_12
+    const six_link_real t173 = Lambda_wrist_roll_12
         - (Lambda_wrist_roll_13 * r_T_forearm_y - Lambda_wrist_roll_14 * c->links[2].length);
     const six_link_real M_loaded_forearm_11 = I_forearm_xx
-        + (t166 + (r_T_forearm_y * t161 - r_T_forearm_z * t160));
-    const six_link_real M_loaded_forearm_12 = t167 + (r_T_forearm_y * t163 - r_T_forearm_z * M_loaded_forearm_25)
+        + (t168 + (r_T_forearm_y * t163 - r_T_forearm_z * t162));
+    const six_link_real M_loaded_forearm_12 = t169 + (r_T_forearm_y * t165 - r_T_forearm_z * M_loaded_forearm_25)
         - J_forearm_xy;
-    const six_link_real M_loaded_forearm_13 = t168 + (r_T_forearm_y * M_loaded_forearm_36 - r_T_forearm_z * t165)
+    const six_link_real M_loaded_forearm_13 = t170 + (r_T_forearm_y * M_loaded_forearm_36 - r_T_forearm_z * t167)
         - J_forearm_xz;
-    const six_link_real M_loaded_forearm_15 = t160 - S_forearm_z;
-    const six_link_real M_loaded_forearm_16 = S_forearm_y + t161;
+    const six_link_real M_loaded_forearm_15 = t162 - S_forearm_z;
+    const six_link_real M_loaded_forearm_16 = S_forearm_y + t163;
     const six_link_real M_loaded_forearm_22 = I_forearm_yy
-        + (t169 + (r_T_forearm_z * t162 - c->links[2].length * t163));
-    const six_link_real M_loaded_forearm_23 = t170
-        + (r_T_forearm_z * t164 - c->links[2].length * M_loaded_forearm_36) - J_forearm_yz;
-    const six_link_real M_loaded_forearm_24 = S_forearm_z + t162;
-    const six_link_real M_loaded_forearm_26 = t163 - c->links[2].S_0_x;
+        + (t171 + (r_T_forearm_z * t164 - c->links[2].length * t165));
+    const six_link_real M_loaded_forearm_23 = t172
+        + (r_T_forearm_z * t166 - c->links[2].length * M_loaded_forearm_36) - J_forearm_yz;
+    const six_link_real M_loaded_forearm_24 = S_forearm_z + t164;
+    const six_link_real M_loaded_forearm_26 = t165 - c->links[2].S_0_x;
     const six_link_real M_loaded_forearm_33 = I_forearm_zz
-        + (t171 + (c->links[2].length * t165 - r_T_forearm_y * t164));
-    const six_link_real M_loaded_forearm_34 = t164 - S_forearm_y;
-    const six_link_real M_loaded_forearm_35 = c->links[2].S_0_x + t165;
+        + (t173 + (c->links[2].length * t167 - r_T_forearm_y * t166));
+    const six_link_real M_loaded_forearm_34 = t166 - S_forearm_y;
+    const six_link_real M_loaded_forearm_35 = c->links[2].S_0_x + t167;
     const six_link_real M_loaded_forearm_44 = c->links[2].m + Lambda_wrist_roll_16;
     const six_link_real M_loaded_forearm_55 = c->links[2].m + Lambda_wrist_roll_19;
     const six_link_real M_loaded_forearm_66 = c->links[2].m + Lambda_wrist_roll_21;
@@ -1189,155 +1240,308 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_forearm_4 = h_V_forearm_4 + p_T_forearm_4;
     const six_link_real h_loaded_forearm_5 = h_V_forearm_5 + p_T_forearm_5;
     const six_link_real h_loaded_forearm_6 = h_V_forearm_6 + p_T_forearm_6;
-    const six_link_real t172 = Lambda_wrist_roll_1 * Theta_forearm_11 + Lambda_wrist_roll_2 * Theta_forearm_21
+    const six_link_real t174 = Lambda_wrist_roll_1 * Theta_forearm_11 + Lambda_wrist_roll_2 * Theta_forearm_21
         + Lambda_wrist_roll_3 * Theta_forearm_31;
-    const six_link_real t173 = t172 + Lambda_wrist_roll_5 * REAL(2.23606797749979);
-    const six_link_real t174 = Lambda_wrist_roll_2 * Theta_forearm_22
-        - Lambda_wrist_roll_1 * minus_Theta_forearm_12 + Lambda_wrist_roll_3 * Theta_forearm_32;
-    const six_link_real t175 = t174 + Lambda_wrist_roll_6 * REAL(2.23606797749979);
-    const six_link_real t176 = Lambda_wrist_roll_2 * Theta_forearm_11 + Lambda_wrist_roll_7 * Theta_forearm_21
+    const six_link_real t175 = t174 + Lambda_wrist_roll_5 * REAL(2.0195202782688155);
+    const six_link_real t176 = Lambda_wrist_roll_1 * Theta_forearm_12 + Lambda_wrist_roll_2 * Theta_forearm_22
+        + Lambda_wrist_roll_3 * Theta_forearm_32;
+    const six_link_real t177 = t176 + Lambda_wrist_roll_5 * REAL(2.8145226674626453);
+    const six_link_real t178 = Lambda_wrist_roll_2 * Theta_forearm_23
+        - Lambda_wrist_roll_1 * minus_Theta_forearm_13 + Lambda_wrist_roll_3 * Theta_forearm_33;
+    const six_link_real t179 = t178 + Lambda_wrist_roll_6 * REAL(2.0195202782688155);
+    const six_link_real t180 = Lambda_wrist_roll_2 * Theta_forearm_24
+        - Lambda_wrist_roll_1 * minus_Theta_forearm_14 + Lambda_wrist_roll_3 * Theta_forearm_34;
+    const six_link_real t181 = t180 + Lambda_wrist_roll_6 * REAL(2.8145226674626453);
+    const six_link_real t182 = Lambda_wrist_roll_2 * Theta_forearm_11 + Lambda_wrist_roll_7 * Theta_forearm_21
         + Lambda_wrist_roll_8 * Theta_forearm_31;
-    const six_link_real t177 = t176 + Lambda_wrist_roll_10 * REAL(2.23606797749979);
-    const six_link_real t178 = Lambda_wrist_roll_7 * Theta_forearm_22
-        - Lambda_wrist_roll_2 * minus_Theta_forearm_12 + Lambda_wrist_roll_8 * Theta_forearm_32;
-    const six_link_real t179 = t178 + Lambda_wrist_roll_11 * REAL(2.23606797749979);
-    const six_link_real t180 = Lambda_wrist_roll_3 * Theta_forearm_11 + Lambda_wrist_roll_8 * Theta_forearm_21
+    const six_link_real t183 = t182 + Lambda_wrist_roll_10 * REAL(2.0195202782688155);
+    const six_link_real t184 = Lambda_wrist_roll_2 * Theta_forearm_12 + Lambda_wrist_roll_7 * Theta_forearm_22
+        + Lambda_wrist_roll_8 * Theta_forearm_32;
+    const six_link_real t185 = t184 + Lambda_wrist_roll_10 * REAL(2.8145226674626453);
+    const six_link_real t186 = Lambda_wrist_roll_7 * Theta_forearm_23
+        - Lambda_wrist_roll_2 * minus_Theta_forearm_13 + Lambda_wrist_roll_8 * Theta_forearm_33;
+    const six_link_real t187 = t186 + Lambda_wrist_roll_11 * REAL(2.0195202782688155);
+    const six_link_real t188 = Lambda_wrist_roll_7 * Theta_forearm_24
+        - Lambda_wrist_roll_2 * minus_Theta_forearm_14 + Lambda_wrist_roll_8 * Theta_forearm_34;
+    const six_link_real t189 = t188 + Lambda_wrist_roll_11 * REAL(2.8145226674626453);
+    const six_link_real t190 = Lambda_wrist_roll_3 * Theta_forearm_11 + Lambda_wrist_roll_8 * Theta_forearm_21
         + Lambda_wrist_roll_12 * Theta_forearm_31;
-    const six_link_real t181 = t180 + Lambda_wrist_roll_14 * REAL(2.23606797749979);
-    const six_link_real t182 = Lambda_wrist_roll_8 * Theta_forearm_22
-        - Lambda_wrist_roll_3 * minus_Theta_forearm_12 + Lambda_wrist_roll_12 * Theta_forearm_32;
-    const six_link_real t183 = t182 + Lambda_wrist_roll_15 * REAL(2.23606797749979);
-    const six_link_real t184 = Lambda_wrist_roll_4 * Theta_forearm_11 + Lambda_wrist_roll_9 * Theta_forearm_21
+    const six_link_real t191 = t190 + Lambda_wrist_roll_14 * REAL(2.0195202782688155);
+    const six_link_real t192 = Lambda_wrist_roll_3 * Theta_forearm_12 + Lambda_wrist_roll_8 * Theta_forearm_22
+        + Lambda_wrist_roll_12 * Theta_forearm_32;
+    const six_link_real t193 = t192 + Lambda_wrist_roll_14 * REAL(2.8145226674626453);
+    const six_link_real t194 = Lambda_wrist_roll_8 * Theta_forearm_23
+        - Lambda_wrist_roll_3 * minus_Theta_forearm_13 + Lambda_wrist_roll_12 * Theta_forearm_33;
+    const six_link_real t195 = t194 + Lambda_wrist_roll_15 * REAL(2.0195202782688155);
+    const six_link_real t196 = Lambda_wrist_roll_8 * Theta_forearm_24
+        - Lambda_wrist_roll_3 * minus_Theta_forearm_14 + Lambda_wrist_roll_12 * Theta_forearm_34;
+    const six_link_real t197 = t196 + Lambda_wrist_roll_15 * REAL(2.8145226674626453);
+    const six_link_real t198 = Lambda_wrist_roll_4 * Theta_forearm_11 + Lambda_wrist_roll_9 * Theta_forearm_21
         + Lambda_wrist_roll_13 * Theta_forearm_31;
-    const six_link_real C_forearm_41 = t184 + Lambda_wrist_roll_17 * REAL(2.23606797749979);
-    const six_link_real t185 = Lambda_wrist_roll_9 * Theta_forearm_22
-        - Lambda_wrist_roll_4 * minus_Theta_forearm_12 + Lambda_wrist_roll_13 * Theta_forearm_32;
-    const six_link_real C_forearm_42 = t185 + Lambda_wrist_roll_18 * REAL(2.23606797749979);
-    const six_link_real t186 = Lambda_wrist_roll_5 * Theta_forearm_11 + Lambda_wrist_roll_10 * Theta_forearm_21
+    const six_link_real C_forearm_41 = t198 + Lambda_wrist_roll_17 * REAL(2.0195202782688155);
+    const six_link_real t199 = Lambda_wrist_roll_4 * Theta_forearm_12 + Lambda_wrist_roll_9 * Theta_forearm_22
+        + Lambda_wrist_roll_13 * Theta_forearm_32;
+    const six_link_real C_forearm_42 = t199 + Lambda_wrist_roll_17 * REAL(2.8145226674626453);
+    const six_link_real t200 = Lambda_wrist_roll_9 * Theta_forearm_23
+        - Lambda_wrist_roll_4 * minus_Theta_forearm_13 + Lambda_wrist_roll_13 * Theta_forearm_33;
+    const six_link_real C_forearm_43 = t200 + Lambda_wrist_roll_18 * REAL(2.0195202782688155);
+    const six_link_real t201 = Lambda_wrist_roll_9 * Theta_forearm_24
+        - Lambda_wrist_roll_4 * minus_Theta_forearm_14 + Lambda_wrist_roll_13 * Theta_forearm_34;
+    const six_link_real C_forearm_44 = t201 + Lambda_wrist_roll_18 * REAL(2.8145226674626453);
+    const six_link_real t202 = Lambda_wrist_roll_5 * Theta_forearm_11 + Lambda_wrist_roll_10 * Theta_forearm_21
         + Lambda_wrist_roll_14 * Theta_forearm_31;
-    const six_link_real t187 = t186 + Lambda_wrist_roll_19 * REAL(2.23606797749979);
-    const six_link_real t188 = Lambda_wrist_roll_10 * Theta_forearm_22
-        - Lambda_wrist_roll_5 * minus_Theta_forearm_12 + Lambda_wrist_roll_14 * Theta_forearm_32;
-    const six_link_real t189 = Lambda_wrist_roll_20 * REAL(2.23606797749979);
-    const six_link_real C_forearm_52 = t188 + t189;
-    const six_link_real t190 = Lambda_wrist_roll_6 * Theta_forearm_11 + Lambda_wrist_roll_11 * Theta_forearm_21
+    const six_link_real t203 = t202 + Lambda_wrist_roll_19 * REAL(2.0195202782688155);
+    const six_link_real t204 = Lambda_wrist_roll_5 * Theta_forearm_12 + Lambda_wrist_roll_10 * Theta_forearm_22
+        + Lambda_wrist_roll_14 * Theta_forearm_32;
+    const six_link_real t205 = t204 + Lambda_wrist_roll_19 * REAL(2.8145226674626453);
+    const six_link_real t206 = Lambda_wrist_roll_10 * Theta_forearm_23
+        - Lambda_wrist_roll_5 * minus_Theta_forearm_13 + Lambda_wrist_roll_14 * Theta_forearm_33;
+    const six_link_real t207 = Lambda_wrist_roll_20 * REAL(2.0195202782688155);
+    const six_link_real C_forearm_53 = t206 + t207;
+    const six_link_real t208 = Lambda_wrist_roll_10 * Theta_forearm_24
+        - Lambda_wrist_roll_5 * minus_Theta_forearm_14 + Lambda_wrist_roll_14 * Theta_forearm_34;
+    const six_link_real t209 = Lambda_wrist_roll_20 * REAL(2.8145226674626453);
+    const six_link_real C_forearm_54 = t208 + t209;
+    const six_link_real t210 = Lambda_wrist_roll_6 * Theta_forearm_11 + Lambda_wrist_roll_11 * Theta_forearm_21
         + Lambda_wrist_roll_15 * Theta_forearm_31;
-    const six_link_real C_forearm_61 = t190 + t189;
-    const six_link_real t191 = Lambda_wrist_roll_11 * Theta_forearm_22
-        - Lambda_wrist_roll_6 * minus_Theta_forearm_12 + Lambda_wrist_roll_15 * Theta_forearm_32;
-    const six_link_real t192 = t191 + Lambda_wrist_roll_21 * REAL(2.23606797749979);
-    const six_link_real C_forearm_21 = t177 + (r_T_forearm_z * C_forearm_41 - c->links[2].length * C_forearm_61);
-    const six_link_real C_forearm_32 = t183 + (c->links[2].length * C_forearm_52 - r_T_forearm_y * C_forearm_42);
-    const six_link_real C_forearm_11 = t173 + (r_T_forearm_y * C_forearm_61 - r_T_forearm_z * t187)
+    const six_link_real C_forearm_61 = t210 + t207;
+    const six_link_real t211 = Lambda_wrist_roll_6 * Theta_forearm_12 + Lambda_wrist_roll_11 * Theta_forearm_22
+        + Lambda_wrist_roll_15 * Theta_forearm_32;
+    const six_link_real C_forearm_62 = t211 + t209;
+    const six_link_real t212 = Lambda_wrist_roll_11 * Theta_forearm_23
+        - Lambda_wrist_roll_6 * minus_Theta_forearm_13 + Lambda_wrist_roll_15 * Theta_forearm_33;
+    const six_link_real t213 = t212 + Lambda_wrist_roll_21 * REAL(2.0195202782688155);
+    const six_link_real t214 = Lambda_wrist_roll_11 * Theta_forearm_24
+        - Lambda_wrist_roll_6 * minus_Theta_forearm_14 + Lambda_wrist_roll_15 * Theta_forearm_34;
+    const six_link_real t215 = t214 + Lambda_wrist_roll_21 * REAL(2.8145226674626453);
+    const six_link_real C_forearm_21 = t183 + (r_T_forearm_z * C_forearm_41 - c->links[2].length * C_forearm_61);
+    const six_link_real C_forearm_22 = t185 + (r_T_forearm_z * C_forearm_42 - c->links[2].length * C_forearm_62);
+    const six_link_real C_forearm_33 = t195 + (c->links[2].length * C_forearm_53 - r_T_forearm_y * C_forearm_43);
+    const six_link_real C_forearm_34 = t197 + (c->links[2].length * C_forearm_54 - r_T_forearm_y * C_forearm_44);
+    const six_link_real C_forearm_11 = t175 + (r_T_forearm_y * C_forearm_61 - r_T_forearm_z * t203)
         - L_forearm_z1;
-    const six_link_real C_forearm_12 = L_forearm_y1
-        + (t175 + (r_T_forearm_y * t192 - r_T_forearm_z * C_forearm_52));
-    const six_link_real C_forearm_22 = t179 + (r_T_forearm_z * C_forearm_42 - c->links[2].length * t192)
+    const six_link_real C_forearm_12 = t177 + (r_T_forearm_y * C_forearm_62 - r_T_forearm_z * t205)
+        - L_forearm_z2;
+    const six_link_real C_forearm_13 = L_forearm_y1
+        + (t179 + (r_T_forearm_y * t213 - r_T_forearm_z * C_forearm_53));
+    const six_link_real C_forearm_14 = L_forearm_y2
+        + (t181 + (r_T_forearm_y * t215 - r_T_forearm_z * C_forearm_54));
+    const six_link_real C_forearm_23 = t187 + (r_T_forearm_z * C_forearm_43 - c->links[2].length * t213)
         - c->links[2].chi_1;
+    const six_link_real C_forearm_24 = t189 + (r_T_forearm_z * C_forearm_44 - c->links[2].length * t215)
+        - c->links[2].chi_2;
     const six_link_real C_forearm_31 = c->links[2].chi_1
-        + (t181 + (c->links[2].length * t187 - r_T_forearm_y * C_forearm_41));
-    const six_link_real C_forearm_51 = c->links[2].sigma_y1 + t187;
-    const six_link_real C_forearm_62 = c->links[2].sigma_y1 + t192;
-    const six_link_real t193 = Theta_forearm_11 * t173 + Theta_forearm_21 * t177 + Theta_forearm_31 * t181
-        + t187 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_forearm_11 = t193 + m_eta[3];
+        + (t191 + (c->links[2].length * t203 - r_T_forearm_y * C_forearm_41));
+    const six_link_real C_forearm_32 = c->links[2].chi_2
+        + (t193 + (c->links[2].length * t205 - r_T_forearm_y * C_forearm_42));
+    const six_link_real C_forearm_51 = c->links[2].sigma_y1 + t203;
+    const six_link_real C_forearm_52 = c->links[2].sigma_y2 + t205;
+    const six_link_real C_forearm_63 = c->links[2].sigma_y1 + t213;
+    const six_link_real C_forearm_64 = c->links[2].sigma_y2 + t215;
+    const six_link_real t216 = Theta_forearm_11 * t175 + Theta_forearm_21 * t183 + Theta_forearm_31 * t191
+        + t203 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_forearm_11 = t216 + m_eta[11];
     bad |= (unsigned long)(!(modal_inertia_forearm_11 > 0)) << 2;
-    const six_link_real modal_inertia_forearm_12 = Theta_forearm_11 * t175 + Theta_forearm_21 * t179
-        + Theta_forearm_31 * t183 + C_forearm_52 * REAL(2.23606797749979);
-    const six_link_real t194 = Theta_forearm_22 * t179 - minus_Theta_forearm_12 * t175 + Theta_forearm_32 * t183
-        + t192 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_forearm_22 = t194 + m_eta[4];
-    const six_link_real t195 = Theta_forearm_11 * p_T_forearm_1 + Theta_forearm_21 * p_T_forearm_2
+    const six_link_real modal_inertia_forearm_12 = Theta_forearm_11 * t177 + Theta_forearm_21 * t185
+        + Theta_forearm_31 * t193 + t205 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_forearm_13 = Theta_forearm_11 * t179 + Theta_forearm_21 * t187
+        + Theta_forearm_31 * t195 + C_forearm_53 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_forearm_14 = Theta_forearm_11 * t181 + Theta_forearm_21 * t189
+        + Theta_forearm_31 * t197 + C_forearm_54 * REAL(2.0195202782688155);
+    const six_link_real t217 = Theta_forearm_12 * t177 + Theta_forearm_22 * t185 + Theta_forearm_32 * t193
+        + t205 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_forearm_22 = t217 + m_eta[12];
+    const six_link_real modal_inertia_forearm_23 = Theta_forearm_12 * t179 + Theta_forearm_22 * t187
+        + Theta_forearm_32 * t195 + C_forearm_53 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_forearm_24 = Theta_forearm_12 * t181 + Theta_forearm_22 * t189
+        + Theta_forearm_32 * t197 + C_forearm_54 * REAL(2.8145226674626453);
+    const six_link_real t218 = Theta_forearm_23 * t187 - minus_Theta_forearm_13 * t179 + Theta_forearm_33 * t195
+        + t213 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_forearm_33 = t218 + m_eta[13];
+    const six_link_real modal_inertia_forearm_34 = Theta_forearm_23 * t189 - minus_Theta_forearm_13 * t181
+        + Theta_forearm_33 * t197 + t215 * REAL(2.0195202782688155);
+    const six_link_real t219 = Theta_forearm_24 * t189 - minus_Theta_forearm_14 * t181 + Theta_forearm_34 * t197
+        + t215 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_forearm_44 = t219 + m_eta[14];
+    const six_link_real t220 = Theta_forearm_11 * p_T_forearm_1 + Theta_forearm_21 * p_T_forearm_2
         + Theta_forearm_31 * p_T_forearm_3;
-    const six_link_real t196 = Theta_forearm_22 * p_T_forearm_2 - minus_Theta_forearm_12 * p_T_forearm_1
+    const six_link_real t221 = Theta_forearm_12 * p_T_forearm_1 + Theta_forearm_22 * p_T_forearm_2
         + Theta_forearm_32 * p_T_forearm_3;
-    const six_link_real h_phi_forearm_1 = h_eta_forearm_1 + work->f_eta[3]
-        + (t195 + p_T_forearm_5 * REAL(2.23606797749979));
-    const six_link_real h_phi_forearm_2 = h_eta_forearm_2 + work->f_eta[4]
-        + (t196 + p_T_forearm_6 * REAL(2.23606797749979));
+    const six_link_real t222 = Theta_forearm_23 * p_T_forearm_2 - minus_Theta_forearm_13 * p_T_forearm_1
+        + Theta_forearm_33 * p_T_forearm_3;
+    const six_link_real t223 = Theta_forearm_24 * p_T_forearm_2 - minus_Theta_forearm_14 * p_T_forearm_1
+        + Theta_forearm_34 * p_T_forearm_3;
+    const six_link_real h_phi_forearm_1 = h_eta_forearm_1 + work->f_eta[11]
+        + (t220 + p_T_forearm_5 * REAL(2.0195202782688155));
+    const six_link_real h_phi_forearm_2 = h_eta_forearm_2 + work->f_eta[12]
+        + (t221 + p_T_forearm_5 * REAL(2.8145226674626453));
+    const six_link_real h_phi_forearm_3 = h_eta_forearm_3 + work->f_eta[13]
+        + (t222 + p_T_forearm_6 * REAL(2.0195202782688155));
+    const six_link_real h_phi_forearm_4 = h_eta_forearm_4 + work->f_eta[14]
+        + (t223 + p_T_forearm_6 * REAL(2.8145226674626453));
     const six_link_real modes_inverse_forearm_1 = 1 / modal_inertia_forearm_11;
     const six_link_real modes_L_forearm_21 = modal_inertia_forearm_12 * modes_inverse_forearm_1;
-    const six_link_real t197 = modal_inertia_forearm_22 - modal_inertia_forearm_12 * modes_L_forearm_21;
-    bad |= (unsigned long)(!(t197 > 0)) << 2;
-    const six_link_real modes_inverse_forearm_2 = 1 / t197;
-    const six_link_real t198 = C_forearm_12 - modes_L_forearm_21 * C_forearm_11;
-    const six_link_real t199 = C_forearm_22 - modes_L_forearm_21 * C_forearm_21;
-    const six_link_real t200 = C_forearm_32 - modes_L_forearm_21 * C_forearm_31;
-    const six_link_real t201 = C_forearm_42 - modes_L_forearm_21 * C_forearm_41;
-    const six_link_real t202 = C_forearm_52 - modes_L_forearm_21 * C_forearm_51;
-    const six_link_real t203 = C_forearm_62 - modes_L_forearm_21 * C_forearm_61;
-    const six_link_real t204 = h_phi_forearm_2 - modes_L_forearm_21 * h_phi_forearm_1;
+    const six_link_real modes_L_forearm_31 = modal_inertia_forearm_13 * modes_inverse_forearm_1;
+    const six_link_real modes_L_forearm_41 = modal_inertia_forearm_14 * modes_inverse_forearm_1;
+    const six_link_real t224 = modal_inertia_forearm_22 - modal_inertia_forearm_12 * modes_L_forearm_21;
+    bad |= (unsigned long)(!(t224 > 0)) << 2;
+    const six_link_real modes_inverse_forearm_2 = 1 / t224;
+    const six_link_real t225 = modal_inertia_forearm_23 - modal_inertia_forearm_12 * modes_L_forearm_31;
+    const six_link_real modes_L_forearm_32 = t225 * modes_inverse_forearm_2;
+    const six_link_real t226 = modal_inertia_forearm_24 - modal_inertia_forearm_12 * modes_L_forearm_41;
+    const six_link_real modes_L_forearm_42 = t226 * modes_inverse_forearm_2;
+    const six_link_real t227 = modal_inertia_forearm_33
+        - (modal_inertia_forearm_13 * modes_L_forearm_31 + t225 * modes_L_forearm_32);
+    bad |= (unsigned long)(!(t227 > 0)) << 2;
+    const six_link_real modes_inverse_forearm_3 = 1 / t227;
+    const six_link_real t228 = modal_inertia_forearm_34
+        - (modal_inertia_forearm_13 * modes_L_forearm_41 + t225 * modes_L_forearm_42);
+    const six_link_real modes_L_forearm_43 = t228 * modes_inverse_forearm_3;
+    const six_link_real t229 = modal_inertia_forearm_14 * modes_L_forearm_41 + t226 * modes_L_forearm_42
+        + t228 * modes_L_forearm_43;
+    const six_link_real t230 = modal_inertia_forearm_44 - t229;
+    bad |= (unsigned long)(!(t230 > 0)) << 2;
+    const six_link_real modes_inverse_forearm_4 = 1 / t230;
+    const six_link_real t231 = C_forearm_12 - modes_L_forearm_21 * C_forearm_11;
+    const six_link_real t232 = C_forearm_22 - modes_L_forearm_21 * C_forearm_21;
+    const six_link_real t233 = C_forearm_32 - modes_L_forearm_21 * C_forearm_31;
+    const six_link_real t234 = C_forearm_42 - modes_L_forearm_21 * C_forearm_41;
+    const six_link_real t235 = C_forearm_52 - modes_L_forearm_21 * C_forearm_51;
+    const six_link_real t236 = C_forearm_62 - modes_L_forearm_21 * C_forearm_61;
+    const six_link_real t237 = C_forearm_13 - modes_L_forearm_31 * C_forearm_11 - modes_L_forearm_32 * t231;
+    const six_link_real t238 = C_forearm_23 - modes_L_forearm_31 * C_forearm_21 - modes_L_forearm_32 * t232;
+    const six_link_real t239 = C_forearm_33 - modes_L_forearm_31 * C_forearm_31 - modes_L_forearm_32 * t233;
+    const six_link_real t240 = C_forearm_43 - modes_L_forearm_31 * C_forearm_41 - modes_L_forearm_32 * t234;
+    const six_link_real t241 = C_forearm_53 - modes_L_forearm_31 * C_forearm_51 - modes_L_forearm_32 * t235;
+    const six_link_real t242 = C_forearm_63 - modes_L_forearm_31 * C_forearm_61 - modes_L_forearm_32 * t236;
+    const six_link_real t243 = C_forearm_14 - modes_L_forearm_41 * C_forearm_11 - modes_L_forearm_42 * t231
+        - modes_L_forearm_43 * t237;
+    const six_link_real t244 = C_forearm_24 - modes_L_forearm_41 * C_forearm_21 - modes_L_forearm_42 * t232
+        - modes_L_forearm_43 * t238;
+    const six_link_real t245 = C_forearm_34 - modes_L_forearm_41 * C_forearm_31 - modes_L_forearm_42 * t233
+        - modes_L_forearm_43 * t239;
+    const six_link_real t246 = C_forearm_44 - modes_L_forearm_41 * C_forearm_41 - modes_L_forearm_42 * t234
+        - modes_L_forearm_43 * t240;
+    const six_link_real t247 = C_forearm_54 - modes_L_forearm_41 * C_forearm_51 - modes_L_forearm_42 * t235
+        - modes_L_forearm_43 * t241;
+    const six_link_real t248 = C_forearm_64 - modes_L_forearm_41 * C_forearm_61 - modes_L_forearm_42 * t236
+        - modes_L_forearm_43 * t242;
+    const six_link_real t249 = h_phi_forearm_2 - modes_L_forearm_21 * h_phi_forearm_1;
+    const six_link_real t250 = h_phi_forearm_3 - modes_L_forearm_31 * h_phi_forearm_1 - modes_L_forearm_32 * t249;
+    const six_link_real t251 = h_phi_forearm_4 - modes_L_forearm_41 * h_phi_forearm_1 - modes_L_forearm_42 * t249
+        - modes_L_forearm_43 * t250;
     const six_link_real modes_W_forearm_11 = C_forearm_11 * modes_inverse_forearm_1;
     const six_link_real modes_W_forearm_12 = C_forearm_21 * modes_inverse_forearm_1;
     const six_link_real modes_W_forearm_13 = C_forearm_31 * modes_inverse_forearm_1;
     const six_link_real modes_W_forearm_14 = C_forearm_41 * modes_inverse_forearm_1;
     const six_link_real modes_W_forearm_15 = C_forearm_51 * modes_inverse_forearm_1;
     const six_link_real modes_W_forearm_16 = C_forearm_61 * modes_inverse_forearm_1;
-    const six_link_real modes_W_forearm_21 = t198 * modes_inverse_forearm_2;
-    const six_link_real modes_W_forearm_22 = t199 * modes_inverse_forearm_2;
-    const six_link_real modes_W_forearm_23 = t200 * modes_inverse_forearm_2;
-    const six_link_real modes_W_forearm_24 = t201 * modes_inverse_forearm_2;
-    const six_link_real modes_W_forearm_25 = t202 * modes_inverse_forearm_2;
-    const six_link_real modes_W_forearm_26 = t203 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_21 = t231 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_22 = t232 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_23 = t233 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_24 = t234 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_25 = t235 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_26 = t236 * modes_inverse_forearm_2;
+    const six_link_real modes_W_forearm_31 = t237 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_32 = t238 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_33 = t239 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_34 = t240 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_35 = t241 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_36 = t242 * modes_inverse_forearm_3;
+    const six_link_real modes_W_forearm_41 = t243 * modes_inverse_forearm_4;
+    const six_link_real modes_W_forearm_42 = t244 * modes_inverse_forearm_4;
+    const six_link_real modes_W_forearm_43 = t245 * modes_inverse_forearm_4;
+    const six_link_real modes_W_forearm_44 = t246 * modes_inverse_forearm_4;
+    const six_link_real modes_W_forearm_45 = t247 * modes_inverse_forearm_4;
+    const six_link_real modes_W_forearm_46 = t248 * modes_inverse_forearm_4;
     const six_link_real modes_w_forearm_1 = h_phi_forearm_1 * modes_inverse_forearm_1;
-    const six_link_real modes_w_forearm_2 = t204 * modes_inverse_forearm_2;
-    const six_link_real M_i_forearm_11 = M_loaded_forearm_11
-        - (C_forearm_11 * modes_W_forearm_11 + t198 * modes_W_forearm_21);
-    const six_link_real M_i_forearm_12 = M_loaded_forearm_12
-        - (C_forearm_11 * modes_W_forearm_12 + t198 * modes_W_forearm_22);
-    const six_link_real M_i_forearm_13 = M_loaded_forearm_13
-        - (C_forearm_11 * modes_W_forearm_13 + t198 * modes_W_forearm_23);
-    const six_link_real M_i_forearm_14 = M_loaded_forearm_14
-        - (C_forearm_11 * modes_W_forearm_14 + t198 * modes_W_forearm_24);
-    const six_link_real M_i_forearm_15 = M_loaded_forearm_15
-        - (C_forearm_11 * modes_W_forearm_15 + t198 * modes_W_forearm_25);
-    const six_link_real M_i_forearm_16 = M_loaded_forearm_16
-        - (C_forearm_11 * modes_W_forearm_16 + t198 * modes_W_forearm_26);
-    const six_link_real M_i_forearm_22 = M_loaded_forearm_22
-        - (C_forearm_21 * modes_W_forearm_12 + t199 * modes_W_forearm_22);
-    const six_link_real M_i_forearm_23 = M_loaded_forearm_23
-        - (C_forearm_21 * modes_W_forearm_13 + t199 * modes_W_forearm_23);
-    const six_link_real M_i_forearm_24 = M_loaded_forearm_24
-        - (C_forearm_21 * modes_W_forearm_14 + t199 * modes_W_forearm_24);
-    const six_link_real M_i_forearm_25 = M_loaded_forearm_25
-        - (C_forearm_21 * modes_W_forearm_15 + t199 * modes_W_forearm_25);
-    const six_link_real M_i_forearm_26 = M_loaded_forearm_26
-        - (C_forearm_21 * modes_W_forearm_16 + t199 * modes_W_forearm_26);
-    const six_link_real M_i_forearm_33 = M_loaded_forearm_33
-        - (C_forearm_31 * modes_W_forearm_13 + t200 * modes_W_forearm_23);
-    const six_link_real M_i_forearm_34 = M_loaded_forearm_34
-        - (C_forearm_31 * modes_W_forearm_14 + t200 * modes_W_forearm_24);
-    const six_link_real M_i_forearm_35 = M_loaded_forearm_35
-        - (C_forearm_31 * modes_W_forearm_15 + t200 * modes_W_forearm_25);
-    const six_link_real M_i_forearm_36 = M_loaded_forearm_36
-        - (C_forearm_31 * modes_W_forearm_16 + t200 * modes_W_forearm_26);
-    const six_link_real M_i_forearm_44 = M_loaded_forearm_44
-        - (C_forearm_41 * modes_W_forearm_14 + t201 * modes_W_forearm_24);
-    const six_link_real M_i_forearm_45 = Lambda_wrist_roll_17
-        - (C_forearm_41 * modes_W_forearm_15 + t201 * modes_W_forearm_25);
-    const six_link_real M_i_forearm_46 = Lambda_wrist_roll_18
-        - (C_forearm_41 * modes_W_forearm_16 + t201 * modes_W_forearm_26);
-    const six_link_real M_i_forearm_55 = M_loaded_forearm_55
-        - (C_forearm_51 * modes_W_forearm_15 + t202 * modes_W_forearm_25);
-    const six_link_real M_i_forearm_56 = Lambda_wrist_roll_20
-        - (C_forearm_51 * modes_W_forearm_16 + t202 * modes_W_forearm_26);
-    const six_link_real M_i_forearm_66 = M_loaded_forearm_66
-        - (C_forearm_61 * modes_W_forearm_16 + t203 * modes_W_forearm_26);
-    const six_link_real h_i_forearm_1 = h_loaded_forearm_1
-        - (modes_W_forearm_11 * h_phi_forearm_1 + modes_W_forearm_21 * t204);
-    const six_link_real h_i_forearm_2 = h_loaded_forearm_2
-        - (modes_W_forearm_12 * h_phi_forearm_1 + modes_W_forearm_22 * t204);
-    const six_link_real h_i_forearm_3 = h_loaded_forearm_3
-        - (modes_W_forearm_13 * h_phi_forearm_1 + modes_W_forearm_23 * t204);
-    const six_link_real h_i_forearm_4 = h_loaded_forearm_4
-        - (modes_W_forearm_14 * h_phi_forearm_1 + modes_W_forearm_24 * t204);
-    const six_link_real h_i_forearm_5 = h_loaded_forearm_5
-        - (modes_W_forearm_15 * h_phi_forearm_1 + modes_W_forearm_25 * t204);
-    const six_link_real h_i_forearm_6 = h_loaded_forearm_6
-        - (modes_W_forearm_16 * h_phi_forearm_1 + modes_W_forearm_26 * t204);
+    const six_link_real modes_w_forearm_2 = t249 * modes_inverse_forearm_2;
+    const six_link_real modes_w_forearm_3 = t250 * modes_inverse_forearm_3;
+    const six_link_real modes_w_forearm_4 = t251 * modes_inverse_forearm_4;
+    const six_link_real t252 = C_forearm_11 * modes_W_forearm_11 + t231 * modes_W_forearm_21
+        + t237 * modes_W_forearm_31 + t243 * modes_W_forearm_41;
+    const six_link_real M_i_forearm_11 = M_loaded_forearm_11 - t252;
+    const six_link_real t253 = C_forearm_11 * modes_W_forearm_12 + t231 * modes_W_forearm_22
+        + t237 * modes_W_forearm_32 + t243 * modes_W_forearm_42;
+    const six_link_real M_i_forearm_12 = M_loaded_forearm_12 - t253;
+    const six_link_real t254 = C_forearm_11 * modes_W_forearm_13 + t231 * modes_W_forearm_23
+        + t237 * modes_W_forearm_33 + t243 * modes_W_forearm_43;
+    const six_link_real M_i_forearm_13 = M_loaded_forearm_13 - t254;
+    const six_link_real t255 = C_forearm_11 * modes_W_forearm_14 + t231 * modes_W_forearm_24
+        + t237 * modes_W_forearm_34 + t243 * modes_W_forearm_44;
+    const six_link_real M_i_forearm_14 = M_loaded_forearm_14 - t255;
+    const six_link_real t256 = C_forearm_11 * modes_W_forearm_15 + t231 * modes_W_forearm_25
+        + t237 * modes_W_forearm_35 + t243 * modes_W_forearm_45;
+    const six_link_real M_i_forearm_15 = M_loaded_forearm_15 - t256;
+    const six_link_real t257 = C_forearm_11 * modes_W_forearm_16 + t231 * modes_W_forearm_26
+        + t237 * modes_W_forearm_36 + t243 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_16 = M_loaded_forearm_16 - t257;
+    const six_link_real t258 = C_forearm_21 * modes_W_forearm_12 + t232 * modes_W_forearm_22
+        + t238 * modes_W_forearm_32 + t244 * modes_W_forearm_42;
+    const six_link_real M_i_forearm_22 = M_loaded_forearm_22 - t258;
+    const six_link_real t259 = C_forearm_21 * modes_W_forearm_13 + t232 * modes_W_forearm_23
+        + t238 * modes_W_forearm_33 + t244 * modes_W_forearm_43;
+    const six_link_real M_i_forearm_23 = M_loaded_forearm_23 - t259;
+    const six_link_real t260 = C_forearm_21 * modes_W_forearm_14 + t232 * modes_W_forearm_24
+        + t238 * modes_W_forearm_34 + t244 * modes_W_forearm_44;
+    const six_link_real M_i_forearm_24 = M_loaded_forearm_24 - t260;
+    const six_link_real t261 = C_forearm_21 * modes_W_forearm_15 + t232 * modes_W_forearm_25
+        + t238 * modes_W_forearm_35 + t244 * modes_W_forearm_45;
+    const six_link_real M_i_forearm_25 = M_loaded_forearm_25 - t261;
+    const six_link_real t262 = C_forearm_21 * modes_W_forearm_16 + t232 * modes_W_forearm_26
+        + t238 * modes_W_forearm_36 + t244 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_26 = M_loaded_forearm_26 - t262;
+    const six_link_real t263 = C_forearm_31 * modes_W_forearm_13 + t233 * modes_W_forearm_23
+        + t239 * modes_W_forearm_33 + t245 * modes_W_forearm_43;
+    const six_link_real M_i_forearm_33 = M_loaded_forearm_33 - t263;
+    const six_link_real t264 = C_forearm_31 * modes_W_forearm_14 + t233 * modes_W_forearm_24
+        + t239 * modes_W_forearm_34 + t245 * modes_W_forearm_44;
+    const six_link_real M_i_forearm_34 = M_loaded_forearm_34 - t264;
+    const six_link_real t265 = C_forearm_31 * modes_W_forearm_15 + t233 * modes_W_forearm_25
+        + t239 * modes_W_forearm_35 + t245 * modes_W_forearm_45;
+    const six_link_real M_i_forearm_35 = M_loaded_forearm_35 - t265;
+    const six_link_real t266 = C_forearm_31 * modes_W_forearm_16 + t233 * modes_W_forearm_26
+        + t239 * modes_W_forearm_36 + t245 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_36 = M_loaded_forearm_36 - t266;
+    const six_link_real t267 = C_forearm_41 * modes_W_forearm_14 + t234 * modes_W_forearm_24
+        + t240 * modes_W_forearm_34 + t246 * modes_W_forearm_44;
+    const six_link_real M_i_forearm_44 = M_loaded_forearm_44 - t267;
+    const six_link_real t268 = C_forearm_41 * modes_W_forearm_15 + t234 * modes_W_forearm_25
+        + t240 * modes_W_forearm_35 + t246 * modes_W_forearm_45;
+    const six_link_real M_i_forearm_45 = Lambda_wrist_roll_17 - t268;
+    const six_link_real t269 = C_forearm_41 * modes_W_forearm_16 + t234 * modes_W_forearm_26
+        + t240 * modes_W_forearm_36 + t246 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_46 = Lambda_wrist_roll_18 - t269;
+    const six_link_real t270 = C_forearm_51 * modes_W_forearm_15 + t235 * modes_W_forearm_25
+        + t241 * modes_W_forearm_35 + t247 * modes_W_forearm_45;
+    const six_link_real M_i_forearm_55 = M_loaded_forearm_55 - t270;
+    const six_link_real t271 = C_forearm_51 * modes_W_forearm_16 + t235 * modes_W_forearm_26
+        + t241 * modes_W_forearm_36 + t247 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_56 = Lambda_wrist_roll_20 - t271;
+    const six_link_real t272 = C_forearm_61 * modes_W_forearm_16 + t236 * modes_W_forearm_26
+        + t242 * modes_W_forearm_36 + t248 * modes_W_forearm_46;
+    const six_link_real M_i_forearm_66 = M_loaded_forearm_66 - t272;
+    const six_link_real t273 = modes_W_forearm_11 * h_phi_forearm_1 + modes_W_forearm_21 * t249
+        + modes_W_forearm_31 * t250 + modes_W_forearm_41 * t251;
+    const six_link_real t274 = modes_W_forearm_12 * h_phi_forearm_1 + modes_W_forearm_22 * t249
+        + modes_W_forearm_32 * t250 + modes_W_forearm_42 * t251;
+    const six_link_real t275 = modes_W_forearm_13 * h_phi_forearm_1 + modes_W_forearm_23 * t249
+        + modes_W_forearm_33 * t250 + modes_W_forearm_43 * t251;
+    const six_link_real t276 = modes_W_forearm_14 * h_phi_forearm_1 + modes_W_forearm_24 * t249
+        + modes_W_forearm_34 * t250 + modes_W_forearm_44 * t251;
+    const six_link_real t277 = modes_W_forearm_15 * h_phi_forearm_1 + modes_W_forearm_25 * t249
+        + modes_W_forearm_35 * t250 + modes_W_forearm_45 * t251;
+    const six_link_real t278 = modes_W_forearm_16 * h_phi_forearm_1 + modes_W_forearm_26 * t249
+        + modes_W_forearm_36 * t250 + modes_W_forearm_46 * t251;
+    const six_link_real h_i_forearm_1 = h_loaded_forearm_1 - t273;
+    const six_link_real h_i_forearm_2 = h_loaded_forearm_2 - t274;
+    const six_link_real h_i_forearm_3 = h_loaded_forearm_3 - t275;
+    const six_link_real h_i_forearm_4 = h_loaded_forearm_4 - t276;
+    const six_link_real h_i_forearm_5 = h_loaded_forearm_5 - t277;
+    const six_link_real h_i_forearm_6 = h_loaded_forearm_6 - t278;
 
     /* forearm, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_forearm_11 = M_i_forearm_22 + c->links[2].armature_1;
+    const six_link_real joint_inertia_forearm_11 = M_i_forearm_22 + m_eta[2];
     bad |= (unsigned long)(!(joint_inertia_forearm_11 - t79 * (M_i_forearm_11 + M_i_forearm_22 + M_i_forearm_33) > 0)) << 2;
     const six_link_real joint_inverse_forearm_1 = 1 / joint_inertia_forearm_11;
     const six_link_real joint_W_forearm_11 = M_i_forearm_12 * joint_inverse_forearm_1;
@@ -1346,8 +1550,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real joint_W_forearm_14 = M_i_forearm_24 * joint_inverse_forearm_1;
     const six_link_real joint_W_forearm_15 = M_i_forearm_25 * joint_inverse_forearm_1;
     const six_link_real joint_W_forearm_16 = M_i_forearm_26 * joint_inverse_forearm_1;
-    const six_link_real joint_w_forearm_1 = (input->tau[2] - c->links[2].joint_damping_1 * state->v[2]
-        - h_i_forearm_2) * joint_inverse_forearm_1;
+    const six_link_real joint_w_forearm_1 = (input->tau[2] - work->f_eta[2] - h_i_forearm_2)
+        * joint_inverse_forearm_1;
     const six_link_real Lambda_i_forearm_11 = M_i_forearm_11 - M_i_forearm_12 * joint_W_forearm_11;
     const six_link_real Lambda_i_forearm_12 = M_i_forearm_12 - M_i_forearm_12 * joint_W_forearm_12;
     const six_link_real Lambda_i_forearm_13 = M_i_forearm_13 - M_i_forearm_12 * joint_W_forearm_13;
@@ -1377,107 +1581,107 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real p_i_forearm_6 = h_i_forearm_6 + M_i_forearm_26 * joint_w_forearm_1;
 
     /* forearm, handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t205 = lever_forearm_3 * Lambda_i_forearm_45;
-    const six_link_real t206 = lever_forearm_2 * Lambda_i_forearm_46;
-    const six_link_real t207 = lever_forearm_1 * Lambda_i_forearm_56;
-    const six_link_real t208 = Lambda_i_forearm_14 + (t206 - t205);
-    const six_link_real t209 = Lambda_i_forearm_15
+    const six_link_real t279 = lever_forearm_3 * Lambda_i_forearm_45;
+    const six_link_real t280 = lever_forearm_2 * Lambda_i_forearm_46;
+    const six_link_real t281 = lever_forearm_1 * Lambda_i_forearm_56;
+    const six_link_real t282 = Lambda_i_forearm_14 + (t280 - t279);
+    const six_link_real t283 = Lambda_i_forearm_15
         + (lever_forearm_2 * Lambda_i_forearm_56 - lever_forearm_3 * Lambda_i_forearm_55);
-    const six_link_real t210 = Lambda_i_forearm_16
+    const six_link_real t284 = Lambda_i_forearm_16
         + (lever_forearm_2 * Lambda_i_forearm_66 - lever_forearm_3 * Lambda_i_forearm_56);
-    const six_link_real t211 = Lambda_i_forearm_24
+    const six_link_real t285 = Lambda_i_forearm_24
         + (lever_forearm_3 * Lambda_i_forearm_44 - lever_forearm_1 * Lambda_i_forearm_46);
-    const six_link_real t212 = Lambda_i_forearm_25 + (t205 - t207);
-    const six_link_real t213 = Lambda_i_forearm_26
+    const six_link_real t286 = Lambda_i_forearm_25 + (t279 - t281);
+    const six_link_real t287 = Lambda_i_forearm_26
         + (lever_forearm_3 * Lambda_i_forearm_46 - lever_forearm_1 * Lambda_i_forearm_66);
-    const six_link_real t214 = Lambda_i_forearm_34
+    const six_link_real t288 = Lambda_i_forearm_34
         + (lever_forearm_1 * Lambda_i_forearm_45 - lever_forearm_2 * Lambda_i_forearm_44);
-    const six_link_real t215 = Lambda_i_forearm_35
+    const six_link_real t289 = Lambda_i_forearm_35
         + (lever_forearm_1 * Lambda_i_forearm_55 - lever_forearm_2 * Lambda_i_forearm_45);
-    const six_link_real t216 = Lambda_i_forearm_36 + (t207 - t206);
-    const six_link_real t217 = Lambda_i_forearm_11
+    const six_link_real t290 = Lambda_i_forearm_36 + (t281 - t280);
+    const six_link_real t291 = Lambda_i_forearm_11
         - (Lambda_i_forearm_15 * lever_forearm_3 - Lambda_i_forearm_16 * lever_forearm_2);
-    const six_link_real t218 = Lambda_i_forearm_12
+    const six_link_real t292 = Lambda_i_forearm_12
         - (Lambda_i_forearm_16 * lever_forearm_1 - Lambda_i_forearm_14 * lever_forearm_3);
-    const six_link_real t219 = t218 + (lever_forearm_2 * t213 - lever_forearm_3 * t212);
-    const six_link_real t220 = Lambda_i_forearm_13
+    const six_link_real t293 = t292 + (lever_forearm_2 * t287 - lever_forearm_3 * t286);
+    const six_link_real t294 = Lambda_i_forearm_13
         - (Lambda_i_forearm_14 * lever_forearm_2 - Lambda_i_forearm_15 * lever_forearm_1);
-    const six_link_real t221 = t220 + (lever_forearm_2 * t216 - lever_forearm_3 * t215);
-    const six_link_real t222 = Lambda_i_forearm_22
+    const six_link_real t295 = t294 + (lever_forearm_2 * t290 - lever_forearm_3 * t289);
+    const six_link_real t296 = Lambda_i_forearm_22
         - (Lambda_i_forearm_26 * lever_forearm_1 - Lambda_i_forearm_24 * lever_forearm_3);
-    const six_link_real t223 = Lambda_i_forearm_23
+    const six_link_real t297 = Lambda_i_forearm_23
         - (Lambda_i_forearm_24 * lever_forearm_2 - Lambda_i_forearm_25 * lever_forearm_1);
-    const six_link_real t224 = t223 + (lever_forearm_3 * t214 - lever_forearm_1 * t216);
-    const six_link_real t225 = Lambda_i_forearm_33
+    const six_link_real t298 = t297 + (lever_forearm_3 * t288 - lever_forearm_1 * t290);
+    const six_link_real t299 = Lambda_i_forearm_33
         - (Lambda_i_forearm_34 * lever_forearm_2 - Lambda_i_forearm_35 * lever_forearm_1);
-    const six_link_real t226 = t225 + (lever_forearm_1 * t215 - lever_forearm_2 * t214);
-    const six_link_real t227 = (t217 + (lever_forearm_2 * t210 - lever_forearm_3 * t209) - t226) * REAL(0.5);
-    const six_link_real t228 = t227 * R_P_forearm_11 + t219 * R_P_forearm_12 + t221 * R_P_forearm_13;
-    const six_link_real t229 = t227 * R_P_forearm_21 + t219 * R_P_forearm_22 + t221 * R_P_forearm_23;
-    const six_link_real t230 = t227 * R_P_forearm_31 + t219 * R_P_forearm_32 + t221 * R_P_forearm_33;
-    const six_link_real t231 = (t222 + (lever_forearm_3 * t211 - lever_forearm_1 * t213) - t226) * REAL(0.5);
-    const six_link_real t232 = t231 * R_P_forearm_12 + t224 * R_P_forearm_13;
-    const six_link_real t233 = t231 * R_P_forearm_22 + t224 * R_P_forearm_23;
-    const six_link_real t234 = t231 * R_P_forearm_32 + t224 * R_P_forearm_33;
-    const six_link_real Lambda_forearm_1 = (R_P_forearm_11 * t228 + R_P_forearm_12 * t232) * 2 + t226;
-    const six_link_real Lambda_forearm_2 = R_P_forearm_11 * t229 + R_P_forearm_12 * t233
-        + (R_P_forearm_21 * t228 + R_P_forearm_22 * t232);
-    const six_link_real Lambda_forearm_3 = R_P_forearm_11 * t230 + R_P_forearm_12 * t234
-        + (R_P_forearm_31 * t228 + R_P_forearm_32 * t232);
-    const six_link_real Lambda_forearm_7 = (R_P_forearm_21 * t229 + R_P_forearm_22 * t233) * 2 + t226;
-    const six_link_real Lambda_forearm_8 = R_P_forearm_21 * t230 + R_P_forearm_22 * t234
-        + (R_P_forearm_31 * t229 + R_P_forearm_32 * t233);
-    const six_link_real Lambda_forearm_12 = (R_P_forearm_31 * t230 + R_P_forearm_32 * t234) * 2 + t226;
-    const six_link_real t235 = t208 * R_P_forearm_11 + t209 * R_P_forearm_12 + t210 * R_P_forearm_13;
-    const six_link_real t236 = t208 * R_P_forearm_21 + t209 * R_P_forearm_22 + t210 * R_P_forearm_23;
-    const six_link_real t237 = t208 * R_P_forearm_31 + t209 * R_P_forearm_32 + t210 * R_P_forearm_33;
-    const six_link_real t238 = t211 * R_P_forearm_11 + t212 * R_P_forearm_12 + t213 * R_P_forearm_13;
-    const six_link_real t239 = t211 * R_P_forearm_21 + t212 * R_P_forearm_22 + t213 * R_P_forearm_23;
-    const six_link_real t240 = t211 * R_P_forearm_31 + t212 * R_P_forearm_32 + t213 * R_P_forearm_33;
-    const six_link_real t241 = t214 * R_P_forearm_11 + t215 * R_P_forearm_12 + t216 * R_P_forearm_13;
-    const six_link_real t242 = t214 * R_P_forearm_21 + t215 * R_P_forearm_22 + t216 * R_P_forearm_23;
-    const six_link_real t243 = t214 * R_P_forearm_31 + t215 * R_P_forearm_32 + t216 * R_P_forearm_33;
-    const six_link_real Lambda_forearm_4 = R_P_forearm_11 * t235 + R_P_forearm_12 * t238 + R_P_forearm_13 * t241;
-    const six_link_real Lambda_forearm_5 = R_P_forearm_11 * t236 + R_P_forearm_12 * t239 + R_P_forearm_13 * t242;
-    const six_link_real Lambda_forearm_6 = R_P_forearm_11 * t237 + R_P_forearm_12 * t240 + R_P_forearm_13 * t243;
-    const six_link_real Lambda_forearm_9 = R_P_forearm_21 * t235 + R_P_forearm_22 * t238 + R_P_forearm_23 * t241;
-    const six_link_real Lambda_forearm_10 = R_P_forearm_21 * t236 + R_P_forearm_22 * t239 + R_P_forearm_23 * t242;
-    const six_link_real Lambda_forearm_11 = R_P_forearm_21 * t237 + R_P_forearm_22 * t240 + R_P_forearm_23 * t243;
-    const six_link_real Lambda_forearm_13 = R_P_forearm_31 * t235 + R_P_forearm_32 * t238 + R_P_forearm_33 * t241;
-    const six_link_real Lambda_forearm_14 = R_P_forearm_31 * t236 + R_P_forearm_32 * t239 + R_P_forearm_33 * t242;
-    const six_link_real Lambda_forearm_15 = R_P_forearm_31 * t237 + R_P_forearm_32 * t240 + R_P_forearm_33 * t243;
-    const six_link_real t244 = (Lambda_i_forearm_44 - Lambda_i_forearm_66) * REAL(0.5);
-    const six_link_real t245 = t244 * R_P_forearm_11 + Lambda_i_forearm_45 * R_P_forearm_12
+    const six_link_real t300 = t299 + (lever_forearm_1 * t289 - lever_forearm_2 * t288);
+    const six_link_real t301 = (t291 + (lever_forearm_2 * t284 - lever_forearm_3 * t283) - t300) * REAL(0.5);
+    const six_link_real t302 = t301 * R_P_forearm_11 + t293 * R_P_forearm_12 + t295 * R_P_forearm_13;
+    const six_link_real t303 = t301 * R_P_forearm_21 + t293 * R_P_forearm_22 + t295 * R_P_forearm_23;
+    const six_link_real t304 = t301 * R_P_forearm_31 + t293 * R_P_forearm_32 + t295 * R_P_forearm_33;
+    const six_link_real t305 = (t296 + (lever_forearm_3 * t285 - lever_forearm_1 * t287) - t300) * REAL(0.5);
+    const six_link_real t306 = t305 * R_P_forearm_12 + t298 * R_P_forearm_13;
+    const six_link_real t307 = t305 * R_P_forearm_22 + t298 * R_P_forearm_23;
+    const six_link_real t308 = t305 * R_P_forearm_32 + t298 * R_P_forearm_33;
+    const six_link_real Lambda_forearm_1 = (R_P_forearm_11 * t302 + R_P_forearm_12 * t306) * 2 + t300;
+    const six_link_real Lambda_forearm_2 = R_P_forearm_11 * t303 + R_P_forearm_12 * t307
+        + (R_P_forearm_21 * t302 + R_P_forearm_22 * t306);
+    const six_link_real Lambda_forearm_3 = R_P_forearm_11 * t304 + R_P_forearm_12 * t308
+        + (R_P_forearm_31 * t302 + R_P_forearm_32 * t306);
+    const six_link_real Lambda_forearm_7 = (R_P_forearm_21 * t303 + R_P_forearm_22 * t307) * 2 + t300;
+    const six_link_real Lambda_forearm_8 = R_P_forearm_21 * t304 + R_P_forearm_22 * t308
+        + (R_P_forearm_31 * t303 + R_P_forearm_32 * t307);
+    const six_link_real Lambda_forearm_12 = (R_P_forearm_31 * t304 + R_P_forearm_32 * t308) * 2 + t300;
+    const six_link_real t309 = t282 * R_P_forearm_11 + t283 * R_P_forearm_12 + t284 * R_P_forearm_13;
+    const six_link_real t310 = t282 * R_P_forearm_21 + t283 * R_P_forearm_22 + t284 * R_P_forearm_23;
+    const six_link_real t311 = t282 * R_P_forearm_31 + t283 * R_P_forearm_32 + t284 * R_P_forearm_33;
+    const six_link_real t312 = t285 * R_P_forearm_11 + t286 * R_P_forearm_12 + t287 * R_P_forearm_13;
+    const six_link_real t313 = t285 * R_P_forearm_21 + t286 * R_P_forearm_22 + t287 * R_P_forearm_23;
+    const six_link_real t314 = t285 * R_P_forearm_31 + t286 * R_P_forearm_32 + t287 * R_P_forearm_33;
+    const six_link_real t315 = t288 * R_P_forearm_11 + t289 * R_P_forearm_12 + t290 * R_P_forearm_13;
+    const six_link_real t316 = t288 * R_P_forearm_21 + t289 * R_P_forearm_22 + t290 * R_P_forearm_23;
+    const six_link_real t317 = t288 * R_P_forearm_31 + t289 * R_P_forearm_32 + t290 * R_P_forearm_33;
+    const six_link_real Lambda_forearm_4 = R_P_forearm_11 * t309 + R_P_forearm_12 * t312 + R_P_forearm_13 * t315;
+    const six_link_real Lambda_forearm_5 = R_P_forearm_11 * t310 + R_P_forearm_12 * t313 + R_P_forearm_13 * t316;
+    const six_link_real Lambda_forearm_6 = R_P_forearm_11 * t311 + R_P_forearm_12 * t314 + R_P_forearm_13 * t317;
+    const six_link_real Lambda_forearm_9 = R_P_forearm_21 * t309 + R_P_forearm_22 * t312 + R_P_forearm_23 * t315;
+    const six_link_real Lambda_forearm_10 = R_P_forearm_21 * t310 + R_P_forearm_22 * t313 + R_P_forearm_23 * t316;
+    const six_link_real Lambda_forearm_11 = R_P_forearm_21 * t311 + R_P_forearm_22 * t314 + R_P_forearm_23 * t317;
+    const six_link_real Lambda_forearm_13 = R_P_forearm_31 * t309 + R_P_forearm_32 * t312 + R_P_forearm_33 * t315;
+    const six_link_real Lambda_forearm_14 = R_P_forearm_31 * t310 + R_P_forearm_32 * t313 + R_P_forearm_33 * t316;
+    const six_link_real Lambda_forearm_15 = R_P_forearm_31 * t311 + R_P_forearm_32 * t314 + R_P_forearm_33 * t317;
+    const six_link_real t318 = (Lambda_i_forearm_44 - Lambda_i_forearm_66) * REAL(0.5);
+    const six_link_real t319 = t318 * R_P_forearm_11 + Lambda_i_forearm_45 * R_P_forearm_12
         + Lambda_i_forearm_46 * R_P_forearm_13;
-    const six_link_real t246 = t244 * R_P_forearm_21 + Lambda_i_forearm_45 * R_P_forearm_22
+    const six_link_real t320 = t318 * R_P_forearm_21 + Lambda_i_forearm_45 * R_P_forearm_22
         + Lambda_i_forearm_46 * R_P_forearm_23;
-    const six_link_real t247 = t244 * R_P_forearm_31 + Lambda_i_forearm_45 * R_P_forearm_32
+    const six_link_real t321 = t318 * R_P_forearm_31 + Lambda_i_forearm_45 * R_P_forearm_32
         + Lambda_i_forearm_46 * R_P_forearm_33;
-    const six_link_real t248 = (Lambda_i_forearm_55 - Lambda_i_forearm_66) * REAL(0.5);
-    const six_link_real t249 = t248 * R_P_forearm_12 + Lambda_i_forearm_56 * R_P_forearm_13;
-    const six_link_real t250 = t248 * R_P_forearm_22 + Lambda_i_forearm_56 * R_P_forearm_23;
-    const six_link_real t251 = t248 * R_P_forearm_32 + Lambda_i_forearm_56 * R_P_forearm_33;
-    const six_link_real Lambda_forearm_16 = (R_P_forearm_11 * t245 + R_P_forearm_12 * t249) * 2
+    const six_link_real t322 = (Lambda_i_forearm_55 - Lambda_i_forearm_66) * REAL(0.5);
+    const six_link_real t323 = t322 * R_P_forearm_12 + Lambda_i_forearm_56 * R_P_forearm_13;
+    const six_link_real t324 = t322 * R_P_forearm_22 + Lambda_i_forearm_56 * R_P_forearm_23;
+    const six_link_real t325 = t322 * R_P_forearm_32 + Lambda_i_forearm_56 * R_P_forearm_33;
+    const six_link_real Lambda_forearm_16 = (R_P_forearm_11 * t319 + R_P_forearm_12 * t323) * 2
         + Lambda_i_forearm_66;
-    const six_link_real Lambda_forearm_17 = R_P_forearm_11 * t246 + R_P_forearm_12 * t250
-        + (R_P_forearm_21 * t245 + R_P_forearm_22 * t249);
-    const six_link_real Lambda_forearm_18 = R_P_forearm_11 * t247 + R_P_forearm_12 * t251
-        + (R_P_forearm_31 * t245 + R_P_forearm_32 * t249);
-    const six_link_real Lambda_forearm_19 = (R_P_forearm_21 * t246 + R_P_forearm_22 * t250) * 2
+    const six_link_real Lambda_forearm_17 = R_P_forearm_11 * t320 + R_P_forearm_12 * t324
+        + (R_P_forearm_21 * t319 + R_P_forearm_22 * t323);
+    const six_link_real Lambda_forearm_18 = R_P_forearm_11 * t321 + R_P_forearm_12 * t325
+        + (R_P_forearm_31 * t319 + R_P_forearm_32 * t323);
+    const six_link_real Lambda_forearm_19 = (R_P_forearm_21 * t320 + R_P_forearm_22 * t324) * 2
         + Lambda_i_forearm_66;
-    const six_link_real Lambda_forearm_20 = R_P_forearm_21 * t247 + R_P_forearm_22 * t251
-        + (R_P_forearm_31 * t246 + R_P_forearm_32 * t250);
-    const six_link_real Lambda_forearm_21 = (R_P_forearm_31 * t247 + R_P_forearm_32 * t251) * 2
+    const six_link_real Lambda_forearm_20 = R_P_forearm_21 * t321 + R_P_forearm_22 * t325
+        + (R_P_forearm_31 * t320 + R_P_forearm_32 * t324);
+    const six_link_real Lambda_forearm_21 = (R_P_forearm_31 * t321 + R_P_forearm_32 * t325) * 2
         + Lambda_i_forearm_66;
-    const six_link_real t252 = p_i_forearm_1
+    const six_link_real t326 = p_i_forearm_1
         + (lever_forearm_2 * p_i_forearm_6 - lever_forearm_3 * p_i_forearm_5);
-    const six_link_real t253 = p_i_forearm_2
+    const six_link_real t327 = p_i_forearm_2
         + (lever_forearm_3 * p_i_forearm_4 - lever_forearm_1 * p_i_forearm_6);
-    const six_link_real t254 = p_i_forearm_3
+    const six_link_real t328 = p_i_forearm_3
         + (lever_forearm_1 * p_i_forearm_5 - lever_forearm_2 * p_i_forearm_4);
-    const six_link_real p_forearm_1 = R_P_forearm_11 * t252 + R_P_forearm_12 * t253 + R_P_forearm_13 * t254;
-    const six_link_real p_forearm_2 = R_P_forearm_21 * t252 + R_P_forearm_22 * t253 + R_P_forearm_23 * t254;
-    const six_link_real p_forearm_3 = R_P_forearm_31 * t252 + R_P_forearm_32 * t253 + R_P_forearm_33 * t254;
+    const six_link_real p_forearm_1 = R_P_forearm_11 * t326 + R_P_forearm_12 * t327 + R_P_forearm_13 * t328;
+    const six_link_real p_forearm_2 = R_P_forearm_21 * t326 + R_P_forearm_22 * t327 + R_P_forearm_23 * t328;
+    const six_link_real p_forearm_3 = R_P_forearm_31 * t326 + R_P_forearm_32 * t327 + R_P_forearm_33 * t328;
     const six_link_real p_forearm_4 = R_P_forearm_11 * p_i_forearm_4 + R_P_forearm_12 * p_i_forearm_5
         + R_P_forearm_13 * p_i_forearm_6;
     const six_link_real p_forearm_5 = R_P_forearm_21 * p_i_forearm_4 + R_P_forearm_22 * p_i_forearm_5
@@ -1486,27 +1690,33 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_P_forearm_33 * p_i_forearm_6;
 
     /* upper_arm, S: first moment */
-    const six_link_real S_upper_arm_y = state->q[6] * c->links[1].sigma_y1;
-    const six_link_real S_upper_arm_z = state->q[7] * c->links[1].sigma_y1;
+    const six_link_real S_upper_arm_y = state->q[6] * c->links[1].sigma_y1 + state->q[7] * c->links[1].sigma_y2;
+    const six_link_real S_upper_arm_z = state->q[8] * c->links[1].sigma_y1 + state->q[9] * c->links[1].sigma_y2;
 
     /* upper_arm, Sdot: rate of the first moment */
-    const six_link_real Sdot_upper_arm_y = state->v[6] * c->links[1].sigma_y1;
-    const six_link_real Sdot_upper_arm_z = state->v[7] * c->links[1].sigma_y1;
+    const six_link_real Sdot_upper_arm_y = state->v[6] * c->links[1].sigma_y1
+        + state->v[7] * c->links[1].sigma_y2;
+    const six_link_real Sdot_upper_arm_z = state->v[8] * c->links[1].sigma_y1
+        + state->v[9] * c->links[1].sigma_y2;
 
     /* upper_arm, L: first moment weighted by each mode shape (85) */
     const six_link_real L_upper_arm_y1 = c->links[1].mu * state->q[6];
-    const six_link_real L_upper_arm_z1 = state->q[7] * c->links[1].mu;
+    const six_link_real L_upper_arm_y2 = c->links[1].mu * state->q[7];
+    const six_link_real L_upper_arm_z1 = state->q[8] * c->links[1].mu;
+    const six_link_real L_upper_arm_z2 = state->q[9] * c->links[1].mu;
 
     /* upper_arm, Ldot: rate of L */
     const six_link_real Ldot_upper_arm_y1 = c->links[1].mu * state->v[6];
-    const six_link_real Ldot_upper_arm_z1 = state->v[7] * c->links[1].mu;
+    const six_link_real Ldot_upper_arm_y2 = c->links[1].mu * state->v[7];
+    const six_link_real Ldot_upper_arm_z1 = state->v[8] * c->links[1].mu;
+    const six_link_real Ldot_upper_arm_z2 = state->v[9] * c->links[1].mu;
 
     /* upper_arm, J: second moment */
-    const six_link_real J_upper_arm_xy = c->links[1].chi_1 * state->q[6];
-    const six_link_real J_upper_arm_xz = c->links[1].chi_1 * state->q[7];
-    const six_link_real J_upper_arm_yy = L_upper_arm_y1 * state->q[6];
-    const six_link_real J_upper_arm_yz = L_upper_arm_z1 * state->q[6];
-    const six_link_real J_upper_arm_zz = L_upper_arm_z1 * state->q[7];
+    const six_link_real J_upper_arm_xy = c->links[1].chi_1 * state->q[6] + c->links[1].chi_2 * state->q[7];
+    const six_link_real J_upper_arm_xz = c->links[1].chi_1 * state->q[8] + c->links[1].chi_2 * state->q[9];
+    const six_link_real J_upper_arm_yy = L_upper_arm_y1 * state->q[6] + L_upper_arm_y2 * state->q[7];
+    const six_link_real J_upper_arm_yz = L_upper_arm_z1 * state->q[6] + L_upper_arm_z2 * state->q[7];
+    const six_link_real J_upper_arm_zz = L_upper_arm_z1 * state->q[8] + L_upper_arm_z2 * state->q[9];
 
     /* upper_arm, I: inertia about the origin, deformed */
     const six_link_real I_upper_arm_xx = c->links[1].I_s + J_upper_arm_yy + J_upper_arm_zz;
@@ -1514,23 +1724,23 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real I_upper_arm_zz = c->links[1].J_0_xx + J_upper_arm_yy;
 
     /* upper_arm, Omega: acceleration of a place by the link's turning */
-    const six_link_real t255 = state->v[1] * state->v[1];
-    const six_link_real t256 = omega_R_upper_arm_3 * omega_R_upper_arm_3;
-    const six_link_real minus_Omega_upper_arm_xx = t255 + t256;
+    const six_link_real t329 = state->v[1] * state->v[1];
+    const six_link_real t330 = omega_R_upper_arm_3 * omega_R_upper_arm_3;
+    const six_link_real minus_Omega_upper_arm_xx = t329 + t330;
     const six_link_real minus_Omega_upper_arm_xz = minus_omega_R_upper_arm_1 * omega_R_upper_arm_3;
     const six_link_real minus_Omega_upper_arm_yx = minus_alpha_0_upper_arm_3 + minus_alpha_0_upper_arm_3;
-    const six_link_real t257 = minus_omega_R_upper_arm_1 * minus_omega_R_upper_arm_1;
-    const six_link_real minus_Omega_upper_arm_yy = t257 + t256;
+    const six_link_real t331 = minus_omega_R_upper_arm_1 * minus_omega_R_upper_arm_1;
+    const six_link_real minus_Omega_upper_arm_yy = t331 + t330;
     const six_link_real Omega_upper_arm_yz = minus_alpha_0_upper_arm_1 + minus_alpha_0_upper_arm_1;
-    const six_link_real minus_Omega_upper_arm_zz = t257 + t255;
+    const six_link_real minus_Omega_upper_arm_zz = t331 + t329;
 
     /* upper_arm, B: moment of the elastic velocity */
-    const six_link_real B_upper_arm_yx = c->links[1].chi_1 * state->v[6];
-    const six_link_real B_upper_arm_yy = L_upper_arm_y1 * state->v[6];
-    const six_link_real B_upper_arm_yz = L_upper_arm_z1 * state->v[6];
-    const six_link_real B_upper_arm_zx = c->links[1].chi_1 * state->v[7];
-    const six_link_real B_upper_arm_zy = L_upper_arm_y1 * state->v[7];
-    const six_link_real B_upper_arm_zz = L_upper_arm_z1 * state->v[7];
+    const six_link_real B_upper_arm_yx = c->links[1].chi_1 * state->v[6] + c->links[1].chi_2 * state->v[7];
+    const six_link_real B_upper_arm_yy = L_upper_arm_y1 * state->v[6] + L_upper_arm_y2 * state->v[7];
+    const six_link_real B_upper_arm_yz = L_upper_arm_z1 * state->v[6] + L_upper_arm_z2 * state->v[7];
+    const six_link_real B_upper_arm_zx = c->links[1].chi_1 * state->v[8] + c->links[1].chi_2 * state->v[9];
+    const six_link_real B_upper_arm_zy = L_upper_arm_y1 * state->v[8] + L_upper_arm_y2 * state->v[9];
+    const six_link_real B_upper_arm_zz = L_upper_arm_z1 * state->v[8] + L_upper_arm_z2 * state->v[9];
 
     /* upper_arm, h_c: half of the Coriolis wrench */
     const six_link_real minus_h_c_upper_arm_1 = B_upper_arm_yy * minus_omega_R_upper_arm_1
@@ -1545,38 +1755,38 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* upper_arm, h_MD: Coriolis wrench of the deformation's inertia (B3) */
     const six_link_real h_MD_upper_arm_2 = h_c_upper_arm_2
-        + state->v[8] * omega_R_upper_arm_3 * c->links[1].sigma_t_3;
-    const six_link_real h_MD_upper_arm_3 = h_c_upper_arm_3 - state->v[8] * state->v[1] * c->links[1].sigma_t_3;
+        + state->v[10] * omega_R_upper_arm_3 * c->links[1].sigma_t_5;
+    const six_link_real h_MD_upper_arm_3 = h_c_upper_arm_3 - state->v[10] * state->v[1] * c->links[1].sigma_t_5;
 
     /* upper_arm, H_star: gyroscopic wrench and weight, angular acceleration included */
-    const six_link_real t258 = minus_h_c_upper_arm_1 + c->links[1].I_s * minus_alpha_0_upper_arm_1
+    const six_link_real t332 = minus_h_c_upper_arm_1 + c->links[1].I_s * minus_alpha_0_upper_arm_1
         + J_upper_arm_xy * minus_Omega_upper_arm_xz;
-    const six_link_real t259 = J_upper_arm_yz * (minus_Omega_upper_arm_yy - minus_Omega_upper_arm_zz) - t258
+    const six_link_real t333 = J_upper_arm_yz * (minus_Omega_upper_arm_yy - minus_Omega_upper_arm_zz) - t332
         - S_upper_arm_y * minus_alpha_0_upper_arm_6;
-    const six_link_real H_star_upper_arm_1 = t259 + J_upper_arm_xz * minus_Omega_upper_arm_yx
+    const six_link_real H_star_upper_arm_1 = t333 + J_upper_arm_xz * minus_Omega_upper_arm_yx
         - J_upper_arm_zz * Omega_upper_arm_yz - S_upper_arm_z * alpha_0_upper_arm_5;
-    const six_link_real t260 = h_c_upper_arm_2
+    const six_link_real t334 = h_c_upper_arm_2
         + J_upper_arm_xz * (minus_Omega_upper_arm_zz - minus_Omega_upper_arm_xx)
         - J_upper_arm_zz * minus_Omega_upper_arm_xz;
-    const six_link_real t261 = c->links[1].I_s * minus_omega_R_upper_arm_1;
-    const six_link_real t262 = t260 + S_upper_arm_z * alpha_0_upper_arm_4 - t261 * omega_R_upper_arm_3
+    const six_link_real t335 = c->links[1].I_s * minus_omega_R_upper_arm_1;
+    const six_link_real t336 = t334 + S_upper_arm_z * alpha_0_upper_arm_4 - t335 * omega_R_upper_arm_3
         + c->links[1].J_0_xx * minus_Omega_upper_arm_xz;
-    const six_link_real H_star_upper_arm_2 = t262 + c->links[1].S_0_x * minus_alpha_0_upper_arm_6;
-    const six_link_real t263 = h_c_upper_arm_3 - c->links[1].J_0_xx * minus_Omega_upper_arm_yx
+    const six_link_real H_star_upper_arm_2 = t336 + c->links[1].S_0_x * minus_alpha_0_upper_arm_6;
+    const six_link_real t337 = h_c_upper_arm_3 - c->links[1].J_0_xx * minus_Omega_upper_arm_yx
         + J_upper_arm_xy * (minus_Omega_upper_arm_xx - minus_Omega_upper_arm_yy);
-    const six_link_real t264 = t263 + J_upper_arm_xz * Omega_upper_arm_yz
+    const six_link_real t338 = t337 + J_upper_arm_xz * Omega_upper_arm_yz
         + c->links[1].S_0_x * alpha_0_upper_arm_5 + J_upper_arm_yz * minus_Omega_upper_arm_xz;
-    const six_link_real H_star_upper_arm_3 = t264 - S_upper_arm_y * alpha_0_upper_arm_4 + t261 * state->v[1];
-    const six_link_real t265 = h_c_upper_arm_4 - minus_Omega_upper_arm_xx * c->links[1].S_0_x
+    const six_link_real H_star_upper_arm_3 = t338 - S_upper_arm_y * alpha_0_upper_arm_4 + t335 * state->v[1];
+    const six_link_real t339 = h_c_upper_arm_4 - minus_Omega_upper_arm_xx * c->links[1].S_0_x
         - minus_Omega_upper_arm_xz * S_upper_arm_z;
-    const six_link_real H_star_upper_arm_4 = t265 + alpha_0_upper_arm_4 * c->links[1].mu;
-    const six_link_real t266 = minus_minus_h_c_upper_arm_5 - minus_Omega_upper_arm_yx * c->links[1].S_0_x
+    const six_link_real H_star_upper_arm_4 = t339 + alpha_0_upper_arm_4 * c->links[1].mu;
+    const six_link_real t340 = minus_minus_h_c_upper_arm_5 - minus_Omega_upper_arm_yx * c->links[1].S_0_x
         - minus_Omega_upper_arm_yy * S_upper_arm_y;
-    const six_link_real H_star_upper_arm_5 = t266 + Omega_upper_arm_yz * S_upper_arm_z
+    const six_link_real H_star_upper_arm_5 = t340 + Omega_upper_arm_yz * S_upper_arm_z
         + alpha_0_upper_arm_5 * c->links[1].mu;
-    const six_link_real t267 = minus_h_c_upper_arm_6 + minus_Omega_upper_arm_xz * c->links[1].S_0_x
+    const six_link_real t341 = minus_h_c_upper_arm_6 + minus_Omega_upper_arm_xz * c->links[1].S_0_x
         + minus_Omega_upper_arm_zz * S_upper_arm_z;
-    const six_link_real minus_H_star_upper_arm_6 = t267 + minus_alpha_0_upper_arm_6 * c->links[1].mu;
+    const six_link_real minus_H_star_upper_arm_6 = t341 + minus_alpha_0_upper_arm_6 * c->links[1].mu;
 
     /* upper_arm, h_V: bias of the twist rows, angular acceleration included */
     const six_link_real h_V_upper_arm_1 = H_star_upper_arm_1 - minus_h_c_upper_arm_1;
@@ -1587,165 +1797,178 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_h_V_upper_arm_6 = minus_H_star_upper_arm_6 + minus_h_c_upper_arm_6;
 
     /* upper_arm, h_eta: gyroscopic force and weight on the modes, angular acceleration included */
-    const six_link_real t268 = L_upper_arm_z1 * Omega_upper_arm_yz - L_upper_arm_y1 * minus_Omega_upper_arm_yy
+    const six_link_real t342 = L_upper_arm_z1 * Omega_upper_arm_yz - L_upper_arm_y1 * minus_Omega_upper_arm_yy
         - minus_Omega_upper_arm_yx * c->links[1].chi_1;
-    const six_link_real h_eta_upper_arm_1 = t268 + alpha_0_upper_arm_5 * c->links[1].sigma_y1
+    const six_link_real h_eta_upper_arm_1 = t342 + alpha_0_upper_arm_5 * c->links[1].sigma_y1
         + Ldot_upper_arm_z1 * 2 * minus_omega_R_upper_arm_1;
-    const six_link_real t269 = L_upper_arm_z1 * minus_Omega_upper_arm_zz
+    const six_link_real t343 = L_upper_arm_z2 * Omega_upper_arm_yz - L_upper_arm_y2 * minus_Omega_upper_arm_yy
+        - minus_Omega_upper_arm_yx * c->links[1].chi_2;
+    const six_link_real h_eta_upper_arm_2 = t343 + alpha_0_upper_arm_5 * c->links[1].sigma_y2
+        + Ldot_upper_arm_z2 * 2 * minus_omega_R_upper_arm_1;
+    const six_link_real t344 = L_upper_arm_z1 * minus_Omega_upper_arm_zz
         + minus_Omega_upper_arm_xz * c->links[1].chi_1 + minus_alpha_0_upper_arm_6 * c->links[1].sigma_y1;
-    const six_link_real minus_h_eta_upper_arm_2 = t269 + Ldot_upper_arm_y1 * 2 * minus_omega_R_upper_arm_1;
-    const six_link_real minus_h_eta_upper_arm_3 = minus_alpha_0_upper_arm_1 * c->links[1].sigma_t_3;
+    const six_link_real minus_h_eta_upper_arm_3 = t344 + Ldot_upper_arm_y1 * 2 * minus_omega_R_upper_arm_1;
+    const six_link_real t345 = L_upper_arm_z2 * minus_Omega_upper_arm_zz
+        + minus_Omega_upper_arm_xz * c->links[1].chi_2 + minus_alpha_0_upper_arm_6 * c->links[1].sigma_y2;
+    const six_link_real minus_h_eta_upper_arm_4 = t345 + Ldot_upper_arm_y2 * 2 * minus_omega_R_upper_arm_1;
+    const six_link_real minus_h_eta_upper_arm_5 = minus_alpha_0_upper_arm_1 * c->links[1].sigma_t_5;
 
     /* upper_arm, tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const six_link_real t270 = R_T_upper_arm_xx * c->links[1].S_T_x + R_T_upper_arm_xy * c->links[1].S_T_y
+    const six_link_real t346 = R_T_upper_arm_xx * c->links[1].S_T_x + R_T_upper_arm_xy * c->links[1].S_T_y
         + R_T_upper_arm_xz * c->links[1].S_T_z;
-    const six_link_real t271 = R_T_upper_arm_yx * c->links[1].S_T_x + R_T_upper_arm_yy * c->links[1].S_T_y
+    const six_link_real t347 = R_T_upper_arm_yx * c->links[1].S_T_x + R_T_upper_arm_yy * c->links[1].S_T_y
         + R_T_upper_arm_yz * c->links[1].S_T_z;
-    const six_link_real t272 = R_T_upper_arm_zx * c->links[1].S_T_x + R_T_upper_arm_zy * c->links[1].S_T_y
+    const six_link_real t348 = R_T_upper_arm_zx * c->links[1].S_T_x + R_T_upper_arm_zy * c->links[1].S_T_y
         + R_T_upper_arm_zz * c->links[1].S_T_z;
-    const six_link_real t273 = c->links[1].I_T_xx * R_T_upper_arm_xx - c->links[1].J_T_xy * R_T_upper_arm_xy
+    const six_link_real t349 = c->links[1].I_T_xx * R_T_upper_arm_xx - c->links[1].J_T_xy * R_T_upper_arm_xy
         - c->links[1].J_T_xz * R_T_upper_arm_xz;
-    const six_link_real t274 = c->links[1].I_T_xx * R_T_upper_arm_yx - c->links[1].J_T_xy * R_T_upper_arm_yy
+    const six_link_real t350 = c->links[1].I_T_xx * R_T_upper_arm_yx - c->links[1].J_T_xy * R_T_upper_arm_yy
         - c->links[1].J_T_xz * R_T_upper_arm_yz;
-    const six_link_real t275 = c->links[1].I_T_xx * R_T_upper_arm_zx - c->links[1].J_T_xy * R_T_upper_arm_zy
+    const six_link_real t351 = c->links[1].I_T_xx * R_T_upper_arm_zx - c->links[1].J_T_xy * R_T_upper_arm_zy
         - c->links[1].J_T_xz * R_T_upper_arm_zz;
-    const six_link_real t276 = c->links[1].I_T_yy * R_T_upper_arm_xy - c->links[1].J_T_xy * R_T_upper_arm_xx
+    const six_link_real t352 = c->links[1].I_T_yy * R_T_upper_arm_xy - c->links[1].J_T_xy * R_T_upper_arm_xx
         - c->links[1].J_T_yz * R_T_upper_arm_xz;
-    const six_link_real t277 = c->links[1].I_T_yy * R_T_upper_arm_yy - c->links[1].J_T_xy * R_T_upper_arm_yx
+    const six_link_real t353 = c->links[1].I_T_yy * R_T_upper_arm_yy - c->links[1].J_T_xy * R_T_upper_arm_yx
         - c->links[1].J_T_yz * R_T_upper_arm_yz;
-    const six_link_real t278 = c->links[1].I_T_yy * R_T_upper_arm_zy - c->links[1].J_T_xy * R_T_upper_arm_zx
+    const six_link_real t354 = c->links[1].I_T_yy * R_T_upper_arm_zy - c->links[1].J_T_xy * R_T_upper_arm_zx
         - c->links[1].J_T_yz * R_T_upper_arm_zz;
-    const six_link_real t279 = c->links[1].I_T_zz * R_T_upper_arm_xz
+    const six_link_real t355 = c->links[1].I_T_zz * R_T_upper_arm_xz
         - (c->links[1].J_T_xz * R_T_upper_arm_xx + c->links[1].J_T_yz * R_T_upper_arm_xy);
-    const six_link_real t280 = c->links[1].I_T_zz * R_T_upper_arm_yz
+    const six_link_real t356 = c->links[1].I_T_zz * R_T_upper_arm_yz
         - (c->links[1].J_T_xz * R_T_upper_arm_yx + c->links[1].J_T_yz * R_T_upper_arm_yy);
-    const six_link_real t281 = c->links[1].I_T_zz * R_T_upper_arm_zz
+    const six_link_real t357 = c->links[1].I_T_zz * R_T_upper_arm_zz
         - (c->links[1].J_T_xz * R_T_upper_arm_zx + c->links[1].J_T_yz * R_T_upper_arm_zy);
-    const six_link_real t282 = R_T_upper_arm_xx * t273 + R_T_upper_arm_xy * t276 + R_T_upper_arm_xz * t279;
-    const six_link_real t283 = R_T_upper_arm_xx * t274 + R_T_upper_arm_xy * t277 + R_T_upper_arm_xz * t280;
-    const six_link_real t284 = R_T_upper_arm_xx * t275 + R_T_upper_arm_xy * t278 + R_T_upper_arm_xz * t281;
-    const six_link_real t285 = R_T_upper_arm_yx * t274 + R_T_upper_arm_yy * t277 + R_T_upper_arm_yz * t280;
-    const six_link_real t286 = R_T_upper_arm_yx * t275 + R_T_upper_arm_yy * t278 + R_T_upper_arm_yz * t281;
-    const six_link_real t287 = R_T_upper_arm_zx * t275 + R_T_upper_arm_zy * t278 + R_T_upper_arm_zz * t281;
-    const six_link_real Lambda_T_upper_arm_11 = Lambda_forearm_1 + t282;
-    const six_link_real Lambda_T_upper_arm_12 = Lambda_forearm_2 + t283;
-    const six_link_real Lambda_T_upper_arm_13 = Lambda_forearm_3 + t284;
-    const six_link_real Lambda_T_upper_arm_15 = Lambda_forearm_5 - t272;
-    const six_link_real Lambda_T_upper_arm_16 = Lambda_forearm_6 + t271;
-    const six_link_real Lambda_T_upper_arm_22 = Lambda_forearm_7 + t285;
-    const six_link_real Lambda_T_upper_arm_23 = Lambda_forearm_8 + t286;
-    const six_link_real Lambda_T_upper_arm_24 = Lambda_forearm_9 + t272;
-    const six_link_real Lambda_T_upper_arm_26 = Lambda_forearm_11 - t270;
-    const six_link_real Lambda_T_upper_arm_33 = Lambda_forearm_12 + t287;
-    const six_link_real Lambda_T_upper_arm_34 = Lambda_forearm_13 - t271;
-    const six_link_real Lambda_T_upper_arm_35 = Lambda_forearm_14 + t270;
+    const six_link_real t358 = R_T_upper_arm_xx * t349 + R_T_upper_arm_xy * t352 + R_T_upper_arm_xz * t355;
+    const six_link_real t359 = R_T_upper_arm_xx * t350 + R_T_upper_arm_xy * t353 + R_T_upper_arm_xz * t356;
+    const six_link_real t360 = R_T_upper_arm_xx * t351 + R_T_upper_arm_xy * t354 + R_T_upper_arm_xz * t357;
+    const six_link_real t361 = R_T_upper_arm_yx * t350 + R_T_upper_arm_yy * t353 + R_T_upper_arm_yz * t356;
+    const six_link_real t362 = R_T_upper_arm_yx * t351 + R_T_upper_arm_yy * t354 + R_T_upper_arm_yz * t357;
+    const six_link_real t363 = R_T_upper_arm_zx * t351 + R_T_upper_arm_zy * t354 + R_T_upper_arm_zz * t357;
+    const six_link_real Lambda_T_upper_arm_11 = Lambda_forearm_1 + t358;
+    const six_link_real Lambda_T_upper_arm_12 = Lambda_forearm_2 + t359;
+    const six_link_real Lambda_T_upper_arm_13 = Lambda_forearm_3 + t360;
+    const six_link_real Lambda_T_upper_arm_15 = Lambda_forearm_5 - t348;
+    const six_link_real Lambda_T_upper_arm_16 = Lambda_forearm_6 + t347;
+    const six_link_real Lambda_T_upper_arm_22 = Lambda_forearm_7 + t361;
+    const six_link_real Lambda_T_upper_arm_23 = Lambda_forearm_8 + t362;
+    const six_link_real Lambda_T_upper_arm_24 = Lambda_forearm_9 + t348;
+    const six_link_real Lambda_T_upper_arm_26 = Lambda_forearm_11 - t346;
+    const six_link_real Lambda_T_upper_arm_33 = Lambda_forearm_12 + t363;
+    const six_link_real Lambda_T_upper_arm_34 = Lambda_forearm_13 - t347;
+    const six_link_real Lambda_T_upper_arm_35 = Lambda_forearm_14 + t346;
     const six_link_real Lambda_T_upper_arm_44 = Lambda_forearm_16 + c->links[1].body0_mass;
     const six_link_real Lambda_T_upper_arm_55 = Lambda_forearm_19 + c->links[1].body0_mass;
     const six_link_real Lambda_T_upper_arm_66 = Lambda_forearm_21 + c->links[1].body0_mass;
-    const six_link_real t288 = R_T_upper_arm_xx * input->w_ext[1][0] + R_T_upper_arm_xy * input->w_ext[1][1]
+    const six_link_real t364 = R_T_upper_arm_xx * input->w_ext[1][0] + R_T_upper_arm_xy * input->w_ext[1][1]
         + R_T_upper_arm_xz * input->w_ext[1][2];
-    const six_link_real t289 = R_T_upper_arm_yx * input->w_ext[1][0] + R_T_upper_arm_yy * input->w_ext[1][1]
+    const six_link_real t365 = R_T_upper_arm_yx * input->w_ext[1][0] + R_T_upper_arm_yy * input->w_ext[1][1]
         + R_T_upper_arm_yz * input->w_ext[1][2];
-    const six_link_real t290 = R_T_upper_arm_zx * input->w_ext[1][0] + R_T_upper_arm_zy * input->w_ext[1][1]
+    const six_link_real t366 = R_T_upper_arm_zx * input->w_ext[1][0] + R_T_upper_arm_zy * input->w_ext[1][1]
         + R_T_upper_arm_zz * input->w_ext[1][2];
-    const six_link_real t291 = R_T_upper_arm_xx * input->w_ext[1][3] + R_T_upper_arm_xy * input->w_ext[1][4]
+    const six_link_real t367 = R_T_upper_arm_xx * input->w_ext[1][3] + R_T_upper_arm_xy * input->w_ext[1][4]
         + R_T_upper_arm_xz * input->w_ext[1][5];
-    const six_link_real t292 = R_T_upper_arm_yx * input->w_ext[1][3] + R_T_upper_arm_yy * input->w_ext[1][4]
+    const six_link_real t368 = R_T_upper_arm_yx * input->w_ext[1][3] + R_T_upper_arm_yy * input->w_ext[1][4]
         + R_T_upper_arm_yz * input->w_ext[1][5];
-    const six_link_real t293 = R_T_upper_arm_zx * input->w_ext[1][3] + R_T_upper_arm_zy * input->w_ext[1][4]
+    const six_link_real t369 = R_T_upper_arm_zx * input->w_ext[1][3] + R_T_upper_arm_zy * input->w_ext[1][4]
         + R_T_upper_arm_zz * input->w_ext[1][5];
-    const six_link_real t294 = t282 * alpha_0_T_upper_arm_1 + t283 * alpha_0_T_upper_arm_2
-        + t284 * alpha_0_T_upper_arm_3 - (t271 * minus_alpha_0_T_upper_arm_6 + t272 * alpha_0_T_upper_arm_5);
-    const six_link_real t295 = t272 * alpha_0_T_upper_arm_4 + t270 * minus_alpha_0_T_upper_arm_6
-        + (t283 * alpha_0_T_upper_arm_1 + t285 * alpha_0_T_upper_arm_2 + t286 * alpha_0_T_upper_arm_3);
-    const six_link_real t296 = t270 * alpha_0_T_upper_arm_5 - t271 * alpha_0_T_upper_arm_4
-        + (t284 * alpha_0_T_upper_arm_1 + t286 * alpha_0_T_upper_arm_2 + t287 * alpha_0_T_upper_arm_3);
-    const six_link_real t297 = t282 * omega_T_upper_arm_1 + t283 * omega_T_upper_arm_2
-        + t284 * omega_T_upper_arm_3;
-    const six_link_real t298 = t283 * omega_T_upper_arm_1 + t285 * omega_T_upper_arm_2
-        + t286 * omega_T_upper_arm_3;
-    const six_link_real t299 = t284 * omega_T_upper_arm_1 + t286 * omega_T_upper_arm_2
-        + t287 * omega_T_upper_arm_3;
-    const six_link_real t300 = omega_T_upper_arm_2 * t272 - omega_T_upper_arm_3 * t271;
-    const six_link_real t301 = omega_T_upper_arm_3 * t270 - omega_T_upper_arm_1 * t272;
-    const six_link_real t302 = omega_T_upper_arm_1 * t271 - omega_T_upper_arm_2 * t270;
-    const six_link_real t303 = alpha_0_T_upper_arm_2 * t272 - alpha_0_T_upper_arm_3 * t271
-        + (omega_T_upper_arm_2 * t302 - omega_T_upper_arm_3 * t301);
-    const six_link_real t304 = alpha_0_T_upper_arm_3 * t270 - alpha_0_T_upper_arm_1 * t272
-        + (omega_T_upper_arm_3 * t300 - omega_T_upper_arm_1 * t302);
-    const six_link_real t305 = alpha_0_T_upper_arm_1 * t271 - alpha_0_T_upper_arm_2 * t270
-        + (omega_T_upper_arm_1 * t301 - omega_T_upper_arm_2 * t300);
+    const six_link_real t370 = t358 * alpha_0_T_upper_arm_1 + t359 * alpha_0_T_upper_arm_2
+        + t360 * alpha_0_T_upper_arm_3 - (t347 * minus_alpha_0_T_upper_arm_6 + t348 * alpha_0_T_upper_arm_5);
+    const six_link_real t371 = t348 * alpha_0_T_upper_arm_4 + t346 * minus_alpha_0_T_upper_arm_6
+        + (t359 * alpha_0_T_upper_arm_1 + t361 * alpha_0_T_upper_arm_2 + t362 * alpha_0_T_upper_arm_3);
+    const six_link_real t372 = t346 * alpha_0_T_upper_arm_5 - t347 * alpha_0_T_upper_arm_4
+        + (t360 * alpha_0_T_upper_arm_1 + t362 * alpha_0_T_upper_arm_2 + t363 * alpha_0_T_upper_arm_3);
+    const six_link_real t373 = t358 * omega_T_upper_arm_1 + t359 * omega_T_upper_arm_2
+        + t360 * omega_T_upper_arm_3;
+    const six_link_real t374 = t359 * omega_T_upper_arm_1 + t361 * omega_T_upper_arm_2
+        + t362 * omega_T_upper_arm_3;
+    const six_link_real t375 = t360 * omega_T_upper_arm_1 + t362 * omega_T_upper_arm_2
+        + t363 * omega_T_upper_arm_3;
+    const six_link_real t376 = omega_T_upper_arm_2 * t348 - omega_T_upper_arm_3 * t347;
+    const six_link_real t377 = omega_T_upper_arm_3 * t346 - omega_T_upper_arm_1 * t348;
+    const six_link_real t378 = omega_T_upper_arm_1 * t347 - omega_T_upper_arm_2 * t346;
+    const six_link_real t379 = alpha_0_T_upper_arm_2 * t348 - alpha_0_T_upper_arm_3 * t347
+        + (omega_T_upper_arm_2 * t378 - omega_T_upper_arm_3 * t377);
+    const six_link_real t380 = alpha_0_T_upper_arm_3 * t346 - alpha_0_T_upper_arm_1 * t348
+        + (omega_T_upper_arm_3 * t376 - omega_T_upper_arm_1 * t378);
+    const six_link_real t381 = alpha_0_T_upper_arm_1 * t347 - alpha_0_T_upper_arm_2 * t346
+        + (omega_T_upper_arm_1 * t377 - omega_T_upper_arm_2 * t376);
     const six_link_real p_T_upper_arm_1 = p_forearm_1
-        + (t294 + (omega_T_upper_arm_2 * t299 - omega_T_upper_arm_3 * t298)) - t288;
+        + (t370 + (omega_T_upper_arm_2 * t375 - omega_T_upper_arm_3 * t374)) - t364;
     const six_link_real p_T_upper_arm_2 = p_forearm_2
-        + (t295 + (omega_T_upper_arm_3 * t297 - omega_T_upper_arm_1 * t299)) - t289;
+        + (t371 + (omega_T_upper_arm_3 * t373 - omega_T_upper_arm_1 * t375)) - t365;
     const six_link_real p_T_upper_arm_3 = p_forearm_3
-        + (t296 + (omega_T_upper_arm_1 * t298 - omega_T_upper_arm_2 * t297)) - t290;
-    const six_link_real p_T_upper_arm_4 = p_forearm_4 + (c->links[1].body0_mass * alpha_0_T_upper_arm_4 + t303)
-        - t291;
-    const six_link_real p_T_upper_arm_5 = p_forearm_5 + (c->links[1].body0_mass * alpha_0_T_upper_arm_5 + t304)
-        - t292;
+        + (t372 + (omega_T_upper_arm_1 * t374 - omega_T_upper_arm_2 * t373)) - t366;
+    const six_link_real p_T_upper_arm_4 = p_forearm_4 + (c->links[1].body0_mass * alpha_0_T_upper_arm_4 + t379)
+        - t367;
+    const six_link_real p_T_upper_arm_5 = p_forearm_5 + (c->links[1].body0_mass * alpha_0_T_upper_arm_5 + t380)
+        - t368;
     const six_link_real p_T_upper_arm_6 = p_forearm_6
-        + (t305 - c->links[1].body0_mass * minus_alpha_0_T_upper_arm_6) - t293;
+        + (t381 - c->links[1].body0_mass * minus_alpha_0_T_upper_arm_6) - t369;
 
     /* upper_arm, modes: the tip load folded in, modal accelerations eliminated (83) */
     const six_link_real Theta_upper_arm_11 = J_l_upper_arm_xz * c->links[1].Psi_c_z1;
-    const six_link_real Theta_upper_arm_12 = J_l_upper_arm_xy * c->links[1].Psi_c_y2;
-    const six_link_real Theta_upper_arm_13 = J_l_upper_arm_xx * REAL(1.4142135623730951);
+    const six_link_real Theta_upper_arm_12 = J_l_upper_arm_xz * c->links[1].Psi_c_z2;
+    const six_link_real Theta_upper_arm_13 = J_l_upper_arm_xy * c->links[1].Psi_c_y3;
+    const six_link_real Theta_upper_arm_14 = J_l_upper_arm_xy * c->links[1].Psi_c_y4;
+    const six_link_real Theta_upper_arm_15 = J_l_upper_arm_xx * REAL(1.7320508075688772);
     const six_link_real Theta_upper_arm_21 = J_l_upper_arm_yz * c->links[1].Psi_c_z1;
-    const six_link_real Theta_upper_arm_22 = J_l_upper_arm_yy * c->links[1].Psi_c_y2;
-    const six_link_real Theta_upper_arm_23 = J_l_upper_arm_yx * REAL(1.4142135623730951);
+    const six_link_real Theta_upper_arm_22 = J_l_upper_arm_yz * c->links[1].Psi_c_z2;
+    const six_link_real Theta_upper_arm_23 = J_l_upper_arm_yy * c->links[1].Psi_c_y3;
+    const six_link_real Theta_upper_arm_24 = J_l_upper_arm_yy * c->links[1].Psi_c_y4;
+    const six_link_real Theta_upper_arm_25 = J_l_upper_arm_yx * REAL(1.7320508075688772);
     const six_link_real Theta_upper_arm_31 = J_l_upper_arm_zz * c->links[1].Psi_c_z1;
-    const six_link_real Theta_upper_arm_32 = J_l_upper_arm_zy * c->links[1].Psi_c_y2;
-    const six_link_real Theta_upper_arm_33 = J_l_upper_arm_zx * REAL(1.4142135623730951);
-    const six_link_real t306 = r_T_upper_arm_z * Lambda_forearm_17;
-    const six_link_real t307 = r_T_upper_arm_y * Lambda_forearm_18;
-    const six_link_real t308 = c->links[1].length * Lambda_forearm_20;
-    const six_link_real M_loaded_upper_arm_14 = Lambda_forearm_4 + (t307 - t306);
-    const six_link_real t309 = Lambda_T_upper_arm_15
+    const six_link_real Theta_upper_arm_32 = J_l_upper_arm_zz * c->links[1].Psi_c_z2;
+    const six_link_real Theta_upper_arm_33 = J_l_upper_arm_zy * c->links[1].Psi_c_y3;
+    const six_link_real Theta_upper_arm_34 = J_l_upper_arm_zy * c->links[1].Psi_c_y4;
+    const six_link_real Theta_upper_arm_35 = J_l_upper_arm_zx * REAL(1.7320508075688772);
+    const six_link_real t382 = r_T_upper_arm_z * Lambda_forearm_17;
+    const six_link_real t383 = r_T_upper_arm_y * Lambda_forearm_18;
+    const six_link_real t384 = c->links[1].length * Lambda_forearm_20;
+    const six_link_real M_loaded_upper_arm_14 = Lambda_forearm_4 + (t383 - t382);
+    const six_link_real t385 = Lambda_T_upper_arm_15
         + (r_T_upper_arm_y * Lambda_forearm_20 - r_T_upper_arm_z * Lambda_T_upper_arm_55);
-    const six_link_real t310 = Lambda_T_upper_arm_16
+    const six_link_real t386 = Lambda_T_upper_arm_16
         + (r_T_upper_arm_y * Lambda_T_upper_arm_66 - r_T_upper_arm_z * Lambda_forearm_20);
-    const six_link_real t311 = Lambda_T_upper_arm_24
+    const six_link_real t387 = Lambda_T_upper_arm_24
         + (r_T_upper_arm_z * Lambda_T_upper_arm_44 - c->links[1].length * Lambda_forearm_18);
-    const six_link_real M_loaded_upper_arm_25 = Lambda_forearm_10 + (t306 - t308);
-    const six_link_real t312 = Lambda_T_upper_arm_26
+    const six_link_real M_loaded_upper_arm_25 = Lambda_forearm_10 + (t382 - t384);
+    const six_link_real t388 = Lambda_T_upper_arm_26
         + (r_T_upper_arm_z * Lambda_forearm_18 - c->links[1].length * Lambda_T_upper_arm_66);
-    const six_link_real t313 = Lambda_T_upper_arm_34
+    const six_link_real t389 = Lambda_T_upper_arm_34
         + (c->links[1].length * Lambda_forearm_17 - r_T_upper_arm_y * Lambda_T_upper_arm_44);
-    const six_link_real t314 = Lambda_T_upper_arm_35
+    const six_link_real t390 = Lambda_T_upper_arm_35
         + (c->links[1].length * Lambda_T_upper_arm_55 - r_T_upper_arm_y * Lambda_forearm_17);
-    const six_link_real M_loaded_upper_arm_36 = Lambda_forearm_15 + (t308 - t307);
-    const six_link_real t315 = Lambda_T_upper_arm_11
+    const six_link_real M_loaded_upper_arm_36 = Lambda_forearm_15 + (t384 - t383);
+    const six_link_real t391 = Lambda_T_upper_arm_11
         - (Lambda_T_upper_arm_15 * r_T_upper_arm_z - Lambda_T_upper_arm_16 * r_T_upper_arm_y);
-    const six_link_real t316 = Lambda_T_upper_arm_12
+    const six_link_real t392 = Lambda_T_upper_arm_12
         - (Lambda_T_upper_arm_16 * c->links[1].length - Lambda_forearm_4 * r_T_upper_arm_z);
-    const six_link_real t317 = Lambda_T_upper_arm_13
+    const six_link_real t393 = Lambda_T_upper_arm_13
         - (Lambda_forearm_4 * r_T_upper_arm_y - Lambda_T_upper_arm_15 * c->links[1].length);
-    const six_link_real t318 = Lambda_T_upper_arm_22
+    const six_link_real t394 = Lambda_T_upper_arm_22
         - (Lambda_T_upper_arm_26 * c->links[1].length - Lambda_T_upper_arm_24 * r_T_upper_arm_z);
-    const six_link_real t319 = Lambda_T_upper_arm_23
+    const six_link_real t395 = Lambda_T_upper_arm_23
         - (Lambda_T_upper_arm_24 * r_T_upper_arm_y - Lambda_forearm_10 * c->links[1].length);
-    const six_link_real t320 = Lambda_T_upper_arm_33
+    const six_link_real t396 = Lambda_T_upper_arm_33
         - (Lambda_T_upper_arm_34 * r_T_upper_arm_y - Lambda_T_upper_arm_35 * c->links[1].length);
     const six_link_real M_loaded_upper_arm_11 = I_upper_arm_xx
-        + (t315 + (r_T_upper_arm_y * t310 - r_T_upper_arm_z * t309));
-    const six_link_real M_loaded_upper_arm_12 = t316
-        + (r_T_upper_arm_y * t312 - r_T_upper_arm_z * M_loaded_upper_arm_25) - J_upper_arm_xy;
-    const six_link_real M_loaded_upper_arm_13 = t317
-        + (r_T_upper_arm_y * M_loaded_upper_arm_36 - r_T_upper_arm_z * t314) - J_upper_arm_xz;
-    const six_link_real M_loaded_upper_arm_15 = t309 - S_upper_arm_z;
-    const six_link_real M_loaded_upper_arm_16 = S_upper_arm_y + t310;
+        + (t391 + (r_T_upper_arm_y * t386 - r_T_upper_arm_z * t385));
+    const six_link_real M_loaded_upper_arm_12 = t392
+        + (r_T_upper_arm_y * t388 - r_T_upper_arm_z * M_loaded_upper_arm_25) - J_upper_arm_xy;
+    const six_link_real M_loaded_upper_arm_13 = t393
+        + (r_T_upper_arm_y * M_loaded_upper_arm_36 - r_T_upper_arm_z * t390) - J_upper_arm_xz;
+    const six_link_real M_loaded_upper_arm_15 = t385 - S_upper_arm_z;
+    const six_link_real M_loaded_upper_arm_16 = S_upper_arm_y + t386;
     const six_link_real M_loaded_upper_arm_22 = I_upper_arm_yy
-        + (t318 + (r_T_upper_arm_z * t311 - c->links[1].length * t312));
-    const six_link_real M_loaded_upper_arm_23 = t319
-        + (r_T_upper_arm_z * t313 - c->links[1].length * M_loaded_upper_arm_36) - J_upper_arm_yz;
-    const six_link_real M_loaded_upper_arm_24 = S_upper_arm_z + t311;
-    const six_link_real M_loaded_upper_arm_26 = t312 - c->links[1].S_0_x;
+        + (t394 + (r_T_upper_arm_z * t387 - c->links[1].length * t388));
+    const six_link_real M_loaded_upper_arm_23 = t395
+        + (r_T_upper_arm_z * t389 - c->links[1].length * M_loaded_upper_arm_36) - J_upper_arm_yz;
+    const six_link_real M_loaded_upper_arm_24 = S_upper_arm_z + t387;
+    const six_link_real M_loaded_upper_arm_26 = t388 - c->links[1].S_0_x;
     const six_link_real M_loaded_upper_arm_33 = I_upper_arm_zz
-        + (t320 + (c->links[1].length * t314 - r_T_upper_arm_y * t313));
-    const six_link_real M_loaded_upper_arm_34 = t313 - S_upper_arm_y;
-    const six_link_real M_loaded_upper_arm_35 = c->links[1].S_0_x + t314;
+        + (t396 + (c->links[1].length * t390 - r_T_upper_arm_y * t389));
+    const six_link_real M_loaded_upper_arm_34 = t389 - S_upper_arm_y;
+    const six_link_real M_loaded_upper_arm_35 = c->links[1].S_0_x + t390;
     const six_link_real M_loaded_upper_arm_44 = c->links[1].mu + Lambda_T_upper_arm_44;
     const six_link_real M_loaded_upper_arm_55 = c->links[1].mu + Lambda_T_upper_arm_55;
     const six_link_real M_loaded_upper_arm_66 = c->links[1].mu + Lambda_T_upper_arm_66;
@@ -1758,236 +1981,420 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_upper_arm_4 = h_V_upper_arm_4 + p_T_upper_arm_4;
     const six_link_real h_loaded_upper_arm_5 = h_V_upper_arm_5 + p_T_upper_arm_5;
     const six_link_real h_loaded_upper_arm_6 = p_T_upper_arm_6 - minus_h_V_upper_arm_6;
-    const six_link_real t321 = Lambda_T_upper_arm_11 * Theta_upper_arm_11
+    const six_link_real t397 = Lambda_T_upper_arm_11 * Theta_upper_arm_11
         + Lambda_T_upper_arm_12 * Theta_upper_arm_21 + Lambda_T_upper_arm_13 * Theta_upper_arm_31;
-    const six_link_real t322 = t321 + Lambda_T_upper_arm_15 * 2;
-    const six_link_real t323 = Lambda_T_upper_arm_11 * Theta_upper_arm_12
+    const six_link_real t398 = t397 + Lambda_T_upper_arm_15 * REAL(2.0195202782688155);
+    const six_link_real t399 = Lambda_T_upper_arm_11 * Theta_upper_arm_12
         + Lambda_T_upper_arm_12 * Theta_upper_arm_22 + Lambda_T_upper_arm_13 * Theta_upper_arm_32;
-    const six_link_real t324 = t323 + Lambda_T_upper_arm_16 * 2;
-    const six_link_real t325 = Lambda_T_upper_arm_11 * Theta_upper_arm_13
+    const six_link_real t400 = t399 + Lambda_T_upper_arm_15 * REAL(2.8145226674626453);
+    const six_link_real t401 = Lambda_T_upper_arm_11 * Theta_upper_arm_13
         + Lambda_T_upper_arm_12 * Theta_upper_arm_23 + Lambda_T_upper_arm_13 * Theta_upper_arm_33;
-    const six_link_real t326 = Lambda_T_upper_arm_12 * Theta_upper_arm_11
+    const six_link_real t402 = t401 + Lambda_T_upper_arm_16 * REAL(2.0195202782688155);
+    const six_link_real t403 = Lambda_T_upper_arm_11 * Theta_upper_arm_14
+        + Lambda_T_upper_arm_12 * Theta_upper_arm_24 + Lambda_T_upper_arm_13 * Theta_upper_arm_34;
+    const six_link_real t404 = t403 + Lambda_T_upper_arm_16 * REAL(2.8145226674626453);
+    const six_link_real t405 = Lambda_T_upper_arm_11 * Theta_upper_arm_15
+        + Lambda_T_upper_arm_12 * Theta_upper_arm_25 + Lambda_T_upper_arm_13 * Theta_upper_arm_35;
+    const six_link_real t406 = Lambda_T_upper_arm_12 * Theta_upper_arm_11
         + Lambda_T_upper_arm_22 * Theta_upper_arm_21 + Lambda_T_upper_arm_23 * Theta_upper_arm_31;
-    const six_link_real t327 = t326 + Lambda_forearm_10 * 2;
-    const six_link_real t328 = Lambda_T_upper_arm_12 * Theta_upper_arm_12
+    const six_link_real t407 = t406 + Lambda_forearm_10 * REAL(2.0195202782688155);
+    const six_link_real t408 = Lambda_T_upper_arm_12 * Theta_upper_arm_12
         + Lambda_T_upper_arm_22 * Theta_upper_arm_22 + Lambda_T_upper_arm_23 * Theta_upper_arm_32;
-    const six_link_real t329 = t328 + Lambda_T_upper_arm_26 * 2;
-    const six_link_real t330 = Lambda_T_upper_arm_12 * Theta_upper_arm_13
+    const six_link_real t409 = t408 + Lambda_forearm_10 * REAL(2.8145226674626453);
+    const six_link_real t410 = Lambda_T_upper_arm_12 * Theta_upper_arm_13
         + Lambda_T_upper_arm_22 * Theta_upper_arm_23 + Lambda_T_upper_arm_23 * Theta_upper_arm_33;
-    const six_link_real t331 = Lambda_T_upper_arm_13 * Theta_upper_arm_11
+    const six_link_real t411 = t410 + Lambda_T_upper_arm_26 * REAL(2.0195202782688155);
+    const six_link_real t412 = Lambda_T_upper_arm_12 * Theta_upper_arm_14
+        + Lambda_T_upper_arm_22 * Theta_upper_arm_24 + Lambda_T_upper_arm_23 * Theta_upper_arm_34;
+    const six_link_real t413 = t412 + Lambda_T_upper_arm_26 * REAL(2.8145226674626453);
+    const six_link_real t414 = Lambda_T_upper_arm_12 * Theta_upper_arm_15
+        + Lambda_T_upper_arm_22 * Theta_upper_arm_25 + Lambda_T_upper_arm_23 * Theta_upper_arm_35;
+    const six_link_real t415 = Lambda_T_upper_arm_13 * Theta_upper_arm_11
         + Lambda_T_upper_arm_23 * Theta_upper_arm_21 + Lambda_T_upper_arm_33 * Theta_upper_arm_31;
-    const six_link_real t332 = t331 + Lambda_T_upper_arm_35 * 2;
-    const six_link_real t333 = Lambda_T_upper_arm_13 * Theta_upper_arm_12
+    const six_link_real t416 = t415 + Lambda_T_upper_arm_35 * REAL(2.0195202782688155);
+    const six_link_real t417 = Lambda_T_upper_arm_13 * Theta_upper_arm_12
         + Lambda_T_upper_arm_23 * Theta_upper_arm_22 + Lambda_T_upper_arm_33 * Theta_upper_arm_32;
-    const six_link_real t334 = t333 + Lambda_forearm_15 * 2;
-    const six_link_real t335 = Lambda_T_upper_arm_13 * Theta_upper_arm_13
+    const six_link_real t418 = t417 + Lambda_T_upper_arm_35 * REAL(2.8145226674626453);
+    const six_link_real t419 = Lambda_T_upper_arm_13 * Theta_upper_arm_13
         + Lambda_T_upper_arm_23 * Theta_upper_arm_23 + Lambda_T_upper_arm_33 * Theta_upper_arm_33;
-    const six_link_real t336 = Lambda_forearm_4 * Theta_upper_arm_11 + Lambda_T_upper_arm_24 * Theta_upper_arm_21
+    const six_link_real t420 = t419 + Lambda_forearm_15 * REAL(2.0195202782688155);
+    const six_link_real t421 = Lambda_T_upper_arm_13 * Theta_upper_arm_14
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_24 + Lambda_T_upper_arm_33 * Theta_upper_arm_34;
+    const six_link_real t422 = t421 + Lambda_forearm_15 * REAL(2.8145226674626453);
+    const six_link_real t423 = Lambda_T_upper_arm_13 * Theta_upper_arm_15
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_25 + Lambda_T_upper_arm_33 * Theta_upper_arm_35;
+    const six_link_real t424 = Lambda_forearm_4 * Theta_upper_arm_11 + Lambda_T_upper_arm_24 * Theta_upper_arm_21
         + Lambda_T_upper_arm_34 * Theta_upper_arm_31;
-    const six_link_real C_upper_arm_41 = t336 + Lambda_forearm_17 * 2;
-    const six_link_real t337 = Lambda_forearm_4 * Theta_upper_arm_12 + Lambda_T_upper_arm_24 * Theta_upper_arm_22
+    const six_link_real C_upper_arm_41 = t424 + Lambda_forearm_17 * REAL(2.0195202782688155);
+    const six_link_real t425 = Lambda_forearm_4 * Theta_upper_arm_12 + Lambda_T_upper_arm_24 * Theta_upper_arm_22
         + Lambda_T_upper_arm_34 * Theta_upper_arm_32;
-    const six_link_real C_upper_arm_42 = t337 + Lambda_forearm_18 * 2;
-    const six_link_real C_upper_arm_43 = Lambda_forearm_4 * Theta_upper_arm_13
-        + Lambda_T_upper_arm_24 * Theta_upper_arm_23 + Lambda_T_upper_arm_34 * Theta_upper_arm_33;
-    const six_link_real t338 = Lambda_T_upper_arm_15 * Theta_upper_arm_11
+    const six_link_real C_upper_arm_42 = t425 + Lambda_forearm_17 * REAL(2.8145226674626453);
+    const six_link_real t426 = Lambda_forearm_4 * Theta_upper_arm_13 + Lambda_T_upper_arm_24 * Theta_upper_arm_23
+        + Lambda_T_upper_arm_34 * Theta_upper_arm_33;
+    const six_link_real C_upper_arm_43 = t426 + Lambda_forearm_18 * REAL(2.0195202782688155);
+    const six_link_real t427 = Lambda_forearm_4 * Theta_upper_arm_14 + Lambda_T_upper_arm_24 * Theta_upper_arm_24
+        + Lambda_T_upper_arm_34 * Theta_upper_arm_34;
+    const six_link_real C_upper_arm_44 = t427 + Lambda_forearm_18 * REAL(2.8145226674626453);
+    const six_link_real C_upper_arm_45 = Lambda_forearm_4 * Theta_upper_arm_15
+        + Lambda_T_upper_arm_24 * Theta_upper_arm_25 + Lambda_T_upper_arm_34 * Theta_upper_arm_35;
+    const six_link_real t428 = Lambda_T_upper_arm_15 * Theta_upper_arm_11
         + Lambda_forearm_10 * Theta_upper_arm_21 + Lambda_T_upper_arm_35 * Theta_upper_arm_31;
-    const six_link_real t339 = t338 + Lambda_T_upper_arm_55 * 2;
-    const six_link_real t340 = Lambda_T_upper_arm_15 * Theta_upper_arm_12
+    const six_link_real t429 = t428 + Lambda_T_upper_arm_55 * REAL(2.0195202782688155);
+    const six_link_real t430 = Lambda_T_upper_arm_15 * Theta_upper_arm_12
         + Lambda_forearm_10 * Theta_upper_arm_22 + Lambda_T_upper_arm_35 * Theta_upper_arm_32;
-    const six_link_real t341 = Lambda_forearm_20 * 2;
-    const six_link_real C_upper_arm_52 = t340 + t341;
-    const six_link_real C_upper_arm_53 = Lambda_T_upper_arm_15 * Theta_upper_arm_13
+    const six_link_real t431 = t430 + Lambda_T_upper_arm_55 * REAL(2.8145226674626453);
+    const six_link_real t432 = Lambda_T_upper_arm_15 * Theta_upper_arm_13
         + Lambda_forearm_10 * Theta_upper_arm_23 + Lambda_T_upper_arm_35 * Theta_upper_arm_33;
-    const six_link_real t342 = Lambda_T_upper_arm_16 * Theta_upper_arm_11
+    const six_link_real t433 = Lambda_forearm_20 * REAL(2.0195202782688155);
+    const six_link_real C_upper_arm_53 = t432 + t433;
+    const six_link_real t434 = Lambda_T_upper_arm_15 * Theta_upper_arm_14
+        + Lambda_forearm_10 * Theta_upper_arm_24 + Lambda_T_upper_arm_35 * Theta_upper_arm_34;
+    const six_link_real t435 = Lambda_forearm_20 * REAL(2.8145226674626453);
+    const six_link_real C_upper_arm_54 = t434 + t435;
+    const six_link_real C_upper_arm_55 = Lambda_T_upper_arm_15 * Theta_upper_arm_15
+        + Lambda_forearm_10 * Theta_upper_arm_25 + Lambda_T_upper_arm_35 * Theta_upper_arm_35;
+    const six_link_real t436 = Lambda_T_upper_arm_16 * Theta_upper_arm_11
         + Lambda_T_upper_arm_26 * Theta_upper_arm_21 + Lambda_forearm_15 * Theta_upper_arm_31;
-    const six_link_real C_upper_arm_61 = t342 + t341;
-    const six_link_real t343 = Lambda_T_upper_arm_16 * Theta_upper_arm_12
+    const six_link_real C_upper_arm_61 = t436 + t433;
+    const six_link_real t437 = Lambda_T_upper_arm_16 * Theta_upper_arm_12
         + Lambda_T_upper_arm_26 * Theta_upper_arm_22 + Lambda_forearm_15 * Theta_upper_arm_32;
-    const six_link_real t344 = t343 + Lambda_T_upper_arm_66 * 2;
-    const six_link_real C_upper_arm_63 = Lambda_T_upper_arm_16 * Theta_upper_arm_13
+    const six_link_real C_upper_arm_62 = t437 + t435;
+    const six_link_real t438 = Lambda_T_upper_arm_16 * Theta_upper_arm_13
         + Lambda_T_upper_arm_26 * Theta_upper_arm_23 + Lambda_forearm_15 * Theta_upper_arm_33;
-    const six_link_real C_upper_arm_21 = t327
+    const six_link_real t439 = t438 + Lambda_T_upper_arm_66 * REAL(2.0195202782688155);
+    const six_link_real t440 = Lambda_T_upper_arm_16 * Theta_upper_arm_14
+        + Lambda_T_upper_arm_26 * Theta_upper_arm_24 + Lambda_forearm_15 * Theta_upper_arm_34;
+    const six_link_real t441 = t440 + Lambda_T_upper_arm_66 * REAL(2.8145226674626453);
+    const six_link_real C_upper_arm_65 = Lambda_T_upper_arm_16 * Theta_upper_arm_15
+        + Lambda_T_upper_arm_26 * Theta_upper_arm_25 + Lambda_forearm_15 * Theta_upper_arm_35;
+    const six_link_real C_upper_arm_21 = t407
         + (r_T_upper_arm_z * C_upper_arm_41 - c->links[1].length * C_upper_arm_61);
-    const six_link_real C_upper_arm_32 = t334
-        + (c->links[1].length * C_upper_arm_52 - r_T_upper_arm_y * C_upper_arm_42);
-    const six_link_real C_upper_arm_23 = t330
-        + (r_T_upper_arm_z * C_upper_arm_43 - c->links[1].length * C_upper_arm_63);
-    const six_link_real C_upper_arm_33 = t335
+    const six_link_real C_upper_arm_22 = t409
+        + (r_T_upper_arm_z * C_upper_arm_42 - c->links[1].length * C_upper_arm_62);
+    const six_link_real C_upper_arm_33 = t420
         + (c->links[1].length * C_upper_arm_53 - r_T_upper_arm_y * C_upper_arm_43);
-    const six_link_real C_upper_arm_11 = t322 + (r_T_upper_arm_y * C_upper_arm_61 - r_T_upper_arm_z * t339)
+    const six_link_real C_upper_arm_34 = t422
+        + (c->links[1].length * C_upper_arm_54 - r_T_upper_arm_y * C_upper_arm_44);
+    const six_link_real C_upper_arm_25 = t414
+        + (r_T_upper_arm_z * C_upper_arm_45 - c->links[1].length * C_upper_arm_65);
+    const six_link_real C_upper_arm_35 = t423
+        + (c->links[1].length * C_upper_arm_55 - r_T_upper_arm_y * C_upper_arm_45);
+    const six_link_real C_upper_arm_11 = t398 + (r_T_upper_arm_y * C_upper_arm_61 - r_T_upper_arm_z * t429)
         - L_upper_arm_z1;
-    const six_link_real C_upper_arm_12 = L_upper_arm_y1
-        + (t324 + (r_T_upper_arm_y * t344 - r_T_upper_arm_z * C_upper_arm_52));
-    const six_link_real C_upper_arm_13 = c->links[1].sigma_t_3
-        + (t325 + (r_T_upper_arm_y * C_upper_arm_63 - r_T_upper_arm_z * C_upper_arm_53));
-    const six_link_real C_upper_arm_22 = t329 + (r_T_upper_arm_z * C_upper_arm_42 - c->links[1].length * t344)
+    const six_link_real C_upper_arm_12 = t400 + (r_T_upper_arm_y * C_upper_arm_62 - r_T_upper_arm_z * t431)
+        - L_upper_arm_z2;
+    const six_link_real C_upper_arm_13 = L_upper_arm_y1
+        + (t402 + (r_T_upper_arm_y * t439 - r_T_upper_arm_z * C_upper_arm_53));
+    const six_link_real C_upper_arm_14 = L_upper_arm_y2
+        + (t404 + (r_T_upper_arm_y * t441 - r_T_upper_arm_z * C_upper_arm_54));
+    const six_link_real C_upper_arm_15 = c->links[1].sigma_t_5
+        + (t405 + (r_T_upper_arm_y * C_upper_arm_65 - r_T_upper_arm_z * C_upper_arm_55));
+    const six_link_real C_upper_arm_23 = t411 + (r_T_upper_arm_z * C_upper_arm_43 - c->links[1].length * t439)
         - c->links[1].chi_1;
+    const six_link_real C_upper_arm_24 = t413 + (r_T_upper_arm_z * C_upper_arm_44 - c->links[1].length * t441)
+        - c->links[1].chi_2;
     const six_link_real C_upper_arm_31 = c->links[1].chi_1
-        + (t332 + (c->links[1].length * t339 - r_T_upper_arm_y * C_upper_arm_41));
-    const six_link_real C_upper_arm_51 = c->links[1].sigma_y1 + t339;
-    const six_link_real C_upper_arm_62 = c->links[1].sigma_y1 + t344;
-    const six_link_real modal_inertia_upper_arm_11 = Theta_upper_arm_11 * t322 + Theta_upper_arm_21 * t327
-        + Theta_upper_arm_31 * t332 + t339 * 2 + m_eta[0];
+        + (t416 + (c->links[1].length * t429 - r_T_upper_arm_y * C_upper_arm_41));
+    const six_link_real C_upper_arm_32 = c->links[1].chi_2
+        + (t418 + (c->links[1].length * t431 - r_T_upper_arm_y * C_upper_arm_42));
+    const six_link_real C_upper_arm_51 = c->links[1].sigma_y1 + t429;
+    const six_link_real C_upper_arm_52 = c->links[1].sigma_y2 + t431;
+    const six_link_real C_upper_arm_63 = c->links[1].sigma_y1 + t439;
+    const six_link_real C_upper_arm_64 = c->links[1].sigma_y2 + t441;
+    const six_link_real t442 = Theta_upper_arm_11 * t398 + Theta_upper_arm_21 * t407 + Theta_upper_arm_31 * t416
+        + t429 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_11 = t442 + m_eta[6];
     bad |= (unsigned long)(!(modal_inertia_upper_arm_11 > 0)) << 1;
-    const six_link_real modal_inertia_upper_arm_12 = Theta_upper_arm_11 * t324 + Theta_upper_arm_21 * t329
-        + Theta_upper_arm_31 * t334 + C_upper_arm_52 * 2;
-    const six_link_real modal_inertia_upper_arm_13 = Theta_upper_arm_11 * t325 + Theta_upper_arm_21 * t330
-        + Theta_upper_arm_31 * t335 + C_upper_arm_53 * 2;
-    const six_link_real modal_inertia_upper_arm_22 = Theta_upper_arm_12 * t324 + Theta_upper_arm_22 * t329
-        + Theta_upper_arm_32 * t334 + t344 * 2 + m_eta[1];
-    const six_link_real modal_inertia_upper_arm_23 = Theta_upper_arm_12 * t325 + Theta_upper_arm_22 * t330
-        + Theta_upper_arm_32 * t335 + C_upper_arm_63 * 2;
-    const six_link_real modal_inertia_upper_arm_33 = Theta_upper_arm_13 * t325 + Theta_upper_arm_23 * t330
-        + Theta_upper_arm_33 * t335 + m_eta[2];
-    const six_link_real t345 = Theta_upper_arm_11 * p_T_upper_arm_1 + Theta_upper_arm_21 * p_T_upper_arm_2
+    const six_link_real modal_inertia_upper_arm_12 = Theta_upper_arm_11 * t400 + Theta_upper_arm_21 * t409
+        + Theta_upper_arm_31 * t418 + t431 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_13 = Theta_upper_arm_11 * t402 + Theta_upper_arm_21 * t411
+        + Theta_upper_arm_31 * t420 + C_upper_arm_53 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_14 = Theta_upper_arm_11 * t404 + Theta_upper_arm_21 * t413
+        + Theta_upper_arm_31 * t422 + C_upper_arm_54 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_15 = Theta_upper_arm_11 * t405 + Theta_upper_arm_21 * t414
+        + Theta_upper_arm_31 * t423 + C_upper_arm_55 * REAL(2.0195202782688155);
+    const six_link_real t443 = Theta_upper_arm_12 * t400 + Theta_upper_arm_22 * t409 + Theta_upper_arm_32 * t418
+        + t431 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_upper_arm_22 = t443 + m_eta[7];
+    const six_link_real modal_inertia_upper_arm_23 = Theta_upper_arm_12 * t402 + Theta_upper_arm_22 * t411
+        + Theta_upper_arm_32 * t420 + C_upper_arm_53 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_upper_arm_24 = Theta_upper_arm_12 * t404 + Theta_upper_arm_22 * t413
+        + Theta_upper_arm_32 * t422 + C_upper_arm_54 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_upper_arm_25 = Theta_upper_arm_12 * t405 + Theta_upper_arm_22 * t414
+        + Theta_upper_arm_32 * t423 + C_upper_arm_55 * REAL(2.8145226674626453);
+    const six_link_real t444 = Theta_upper_arm_13 * t402 + Theta_upper_arm_23 * t411 + Theta_upper_arm_33 * t420
+        + t439 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_33 = t444 + m_eta[8];
+    const six_link_real modal_inertia_upper_arm_34 = Theta_upper_arm_13 * t404 + Theta_upper_arm_23 * t413
+        + Theta_upper_arm_33 * t422 + t441 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_upper_arm_35 = Theta_upper_arm_13 * t405 + Theta_upper_arm_23 * t414
+        + Theta_upper_arm_33 * t423 + C_upper_arm_65 * REAL(2.0195202782688155);
+    const six_link_real t445 = Theta_upper_arm_14 * t404 + Theta_upper_arm_24 * t413 + Theta_upper_arm_34 * t422
+        + t441 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_upper_arm_44 = t445 + m_eta[9];
+    const six_link_real modal_inertia_upper_arm_45 = Theta_upper_arm_14 * t405 + Theta_upper_arm_24 * t414
+        + Theta_upper_arm_34 * t423 + C_upper_arm_65 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_upper_arm_55 = Theta_upper_arm_15 * t405 + Theta_upper_arm_25 * t414
+        + Theta_upper_arm_35 * t423 + m_eta[10];
+    const six_link_real t446 = Theta_upper_arm_11 * p_T_upper_arm_1 + Theta_upper_arm_21 * p_T_upper_arm_2
         + Theta_upper_arm_31 * p_T_upper_arm_3;
-    const six_link_real t346 = Theta_upper_arm_12 * p_T_upper_arm_1 + Theta_upper_arm_22 * p_T_upper_arm_2
+    const six_link_real t447 = Theta_upper_arm_12 * p_T_upper_arm_1 + Theta_upper_arm_22 * p_T_upper_arm_2
         + Theta_upper_arm_32 * p_T_upper_arm_3;
-    const six_link_real t347 = Theta_upper_arm_13 * p_T_upper_arm_1 + Theta_upper_arm_23 * p_T_upper_arm_2
+    const six_link_real t448 = Theta_upper_arm_13 * p_T_upper_arm_1 + Theta_upper_arm_23 * p_T_upper_arm_2
         + Theta_upper_arm_33 * p_T_upper_arm_3;
-    const six_link_real h_phi_upper_arm_1 = h_eta_upper_arm_1 + work->f_eta[0] + (t345 + p_T_upper_arm_5 * 2);
-    const six_link_real h_phi_upper_arm_2 = work->f_eta[1] - minus_h_eta_upper_arm_2
-        + (t346 + p_T_upper_arm_6 * 2);
-    const six_link_real h_phi_upper_arm_3 = work->f_eta[2] - minus_h_eta_upper_arm_3 + t347;
+    const six_link_real t449 = Theta_upper_arm_14 * p_T_upper_arm_1 + Theta_upper_arm_24 * p_T_upper_arm_2
+        + Theta_upper_arm_34 * p_T_upper_arm_3;
+    const six_link_real t450 = Theta_upper_arm_15 * p_T_upper_arm_1 + Theta_upper_arm_25 * p_T_upper_arm_2
+        + Theta_upper_arm_35 * p_T_upper_arm_3;
+    const six_link_real h_phi_upper_arm_1 = h_eta_upper_arm_1 + work->f_eta[6]
+        + (t446 + p_T_upper_arm_5 * REAL(2.0195202782688155));
+    const six_link_real h_phi_upper_arm_2 = h_eta_upper_arm_2 + work->f_eta[7]
+        + (t447 + p_T_upper_arm_5 * REAL(2.8145226674626453));
+    const six_link_real h_phi_upper_arm_3 = work->f_eta[8] - minus_h_eta_upper_arm_3
+        + (t448 + p_T_upper_arm_6 * REAL(2.0195202782688155));
+    const six_link_real h_phi_upper_arm_4 = work->f_eta[9] - minus_h_eta_upper_arm_4
+        + (t449 + p_T_upper_arm_6 * REAL(2.8145226674626453));
+    const six_link_real h_phi_upper_arm_5 = work->f_eta[10] - minus_h_eta_upper_arm_5 + t450;
     const six_link_real modes_inverse_upper_arm_1 = 1 / modal_inertia_upper_arm_11;
     const six_link_real modes_L_upper_arm_21 = modal_inertia_upper_arm_12 * modes_inverse_upper_arm_1;
     const six_link_real modes_L_upper_arm_31 = modal_inertia_upper_arm_13 * modes_inverse_upper_arm_1;
-    const six_link_real t348 = modal_inertia_upper_arm_22 - modal_inertia_upper_arm_12 * modes_L_upper_arm_21;
-    bad |= (unsigned long)(!(t348 > 0)) << 1;
-    const six_link_real modes_inverse_upper_arm_2 = 1 / t348;
-    const six_link_real t349 = modal_inertia_upper_arm_23 - modal_inertia_upper_arm_12 * modes_L_upper_arm_31;
-    const six_link_real modes_L_upper_arm_32 = t349 * modes_inverse_upper_arm_2;
-    const six_link_real t350 = modal_inertia_upper_arm_33
-        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_31 + t349 * modes_L_upper_arm_32);
-    bad |= (unsigned long)(!(t350 > 0)) << 1;
-    const six_link_real modes_inverse_upper_arm_3 = 1 / t350;
-    const six_link_real t351 = C_upper_arm_12 - modes_L_upper_arm_21 * C_upper_arm_11;
-    const six_link_real t352 = C_upper_arm_22 - modes_L_upper_arm_21 * C_upper_arm_21;
-    const six_link_real t353 = C_upper_arm_32 - modes_L_upper_arm_21 * C_upper_arm_31;
-    const six_link_real t354 = C_upper_arm_42 - modes_L_upper_arm_21 * C_upper_arm_41;
-    const six_link_real t355 = C_upper_arm_52 - modes_L_upper_arm_21 * C_upper_arm_51;
-    const six_link_real t356 = C_upper_arm_62 - modes_L_upper_arm_21 * C_upper_arm_61;
-    const six_link_real t357 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11
-        - modes_L_upper_arm_32 * t351;
-    const six_link_real t358 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21
-        - modes_L_upper_arm_32 * t352;
-    const six_link_real t359 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31
-        - modes_L_upper_arm_32 * t353;
-    const six_link_real t360 = C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41
-        - modes_L_upper_arm_32 * t354;
-    const six_link_real t361 = C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51
-        - modes_L_upper_arm_32 * t355;
-    const six_link_real t362 = C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61
-        - modes_L_upper_arm_32 * t356;
-    const six_link_real t363 = h_phi_upper_arm_2 - modes_L_upper_arm_21 * h_phi_upper_arm_1;
-    const six_link_real t364 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1
-        - modes_L_upper_arm_32 * t363;
+    const six_link_real modes_L_upper_arm_41 = modal_inertia_upper_arm_14 * modes_inverse_upper_arm_1;
+    const six_link_real modes_L_upper_arm_51 = modal_inertia_upper_arm_15 * modes_inverse_upper_arm_1;
+    const six_link_real t451 = modal_inertia_upper_arm_22 - modal_inertia_upper_arm_12 * modes_L_upper_arm_21;
+    bad |= (unsigned long)(!(t451 > 0)) << 1;
+    const six_link_real modes_inverse_upper_arm_2 = 1 / t451;
+    const six_link_real t452 = modal_inertia_upper_arm_23 - modal_inertia_upper_arm_12 * modes_L_upper_arm_31;
+    const six_link_real modes_L_upper_arm_32 = t452 * modes_inverse_upper_arm_2;
+    const six_link_real t453 = modal_inertia_upper_arm_24 - modal_inertia_upper_arm_12 * modes_L_upper_arm_41;
+    const six_link_real modes_L_upper_arm_42 = t453 * modes_inverse_upper_arm_2;
+    const six_link_real t454 = modal_inertia_upper_arm_25 - modal_inertia_upper_arm_12 * modes_L_upper_arm_51;
+    const six_link_real modes_L_upper_arm_52 = t454 * modes_inverse_upper_arm_2;
+    const six_link_real t455 = modal_inertia_upper_arm_33
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_31 + t452 * modes_L_upper_arm_32);
+    bad |= (unsigned long)(!(t455 > 0)) << 1;
+    const six_link_real modes_inverse_upper_arm_3 = 1 / t455;
+    const six_link_real t456 = modal_inertia_upper_arm_34
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_41 + t452 * modes_L_upper_arm_42);
+    const six_link_real modes_L_upper_arm_43 = t456 * modes_inverse_upper_arm_3;
+    const six_link_real t457 = modal_inertia_upper_arm_35
+        - (modal_inertia_upper_arm_13 * modes_L_upper_arm_51 + t452 * modes_L_upper_arm_52);
+    const six_link_real modes_L_upper_arm_53 = t457 * modes_inverse_upper_arm_3;
+    const six_link_real t458 = modal_inertia_upper_arm_14 * modes_L_upper_arm_41 + t453 * modes_L_upper_arm_42
+        + t456 * modes_L_upper_arm_43;
+    const six_link_real t459 = modal_inertia_upper_arm_44 - t458;
+    bad |= (unsigned long)(!(t459 > 0)) << 1;
+    const six_link_real modes_inverse_upper_arm_4 = 1 / t459;
+    const six_link_real t460 = modal_inertia_upper_arm_14 * modes_L_upper_arm_51 + t453 * modes_L_upper_arm_52
+        + t456 * modes_L_upper_arm_53;
+    const six_link_real t461 = modal_inertia_upper_arm_45 - t460;
+    const six_link_real modes_L_upper_arm_54 = t461 * modes_inverse_upper_arm_4;
+    const six_link_real t462 = modal_inertia_upper_arm_15 * modes_L_upper_arm_51 + t454 * modes_L_upper_arm_52
+        + t457 * modes_L_upper_arm_53;
+    const six_link_real t463 = modal_inertia_upper_arm_55 - (t462 + t461 * modes_L_upper_arm_54);
+    bad |= (unsigned long)(!(t463 > 0)) << 1;
+    const six_link_real modes_inverse_upper_arm_5 = 1 / t463;
+    const six_link_real t464 = C_upper_arm_12 - modes_L_upper_arm_21 * C_upper_arm_11;
+    const six_link_real t465 = C_upper_arm_22 - modes_L_upper_arm_21 * C_upper_arm_21;
+    const six_link_real t466 = C_upper_arm_32 - modes_L_upper_arm_21 * C_upper_arm_31;
+    const six_link_real t467 = C_upper_arm_42 - modes_L_upper_arm_21 * C_upper_arm_41;
+    const six_link_real t468 = C_upper_arm_52 - modes_L_upper_arm_21 * C_upper_arm_51;
+    const six_link_real t469 = C_upper_arm_62 - modes_L_upper_arm_21 * C_upper_arm_61;
+    const six_link_real t470 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11
+        - modes_L_upper_arm_32 * t464;
+    const six_link_real t471 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21
+        - modes_L_upper_arm_32 * t465;
+    const six_link_real t472 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31
+        - modes_L_upper_arm_32 * t466;
+    const six_link_real t473 = C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41
+        - modes_L_upper_arm_32 * t467;
+    const six_link_real t474 = C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51
+        - modes_L_upper_arm_32 * t468;
+    const six_link_real t475 = C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61
+        - modes_L_upper_arm_32 * t469;
+    const six_link_real t476 = C_upper_arm_14 - modes_L_upper_arm_41 * C_upper_arm_11
+        - modes_L_upper_arm_42 * t464 - modes_L_upper_arm_43 * t470;
+    const six_link_real t477 = C_upper_arm_24 - modes_L_upper_arm_41 * C_upper_arm_21
+        - modes_L_upper_arm_42 * t465 - modes_L_upper_arm_43 * t471;
+    const six_link_real t478 = C_upper_arm_34 - modes_L_upper_arm_41 * C_upper_arm_31
+        - modes_L_upper_arm_42 * t466 - modes_L_upper_arm_43 * t472;
+    const six_link_real t479 = C_upper_arm_44 - modes_L_upper_arm_41 * C_upper_arm_41
+        - modes_L_upper_arm_42 * t467 - modes_L_upper_arm_43 * t473;
+    const six_link_real t480 = C_upper_arm_54 - modes_L_upper_arm_41 * C_upper_arm_51
+        - modes_L_upper_arm_42 * t468 - modes_L_upper_arm_43 * t474;
+    const six_link_real t481 = C_upper_arm_64 - modes_L_upper_arm_41 * C_upper_arm_61
+        - modes_L_upper_arm_42 * t469 - modes_L_upper_arm_43 * t475;
+    const six_link_real t482 = C_upper_arm_15 - modes_L_upper_arm_51 * C_upper_arm_11
+        - modes_L_upper_arm_52 * t464 - modes_L_upper_arm_53 * t470;
+    const six_link_real t483 = C_upper_arm_25 - modes_L_upper_arm_51 * C_upper_arm_21
+        - modes_L_upper_arm_52 * t465 - modes_L_upper_arm_53 * t471;
+    const six_link_real t484 = C_upper_arm_35 - modes_L_upper_arm_51 * C_upper_arm_31
+        - modes_L_upper_arm_52 * t466 - modes_L_upper_arm_53 * t472;
+    const six_link_real t485 = C_upper_arm_45 - modes_L_upper_arm_51 * C_upper_arm_41
+        - modes_L_upper_arm_52 * t467 - modes_L_upper_arm_53 * t473;
+    const six_link_real t486 = C_upper_arm_55 - modes_L_upper_arm_51 * C_upper_arm_51
+        - modes_L_upper_arm_52 * t468 - modes_L_upper_arm_53 * t474;
+    const six_link_real t487 = C_upper_arm_65 - modes_L_upper_arm_51 * C_upper_arm_61
+        - modes_L_upper_arm_52 * t469 - modes_L_upper_arm_53 * t475;
+    const six_link_real t488 = t482 - modes_L_upper_arm_54 * t476;
+    const six_link_real t489 = t483 - modes_L_upper_arm_54 * t477;
+    const six_link_real t490 = t484 - modes_L_upper_arm_54 * t478;
+    const six_link_real t491 = t485 - modes_L_upper_arm_54 * t479;
+    const six_link_real t492 = t486 - modes_L_upper_arm_54 * t480;
+    const six_link_real t493 = t487 - modes_L_upper_arm_54 * t481;
+    const six_link_real t494 = h_phi_upper_arm_2 - modes_L_upper_arm_21 * h_phi_upper_arm_1;
+    const six_link_real t495 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1
+        - modes_L_upper_arm_32 * t494;
+    const six_link_real t496 = h_phi_upper_arm_4 - modes_L_upper_arm_41 * h_phi_upper_arm_1
+        - modes_L_upper_arm_42 * t494 - modes_L_upper_arm_43 * t495;
+    const six_link_real t497 = h_phi_upper_arm_5 - modes_L_upper_arm_51 * h_phi_upper_arm_1
+        - modes_L_upper_arm_52 * t494 - modes_L_upper_arm_53 * t495;
+    const six_link_real t498 = t497 - modes_L_upper_arm_54 * t496;
     const six_link_real modes_W_upper_arm_11 = C_upper_arm_11 * modes_inverse_upper_arm_1;
     const six_link_real modes_W_upper_arm_12 = C_upper_arm_21 * modes_inverse_upper_arm_1;
     const six_link_real modes_W_upper_arm_13 = C_upper_arm_31 * modes_inverse_upper_arm_1;
     const six_link_real modes_W_upper_arm_14 = C_upper_arm_41 * modes_inverse_upper_arm_1;
     const six_link_real modes_W_upper_arm_15 = C_upper_arm_51 * modes_inverse_upper_arm_1;
     const six_link_real modes_W_upper_arm_16 = C_upper_arm_61 * modes_inverse_upper_arm_1;
-    const six_link_real modes_W_upper_arm_21 = t351 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_22 = t352 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_23 = t353 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_24 = t354 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_25 = t355 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_26 = t356 * modes_inverse_upper_arm_2;
-    const six_link_real modes_W_upper_arm_31 = t357 * modes_inverse_upper_arm_3;
-    const six_link_real modes_W_upper_arm_32 = t358 * modes_inverse_upper_arm_3;
-    const six_link_real modes_W_upper_arm_33 = t359 * modes_inverse_upper_arm_3;
-    const six_link_real modes_W_upper_arm_34 = t360 * modes_inverse_upper_arm_3;
-    const six_link_real modes_W_upper_arm_35 = t361 * modes_inverse_upper_arm_3;
-    const six_link_real modes_W_upper_arm_36 = t362 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_21 = t464 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_22 = t465 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_23 = t466 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_24 = t467 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_25 = t468 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_26 = t469 * modes_inverse_upper_arm_2;
+    const six_link_real modes_W_upper_arm_31 = t470 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_32 = t471 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_33 = t472 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_34 = t473 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_35 = t474 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_36 = t475 * modes_inverse_upper_arm_3;
+    const six_link_real modes_W_upper_arm_41 = t476 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_42 = t477 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_43 = t478 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_44 = t479 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_45 = t480 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_46 = t481 * modes_inverse_upper_arm_4;
+    const six_link_real modes_W_upper_arm_51 = t488 * modes_inverse_upper_arm_5;
+    const six_link_real modes_W_upper_arm_52 = t489 * modes_inverse_upper_arm_5;
+    const six_link_real modes_W_upper_arm_53 = t490 * modes_inverse_upper_arm_5;
+    const six_link_real modes_W_upper_arm_54 = t491 * modes_inverse_upper_arm_5;
+    const six_link_real modes_W_upper_arm_55 = t492 * modes_inverse_upper_arm_5;
+    const six_link_real modes_W_upper_arm_56 = t493 * modes_inverse_upper_arm_5;
     const six_link_real modes_w_upper_arm_1 = h_phi_upper_arm_1 * modes_inverse_upper_arm_1;
-    const six_link_real modes_w_upper_arm_2 = t363 * modes_inverse_upper_arm_2;
-    const six_link_real modes_w_upper_arm_3 = t364 * modes_inverse_upper_arm_3;
-    const six_link_real t365 = C_upper_arm_11 * modes_W_upper_arm_11 + t351 * modes_W_upper_arm_21
-        + t357 * modes_W_upper_arm_31;
-    const six_link_real M_i_upper_arm_11 = M_loaded_upper_arm_11 - t365;
-    const six_link_real t366 = C_upper_arm_11 * modes_W_upper_arm_12 + t351 * modes_W_upper_arm_22
-        + t357 * modes_W_upper_arm_32;
-    const six_link_real M_i_upper_arm_12 = M_loaded_upper_arm_12 - t366;
-    const six_link_real t367 = C_upper_arm_11 * modes_W_upper_arm_13 + t351 * modes_W_upper_arm_23
-        + t357 * modes_W_upper_arm_33;
-    const six_link_real M_i_upper_arm_13 = M_loaded_upper_arm_13 - t367;
-    const six_link_real t368 = C_upper_arm_11 * modes_W_upper_arm_14 + t351 * modes_W_upper_arm_24
-        + t357 * modes_W_upper_arm_34;
-    const six_link_real M_i_upper_arm_14 = M_loaded_upper_arm_14 - t368;
-    const six_link_real t369 = C_upper_arm_11 * modes_W_upper_arm_15 + t351 * modes_W_upper_arm_25
-        + t357 * modes_W_upper_arm_35;
-    const six_link_real M_i_upper_arm_15 = M_loaded_upper_arm_15 - t369;
-    const six_link_real t370 = C_upper_arm_11 * modes_W_upper_arm_16 + t351 * modes_W_upper_arm_26
-        + t357 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_16 = M_loaded_upper_arm_16 - t370;
-    const six_link_real t371 = C_upper_arm_21 * modes_W_upper_arm_12 + t352 * modes_W_upper_arm_22
-        + t358 * modes_W_upper_arm_32;
-    const six_link_real M_i_upper_arm_22 = M_loaded_upper_arm_22 - t371;
-    const six_link_real t372 = C_upper_arm_21 * modes_W_upper_arm_13 + t352 * modes_W_upper_arm_23
-        + t358 * modes_W_upper_arm_33;
-    const six_link_real M_i_upper_arm_23 = M_loaded_upper_arm_23 - t372;
-    const six_link_real t373 = C_upper_arm_21 * modes_W_upper_arm_14 + t352 * modes_W_upper_arm_24
-        + t358 * modes_W_upper_arm_34;
-    const six_link_real M_i_upper_arm_24 = M_loaded_upper_arm_24 - t373;
-    const six_link_real t374 = C_upper_arm_21 * modes_W_upper_arm_15 + t352 * modes_W_upper_arm_25
-        + t358 * modes_W_upper_arm_35;
-    const six_link_real M_i_upper_arm_25 = M_loaded_upper_arm_25 - t374;
-    const six_link_real t375 = C_upper_arm_21 * modes_W_upper_arm_16 + t352 * modes_W_upper_arm_26
-        + t358 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_26 = M_loaded_upper_arm_26 - t375;
-    const six_link_real t376 = C_upper_arm_31 * modes_W_upper_arm_13 + t353 * modes_W_upper_arm_23
-        + t359 * modes_W_upper_arm_33;
-    const six_link_real M_i_upper_arm_33 = M_loaded_upper_arm_33 - t376;
-    const six_link_real t377 = C_upper_arm_31 * modes_W_upper_arm_14 + t353 * modes_W_upper_arm_24
-        + t359 * modes_W_upper_arm_34;
-    const six_link_real M_i_upper_arm_34 = M_loaded_upper_arm_34 - t377;
-    const six_link_real t378 = C_upper_arm_31 * modes_W_upper_arm_15 + t353 * modes_W_upper_arm_25
-        + t359 * modes_W_upper_arm_35;
-    const six_link_real M_i_upper_arm_35 = M_loaded_upper_arm_35 - t378;
-    const six_link_real t379 = C_upper_arm_31 * modes_W_upper_arm_16 + t353 * modes_W_upper_arm_26
-        + t359 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_36 = M_loaded_upper_arm_36 - t379;
-    const six_link_real t380 = C_upper_arm_41 * modes_W_upper_arm_14 + t354 * modes_W_upper_arm_24
-        + t360 * modes_W_upper_arm_34;
-    const six_link_real M_i_upper_arm_44 = M_loaded_upper_arm_44 - t380;
-    const six_link_real t381 = C_upper_arm_41 * modes_W_upper_arm_15 + t354 * modes_W_upper_arm_25
-        + t360 * modes_W_upper_arm_35;
-    const six_link_real M_i_upper_arm_45 = Lambda_forearm_17 - t381;
-    const six_link_real t382 = C_upper_arm_41 * modes_W_upper_arm_16 + t354 * modes_W_upper_arm_26
-        + t360 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_46 = Lambda_forearm_18 - t382;
-    const six_link_real t383 = C_upper_arm_51 * modes_W_upper_arm_15 + t355 * modes_W_upper_arm_25
-        + t361 * modes_W_upper_arm_35;
-    const six_link_real M_i_upper_arm_55 = M_loaded_upper_arm_55 - t383;
-    const six_link_real t384 = C_upper_arm_51 * modes_W_upper_arm_16 + t355 * modes_W_upper_arm_26
-        + t361 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_56 = Lambda_forearm_20 - t384;
-    const six_link_real t385 = C_upper_arm_61 * modes_W_upper_arm_16 + t356 * modes_W_upper_arm_26
-        + t362 * modes_W_upper_arm_36;
-    const six_link_real M_i_upper_arm_66 = M_loaded_upper_arm_66 - t385;
-    const six_link_real t386 = modes_W_upper_arm_11 * h_phi_upper_arm_1 + modes_W_upper_arm_21 * t363
-        + modes_W_upper_arm_31 * t364;
-    const six_link_real t387 = modes_W_upper_arm_12 * h_phi_upper_arm_1 + modes_W_upper_arm_22 * t363
-        + modes_W_upper_arm_32 * t364;
-    const six_link_real t388 = modes_W_upper_arm_13 * h_phi_upper_arm_1 + modes_W_upper_arm_23 * t363
-        + modes_W_upper_arm_33 * t364;
-    const six_link_real t389 = modes_W_upper_arm_14 * h_phi_upper_arm_1 + modes_W_upper_arm_24 * t363
-        + modes_W_upper_arm_34 * t364;
-    const six_link_real t390 = modes_W_upper_arm_15 * h_phi_upper_arm_1 + modes_W_upper_arm_25 * t363
-        + modes_W_upper_arm_35 * t364;
-    const six_link_real t391 = modes_W_upper_arm_16 * h_phi_upper_arm_1 + modes_W_upper_arm_26 * t363
-        + modes_W_upper_arm_36 * t364;
-    const six_link_real h_i_upper_arm_1 = h_loaded_upper_arm_1 - t386;
-    const six_link_real h_i_upper_arm_2 = h_loaded_upper_arm_2 - t387;
-    const six_link_real h_i_upper_arm_3 = h_loaded_upper_arm_3 - t388;
-    const six_link_real h_i_upper_arm_4 = h_loaded_upper_arm_4 - t389;
-    const six_link_real h_i_upper_arm_5 = h_loaded_upper_arm_5 - t390;
-    const six_link_real h_i_upper_arm_6 = h_loaded_upper_arm_6 - t391;
+    const six_link_real modes_w_upper_arm_2 = t494 * modes_inverse_upper_arm_2;
+    const six_link_real modes_w_upper_arm_3 = t495 * modes_inverse_upper_arm_3;
+    const six_link_real modes_w_upper_arm_4 = t496 * modes_inverse_upper_arm_4;
+    const six_link_real modes_w_upper_arm_5 = t498 * modes_inverse_upper_arm_5;
+    const six_link_real t499 = C_upper_arm_11 * modes_W_upper_arm_11 + t464 * modes_W_upper_arm_21
+        + t470 * modes_W_upper_arm_31;
+    const six_link_real M_i_upper_arm_11 = M_loaded_upper_arm_11
+        - (t499 + t476 * modes_W_upper_arm_41 + t488 * modes_W_upper_arm_51);
+    const six_link_real t500 = C_upper_arm_11 * modes_W_upper_arm_12 + t464 * modes_W_upper_arm_22
+        + t470 * modes_W_upper_arm_32;
+    const six_link_real M_i_upper_arm_12 = M_loaded_upper_arm_12
+        - (t500 + t476 * modes_W_upper_arm_42 + t488 * modes_W_upper_arm_52);
+    const six_link_real t501 = C_upper_arm_11 * modes_W_upper_arm_13 + t464 * modes_W_upper_arm_23
+        + t470 * modes_W_upper_arm_33;
+    const six_link_real M_i_upper_arm_13 = M_loaded_upper_arm_13
+        - (t501 + t476 * modes_W_upper_arm_43 + t488 * modes_W_upper_arm_53);
+    const six_link_real t502 = C_upper_arm_11 * modes_W_upper_arm_14 + t464 * modes_W_upper_arm_24
+        + t470 * modes_W_upper_arm_34;
+    const six_link_real M_i_upper_arm_14 = M_loaded_upper_arm_14
+        - (t502 + t476 * modes_W_upper_arm_44 + t488 * modes_W_upper_arm_54);
+    const six_link_real t503 = C_upper_arm_11 * modes_W_upper_arm_15 + t464 * modes_W_upper_arm_25
+        + t470 * modes_W_upper_arm_35;
+    const six_link_real M_i_upper_arm_15 = M_loaded_upper_arm_15
+        - (t503 + t476 * modes_W_upper_arm_45 + t488 * modes_W_upper_arm_55);
+    const six_link_real t504 = C_upper_arm_11 * modes_W_upper_arm_16 + t464 * modes_W_upper_arm_26
+        + t470 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_16 = M_loaded_upper_arm_16
+        - (t504 + t476 * modes_W_upper_arm_46 + t488 * modes_W_upper_arm_56);
+    const six_link_real t505 = C_upper_arm_21 * modes_W_upper_arm_12 + t465 * modes_W_upper_arm_22
+        + t471 * modes_W_upper_arm_32;
+    const six_link_real M_i_upper_arm_22 = M_loaded_upper_arm_22
+        - (t505 + t477 * modes_W_upper_arm_42 + t489 * modes_W_upper_arm_52);
+    const six_link_real t506 = C_upper_arm_21 * modes_W_upper_arm_13 + t465 * modes_W_upper_arm_23
+        + t471 * modes_W_upper_arm_33;
+    const six_link_real M_i_upper_arm_23 = M_loaded_upper_arm_23
+        - (t506 + t477 * modes_W_upper_arm_43 + t489 * modes_W_upper_arm_53);
+    const six_link_real t507 = C_upper_arm_21 * modes_W_upper_arm_14 + t465 * modes_W_upper_arm_24
+        + t471 * modes_W_upper_arm_34;
+    const six_link_real M_i_upper_arm_24 = M_loaded_upper_arm_24
+        - (t507 + t477 * modes_W_upper_arm_44 + t489 * modes_W_upper_arm_54);
+    const six_link_real t508 = C_upper_arm_21 * modes_W_upper_arm_15 + t465 * modes_W_upper_arm_25
+        + t471 * modes_W_upper_arm_35;
+    const six_link_real M_i_upper_arm_25 = M_loaded_upper_arm_25
+        - (t508 + t477 * modes_W_upper_arm_45 + t489 * modes_W_upper_arm_55);
+    const six_link_real t509 = C_upper_arm_21 * modes_W_upper_arm_16 + t465 * modes_W_upper_arm_26
+        + t471 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_26 = M_loaded_upper_arm_26
+        - (t509 + t477 * modes_W_upper_arm_46 + t489 * modes_W_upper_arm_56);
+    const six_link_real t510 = C_upper_arm_31 * modes_W_upper_arm_13 + t466 * modes_W_upper_arm_23
+        + t472 * modes_W_upper_arm_33;
+    const six_link_real M_i_upper_arm_33 = M_loaded_upper_arm_33
+        - (t510 + t478 * modes_W_upper_arm_43 + t490 * modes_W_upper_arm_53);
+    const six_link_real t511 = C_upper_arm_31 * modes_W_upper_arm_14 + t466 * modes_W_upper_arm_24
+        + t472 * modes_W_upper_arm_34;
+    const six_link_real M_i_upper_arm_34 = M_loaded_upper_arm_34
+        - (t511 + t478 * modes_W_upper_arm_44 + t490 * modes_W_upper_arm_54);
+    const six_link_real t512 = C_upper_arm_31 * modes_W_upper_arm_15 + t466 * modes_W_upper_arm_25
+        + t472 * modes_W_upper_arm_35;
+    const six_link_real M_i_upper_arm_35 = M_loaded_upper_arm_35
+        - (t512 + t478 * modes_W_upper_arm_45 + t490 * modes_W_upper_arm_55);
+    const six_link_real t513 = C_upper_arm_31 * modes_W_upper_arm_16 + t466 * modes_W_upper_arm_26
+        + t472 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_36 = M_loaded_upper_arm_36
+        - (t513 + t478 * modes_W_upper_arm_46 + t490 * modes_W_upper_arm_56);
+    const six_link_real t514 = C_upper_arm_41 * modes_W_upper_arm_14 + t467 * modes_W_upper_arm_24
+        + t473 * modes_W_upper_arm_34;
+    const six_link_real M_i_upper_arm_44 = M_loaded_upper_arm_44
+        - (t514 + t479 * modes_W_upper_arm_44 + t491 * modes_W_upper_arm_54);
+    const six_link_real t515 = C_upper_arm_41 * modes_W_upper_arm_15 + t467 * modes_W_upper_arm_25
+        + t473 * modes_W_upper_arm_35;
+    const six_link_real M_i_upper_arm_45 = Lambda_forearm_17
+        - (t515 + t479 * modes_W_upper_arm_45 + t491 * modes_W_upper_arm_55);
+    const six_link_real t516 = C_upper_arm_41 * modes_W_upper_arm_16 + t467 * modes_W_upper_arm_26
+        + t473 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_46 = Lambda_forearm_18
+        - (t516 + t479 * modes_W_upper_arm_46 + t491 * modes_W_upper_arm_56);
+    const six_link_real t517 = C_upper_arm_51 * modes_W_upper_arm_15 + t468 * modes_W_upper_arm_25
+        + t474 * modes_W_upper_arm_35;
+    const six_link_real M_i_upper_arm_55 = M_loaded_upper_arm_55
+        - (t517 + t480 * modes_W_upper_arm_45 + t492 * modes_W_upper_arm_55);
+    const six_link_real t518 = C_upper_arm_51 * modes_W_upper_arm_16 + t468 * modes_W_upper_arm_26
+        + t474 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_56 = Lambda_forearm_20
+        - (t518 + t480 * modes_W_upper_arm_46 + t492 * modes_W_upper_arm_56);
+    const six_link_real t519 = C_upper_arm_61 * modes_W_upper_arm_16 + t469 * modes_W_upper_arm_26
+        + t475 * modes_W_upper_arm_36;
+    const six_link_real M_i_upper_arm_66 = M_loaded_upper_arm_66
+        - (t519 + t481 * modes_W_upper_arm_46 + t493 * modes_W_upper_arm_56);
+    const six_link_real t520 = modes_W_upper_arm_11 * h_phi_upper_arm_1 + modes_W_upper_arm_21 * t494
+        + modes_W_upper_arm_31 * t495;
+    const six_link_real t521 = modes_W_upper_arm_12 * h_phi_upper_arm_1 + modes_W_upper_arm_22 * t494
+        + modes_W_upper_arm_32 * t495;
+    const six_link_real t522 = modes_W_upper_arm_13 * h_phi_upper_arm_1 + modes_W_upper_arm_23 * t494
+        + modes_W_upper_arm_33 * t495;
+    const six_link_real t523 = modes_W_upper_arm_14 * h_phi_upper_arm_1 + modes_W_upper_arm_24 * t494
+        + modes_W_upper_arm_34 * t495;
+    const six_link_real t524 = modes_W_upper_arm_15 * h_phi_upper_arm_1 + modes_W_upper_arm_25 * t494
+        + modes_W_upper_arm_35 * t495;
+    const six_link_real t525 = modes_W_upper_arm_16 * h_phi_upper_arm_1 + modes_W_upper_arm_26 * t494
+        + modes_W_upper_arm_36 * t495;
+    const six_link_real h_i_upper_arm_1 = h_loaded_upper_arm_1
+        - (t520 + modes_W_upper_arm_41 * t496 + modes_W_upper_arm_51 * t498);
+    const six_link_real h_i_upper_arm_2 = h_loaded_upper_arm_2
+        - (t521 + modes_W_upper_arm_42 * t496 + modes_W_upper_arm_52 * t498);
+    const six_link_real h_i_upper_arm_3 = h_loaded_upper_arm_3
+        - (t522 + modes_W_upper_arm_43 * t496 + modes_W_upper_arm_53 * t498);
+    const six_link_real h_i_upper_arm_4 = h_loaded_upper_arm_4
+        - (t523 + modes_W_upper_arm_44 * t496 + modes_W_upper_arm_54 * t498);
+    const six_link_real h_i_upper_arm_5 = h_loaded_upper_arm_5
+        - (t524 + modes_W_upper_arm_45 * t496 + modes_W_upper_arm_55 * t498);
+    const six_link_real h_i_upper_arm_6 = h_loaded_upper_arm_6
+        - (t525 + modes_W_upper_arm_46 * t496 + modes_W_upper_arm_56 * t498);
 
     /* upper_arm, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_upper_arm_11 = M_i_upper_arm_22 + c->links[1].armature_1;
+    const six_link_real joint_inertia_upper_arm_11 = M_i_upper_arm_22 + m_eta[1];
     bad |= (unsigned long)(!(joint_inertia_upper_arm_11 - t79 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33) > 0)) << 1;
     const six_link_real joint_inverse_upper_arm_1 = 1 / joint_inertia_upper_arm_11;
     const six_link_real joint_W_upper_arm_11 = M_i_upper_arm_12 * joint_inverse_upper_arm_1;
@@ -1996,8 +2403,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real joint_W_upper_arm_14 = M_i_upper_arm_24 * joint_inverse_upper_arm_1;
     const six_link_real joint_W_upper_arm_15 = M_i_upper_arm_25 * joint_inverse_upper_arm_1;
     const six_link_real joint_W_upper_arm_16 = M_i_upper_arm_26 * joint_inverse_upper_arm_1;
-    const six_link_real joint_w_upper_arm_1 = (input->tau[1] - c->links[1].joint_damping_1 * state->v[1]
-        - h_i_upper_arm_2) * joint_inverse_upper_arm_1;
+    const six_link_real joint_w_upper_arm_1 = (input->tau[1] - work->f_eta[1] - h_i_upper_arm_2)
+        * joint_inverse_upper_arm_1;
     const six_link_real Lambda_i_upper_arm_11 = M_i_upper_arm_11 - M_i_upper_arm_12 * joint_W_upper_arm_11;
     const six_link_real Lambda_i_upper_arm_13 = M_i_upper_arm_13 - M_i_upper_arm_12 * joint_W_upper_arm_13;
     const six_link_real Lambda_i_upper_arm_14 = M_i_upper_arm_14 - M_i_upper_arm_12 * joint_W_upper_arm_14;
@@ -2023,48 +2430,48 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real p_i_upper_arm_6 = h_i_upper_arm_6 + M_i_upper_arm_26 * joint_w_upper_arm_1;
 
     /* upper_arm, handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t392 = c->links[1].mount_xyz_y * Lambda_i_upper_arm_46;
-    const six_link_real t393 = lever_upper_arm_1 * Lambda_i_upper_arm_56;
-    const six_link_real t394 = Lambda_i_upper_arm_15
+    const six_link_real t526 = c->links[1].mount_xyz_y * Lambda_i_upper_arm_46;
+    const six_link_real t527 = lever_upper_arm_1 * Lambda_i_upper_arm_56;
+    const six_link_real t528 = Lambda_i_upper_arm_15
         + (c->links[1].mount_xyz_y * Lambda_i_upper_arm_56 - lever_upper_arm_3 * Lambda_i_upper_arm_55);
-    const six_link_real t395 = Lambda_i_upper_arm_16
+    const six_link_real t529 = Lambda_i_upper_arm_16
         + (c->links[1].mount_xyz_y * Lambda_i_upper_arm_66 - lever_upper_arm_3 * Lambda_i_upper_arm_56);
-    const six_link_real t396 = Lambda_i_upper_arm_24
+    const six_link_real t530 = Lambda_i_upper_arm_24
         + (lever_upper_arm_3 * Lambda_i_upper_arm_44 - lever_upper_arm_1 * Lambda_i_upper_arm_46);
-    const six_link_real t397 = Lambda_i_upper_arm_26
+    const six_link_real t531 = Lambda_i_upper_arm_26
         + (lever_upper_arm_3 * Lambda_i_upper_arm_46 - lever_upper_arm_1 * Lambda_i_upper_arm_66);
-    const six_link_real t398 = Lambda_i_upper_arm_34
+    const six_link_real t532 = Lambda_i_upper_arm_34
         + (lever_upper_arm_1 * Lambda_i_upper_arm_45 - c->links[1].mount_xyz_y * Lambda_i_upper_arm_44);
-    const six_link_real t399 = Lambda_i_upper_arm_35
+    const six_link_real t533 = Lambda_i_upper_arm_35
         + (lever_upper_arm_1 * Lambda_i_upper_arm_55 - c->links[1].mount_xyz_y * Lambda_i_upper_arm_45);
-    const six_link_real t400 = Lambda_i_upper_arm_36 + (t393 - t392);
-    const six_link_real t401 = Lambda_i_upper_arm_11
+    const six_link_real t534 = Lambda_i_upper_arm_36 + (t527 - t526);
+    const six_link_real t535 = Lambda_i_upper_arm_11
         - (Lambda_i_upper_arm_15 * lever_upper_arm_3 - Lambda_i_upper_arm_16 * c->links[1].mount_xyz_y);
-    const six_link_real t402 = Lambda_i_upper_arm_13
+    const six_link_real t536 = Lambda_i_upper_arm_13
         - (Lambda_i_upper_arm_14 * c->links[1].mount_xyz_y - Lambda_i_upper_arm_15 * lever_upper_arm_1);
-    const six_link_real t403 = t402 + (c->links[1].mount_xyz_y * t400 - lever_upper_arm_3 * t399);
-    const six_link_real t404 = Lambda_i_upper_arm_22
+    const six_link_real t537 = t536 + (c->links[1].mount_xyz_y * t534 - lever_upper_arm_3 * t533);
+    const six_link_real t538 = Lambda_i_upper_arm_22
         - (Lambda_i_upper_arm_26 * lever_upper_arm_1 - Lambda_i_upper_arm_24 * lever_upper_arm_3);
-    const six_link_real Lambda_upper_arm_7 = t404 + (lever_upper_arm_3 * t396 - lever_upper_arm_1 * t397);
-    const six_link_real t405 = Lambda_i_upper_arm_33
+    const six_link_real Lambda_upper_arm_7 = t538 + (lever_upper_arm_3 * t530 - lever_upper_arm_1 * t531);
+    const six_link_real t539 = Lambda_i_upper_arm_33
         - (Lambda_i_upper_arm_34 * c->links[1].mount_xyz_y - Lambda_i_upper_arm_35 * lever_upper_arm_1);
-    const six_link_real t406 = t405 + (lever_upper_arm_1 * t399 - c->links[1].mount_xyz_y * t398);
-    const six_link_real t407 = (t401 + (c->links[1].mount_xyz_y * t395 - lever_upper_arm_3 * t394) - t406)
+    const six_link_real t540 = t539 + (lever_upper_arm_1 * t533 - c->links[1].mount_xyz_y * t532);
+    const six_link_real t541 = (t535 + (c->links[1].mount_xyz_y * t529 - lever_upper_arm_3 * t528) - t540)
         * REAL(0.5);
-    const six_link_real t408 = t407 * R_rel_upper_arm_xx + t403 * R_rel_upper_arm_xz;
-    const six_link_real t409 = t403 * R_rel_upper_arm_xx - t407 * R_rel_upper_arm_xz;
-    const six_link_real Lambda_upper_arm_1 = R_rel_upper_arm_xx * t408 * 2 + t406;
-    const six_link_real Lambda_upper_arm_12 = t406 - R_rel_upper_arm_xz * t409 * 2;
-    const six_link_real Lambda_upper_arm_11 = t397 * R_rel_upper_arm_xx - t396 * R_rel_upper_arm_xz;
-    const six_link_real Lambda_upper_arm_14 = R_rel_upper_arm_xx * t399 - R_rel_upper_arm_xz * t394;
-    const six_link_real t410 = Lambda_i_upper_arm_46 * R_rel_upper_arm_xx
+    const six_link_real t542 = t541 * R_rel_upper_arm_xx + t537 * R_rel_upper_arm_xz;
+    const six_link_real t543 = t537 * R_rel_upper_arm_xx - t541 * R_rel_upper_arm_xz;
+    const six_link_real Lambda_upper_arm_1 = R_rel_upper_arm_xx * t542 * 2 + t540;
+    const six_link_real Lambda_upper_arm_12 = t540 - R_rel_upper_arm_xz * t543 * 2;
+    const six_link_real Lambda_upper_arm_11 = t531 * R_rel_upper_arm_xx - t530 * R_rel_upper_arm_xz;
+    const six_link_real Lambda_upper_arm_14 = R_rel_upper_arm_xx * t533 - R_rel_upper_arm_xz * t528;
+    const six_link_real t544 = Lambda_i_upper_arm_46 * R_rel_upper_arm_xx
         - (Lambda_i_upper_arm_44 - Lambda_i_upper_arm_66) * REAL(0.5) * R_rel_upper_arm_xz;
-    const six_link_real Lambda_upper_arm_21 = Lambda_i_upper_arm_66 - R_rel_upper_arm_xz * t410 * 2;
-    const six_link_real t411 = p_i_upper_arm_1
+    const six_link_real Lambda_upper_arm_21 = Lambda_i_upper_arm_66 - R_rel_upper_arm_xz * t544 * 2;
+    const six_link_real t545 = p_i_upper_arm_1
         + (c->links[1].mount_xyz_y * p_i_upper_arm_6 - lever_upper_arm_3 * p_i_upper_arm_5);
-    const six_link_real t412 = p_i_upper_arm_3
+    const six_link_real t546 = p_i_upper_arm_3
         + (lever_upper_arm_1 * p_i_upper_arm_5 - c->links[1].mount_xyz_y * p_i_upper_arm_4);
-    const six_link_real p_upper_arm_3 = R_rel_upper_arm_xx * t412 - R_rel_upper_arm_xz * t411;
+    const six_link_real p_upper_arm_3 = R_rel_upper_arm_xx * t546 - R_rel_upper_arm_xz * t545;
 
     /* shoulder, H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real H_star_shoulder_3 = c->links[0].S_0_x * alpha_0_shoulder_5;
@@ -2077,30 +2484,30 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real Lambda_T_shoulder_35 = Lambda_upper_arm_14 + c->links[0].S_T_x;
     const six_link_real Lambda_T_shoulder_55 = Lambda_i_upper_arm_55 + c->links[0].body0_mass;
     const six_link_real Lambda_T_shoulder_66 = Lambda_upper_arm_21 + c->links[0].body0_mass;
-    const six_link_real t413 = p_upper_arm_3
+    const six_link_real t547 = p_upper_arm_3
         + (c->links[0].S_T_x * alpha_0_shoulder_5 + c->links[0].S_T_y * minus_alpha_0_T_shoulder_4);
-    const six_link_real t414 = p_i_upper_arm_5
+    const six_link_real t548 = p_i_upper_arm_5
         + (c->links[0].body0_mass * alpha_0_shoulder_5 - state->v[0] * (state->v[0] * c->links[0].S_T_y));
-    const six_link_real p_T_shoulder_3 = t413 - input->w_ext[0][2];
-    const six_link_real p_T_shoulder_5 = t414 - input->w_ext[0][4];
+    const six_link_real p_T_shoulder_3 = t547 - input->w_ext[0][2];
+    const six_link_real p_T_shoulder_5 = t548 - input->w_ext[0][4];
 
     /* shoulder, modes: the tip load folded in, modal accelerations eliminated (83) */
-    const six_link_real t415 = Lambda_T_shoulder_35 + c->links[0].length * Lambda_T_shoulder_55;
-    const six_link_real t416 = Lambda_T_shoulder_22 - Lambda_T_shoulder_26 * c->links[0].length
+    const six_link_real t549 = Lambda_T_shoulder_35 + c->links[0].length * Lambda_T_shoulder_55;
+    const six_link_real t550 = Lambda_T_shoulder_22 - Lambda_T_shoulder_26 * c->links[0].length
         - c->links[0].length * (Lambda_T_shoulder_26 - c->links[0].length * Lambda_T_shoulder_66);
     const six_link_real M_loaded_shoulder_11 = c->links[0].I_s + Lambda_T_shoulder_11;
-    const six_link_real M_loaded_shoulder_22 = c->links[0].J_0_xx + t416;
+    const six_link_real M_loaded_shoulder_22 = c->links[0].J_0_xx + t550;
     const six_link_real M_loaded_shoulder_33 = c->links[0].J_0_xx
-        + (Lambda_T_shoulder_33 + Lambda_T_shoulder_35 * c->links[0].length + c->links[0].length * t415);
+        + (Lambda_T_shoulder_33 + Lambda_T_shoulder_35 * c->links[0].length + c->links[0].length * t549);
     const six_link_real h_loaded_shoulder_3 = H_star_shoulder_3
         + (p_T_shoulder_3 + c->links[0].length * p_T_shoulder_5);
 
     /* shoulder, joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_shoulder_11 = M_loaded_shoulder_33 + c->links[0].armature_1;
+    const six_link_real joint_inertia_shoulder_11 = M_loaded_shoulder_33 + m_eta[0];
     bad |= (unsigned long)(!(joint_inertia_shoulder_11 - t79 * (M_loaded_shoulder_11 + M_loaded_shoulder_22 + M_loaded_shoulder_33) > 0)) << 0;
     const six_link_real joint_inverse_shoulder_1 = 1 / joint_inertia_shoulder_11;
-    const six_link_real joint_w_shoulder_1 = (input->tau[0] - c->links[0].joint_damping_1 * state->v[0]
-        - h_loaded_shoulder_3) * joint_inverse_shoulder_1;
+    const six_link_real joint_w_shoulder_1 = (input->tau[0] - work->f_eta[0] - h_loaded_shoulder_3)
+        * joint_inverse_shoulder_1;
     output->vdot[0] = joint_w_shoulder_1;
 
     /* shoulder, tip: what is added to the acceleration of the tip section (accconst1b) */
@@ -2113,56 +2520,81 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_carried_upper_arm_6 = minus_carried_upper_arm_1 * c->links[1].mount_xyz_y;
     const six_link_real carried_upper_arm_5 = delta_T_shoulder_5
         + (carried_upper_arm_3 * lever_upper_arm_1 + minus_carried_upper_arm_1 * lever_upper_arm_3);
-    const six_link_real t417 = joint_W_upper_arm_13 * carried_upper_arm_3
+    const six_link_real t551 = joint_W_upper_arm_13 * carried_upper_arm_3
         - joint_W_upper_arm_11 * minus_carried_upper_arm_1 - joint_W_upper_arm_14 * minus_carried_upper_arm_4;
-    const six_link_real t418 = t417 + joint_W_upper_arm_15 * carried_upper_arm_5
+    const six_link_real t552 = t551 + joint_W_upper_arm_15 * carried_upper_arm_5
         - joint_W_upper_arm_16 * minus_carried_upper_arm_6;
-    const six_link_real qddot_upper_arm_1 = joint_w_upper_arm_1 - t418;
+    const six_link_real qddot_upper_arm_1 = joint_w_upper_arm_1 - t552;
     output->vdot[1] = qddot_upper_arm_1;
 
     /* upper_arm, link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const six_link_real t419 = modes_W_upper_arm_12 * qddot_upper_arm_1
+    const six_link_real t553 = modes_W_upper_arm_12 * qddot_upper_arm_1
         - modes_W_upper_arm_11 * minus_carried_upper_arm_1 + modes_W_upper_arm_13 * carried_upper_arm_3;
-    const six_link_real t420 = t419 - modes_W_upper_arm_14 * minus_carried_upper_arm_4
+    const six_link_real t554 = t553 - modes_W_upper_arm_14 * minus_carried_upper_arm_4
         + modes_W_upper_arm_15 * carried_upper_arm_5;
-    const six_link_real t421 = modes_W_upper_arm_22 * qddot_upper_arm_1
+    const six_link_real t555 = modes_W_upper_arm_22 * qddot_upper_arm_1
         - modes_W_upper_arm_21 * minus_carried_upper_arm_1 + modes_W_upper_arm_23 * carried_upper_arm_3;
-    const six_link_real t422 = t421 - modes_W_upper_arm_24 * minus_carried_upper_arm_4
+    const six_link_real t556 = t555 - modes_W_upper_arm_24 * minus_carried_upper_arm_4
         + modes_W_upper_arm_25 * carried_upper_arm_5;
-    const six_link_real t423 = modes_W_upper_arm_32 * qddot_upper_arm_1
+    const six_link_real t557 = modes_W_upper_arm_32 * qddot_upper_arm_1
         - modes_W_upper_arm_31 * minus_carried_upper_arm_1 + modes_W_upper_arm_33 * carried_upper_arm_3;
-    const six_link_real t424 = t423 - modes_W_upper_arm_34 * minus_carried_upper_arm_4
+    const six_link_real t558 = t557 - modes_W_upper_arm_34 * minus_carried_upper_arm_4
         + modes_W_upper_arm_35 * carried_upper_arm_5;
-    const six_link_real minus_etaddot_upper_arm_3 = modes_w_upper_arm_3
-        + (t424 - modes_W_upper_arm_36 * minus_carried_upper_arm_6);
+    const six_link_real t559 = modes_W_upper_arm_42 * qddot_upper_arm_1
+        - modes_W_upper_arm_41 * minus_carried_upper_arm_1 + modes_W_upper_arm_43 * carried_upper_arm_3;
+    const six_link_real t560 = t559 - modes_W_upper_arm_44 * minus_carried_upper_arm_4
+        + modes_W_upper_arm_45 * carried_upper_arm_5;
+    const six_link_real t561 = modes_W_upper_arm_52 * qddot_upper_arm_1
+        - modes_W_upper_arm_51 * minus_carried_upper_arm_1 + modes_W_upper_arm_53 * carried_upper_arm_3;
+    const six_link_real t562 = t561 - modes_W_upper_arm_54 * minus_carried_upper_arm_4
+        + modes_W_upper_arm_55 * carried_upper_arm_5;
+    const six_link_real minus_etaddot_upper_arm_5 = modes_w_upper_arm_5
+        + (t562 - modes_W_upper_arm_56 * minus_carried_upper_arm_6);
+    output->vdot[10] = -minus_etaddot_upper_arm_5;
+    const six_link_real minus_etaddot_upper_arm_4 = modes_w_upper_arm_4
+        + (t560 - modes_W_upper_arm_46 * minus_carried_upper_arm_6)
+        - modes_L_upper_arm_54 * minus_etaddot_upper_arm_5;
+    output->vdot[9] = -minus_etaddot_upper_arm_4;
+    const six_link_real t563 = modes_w_upper_arm_3 + (t558 - modes_W_upper_arm_36 * minus_carried_upper_arm_6)
+        - modes_L_upper_arm_43 * minus_etaddot_upper_arm_4;
+    const six_link_real minus_etaddot_upper_arm_3 = t563 - modes_L_upper_arm_53 * minus_etaddot_upper_arm_5;
     output->vdot[8] = -minus_etaddot_upper_arm_3;
-    const six_link_real minus_etaddot_upper_arm_2 = modes_w_upper_arm_2
-        + (t422 - modes_W_upper_arm_26 * minus_carried_upper_arm_6)
+    const six_link_real t564 = modes_w_upper_arm_2 + (t556 - modes_W_upper_arm_26 * minus_carried_upper_arm_6)
         - modes_L_upper_arm_32 * minus_etaddot_upper_arm_3;
+    const six_link_real minus_etaddot_upper_arm_2 = t564 - modes_L_upper_arm_42 * minus_etaddot_upper_arm_4
+        - modes_L_upper_arm_52 * minus_etaddot_upper_arm_5;
     output->vdot[7] = -minus_etaddot_upper_arm_2;
-    const six_link_real t425 = modes_w_upper_arm_1 + (t420 - modes_W_upper_arm_16 * minus_carried_upper_arm_6)
+    const six_link_real t565 = modes_w_upper_arm_1 + (t554 - modes_W_upper_arm_16 * minus_carried_upper_arm_6)
         - modes_L_upper_arm_21 * minus_etaddot_upper_arm_2;
-    const six_link_real minus_etaddot_upper_arm_1 = t425 - modes_L_upper_arm_31 * minus_etaddot_upper_arm_3;
+    const six_link_real t566 = t565 - modes_L_upper_arm_31 * minus_etaddot_upper_arm_3
+        - modes_L_upper_arm_41 * minus_etaddot_upper_arm_4;
+    const six_link_real minus_etaddot_upper_arm_1 = t566 - modes_L_upper_arm_51 * minus_etaddot_upper_arm_5;
     output->vdot[6] = -minus_etaddot_upper_arm_1;
 
     /* upper_arm, tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t426 = minus_etaddot_upper_arm_3 * REAL(1.4142135623730951);
-    const six_link_real t427 = c->links[1].Psi_c_y2 * minus_etaddot_upper_arm_2;
-    const six_link_real t428 = c->links[1].Psi_c_z1 * minus_etaddot_upper_arm_1;
+    const six_link_real t567 = minus_etaddot_upper_arm_5 * REAL(1.7320508075688772);
+    const six_link_real t568 = c->links[1].Psi_c_y3 * minus_etaddot_upper_arm_3
+        + c->links[1].Psi_c_y4 * minus_etaddot_upper_arm_4;
+    const six_link_real t569 = c->links[1].Psi_c_z1 * minus_etaddot_upper_arm_1
+        + c->links[1].Psi_c_z2 * minus_etaddot_upper_arm_2;
+    const six_link_real t570 = minus_etaddot_upper_arm_1 * REAL(2.0195202782688155)
+        + minus_etaddot_upper_arm_2 * REAL(2.8145226674626453);
+    const six_link_real t571 = minus_etaddot_upper_arm_3 * REAL(2.0195202782688155)
+        + minus_etaddot_upper_arm_4 * REAL(2.8145226674626453);
     const six_link_real delta_T_upper_arm_4 = qddot_upper_arm_1 * r_T_upper_arm_z
         - carried_upper_arm_3 * r_T_upper_arm_y - minus_carried_upper_arm_4;
-    const six_link_real t429 = carried_upper_arm_5
+    const six_link_real t572 = carried_upper_arm_5
         + (carried_upper_arm_3 * c->links[1].length + minus_carried_upper_arm_1 * r_T_upper_arm_z);
-    const six_link_real t430 = minus_carried_upper_arm_6
+    const six_link_real t573 = minus_carried_upper_arm_6
         + (minus_carried_upper_arm_1 * r_T_upper_arm_y + qddot_upper_arm_1 * c->links[1].length);
     const six_link_real minus_delta_T_upper_arm_1 = minus_carried_upper_arm_1
-        + (J_l_upper_arm_xx * t426 + J_l_upper_arm_xy * t427 + J_l_upper_arm_xz * t428);
+        + (J_l_upper_arm_xx * t567 + J_l_upper_arm_xy * t568 + J_l_upper_arm_xz * t569);
     const six_link_real delta_T_upper_arm_2 = qddot_upper_arm_1
-        - (J_l_upper_arm_yx * t426 + J_l_upper_arm_yy * t427 + J_l_upper_arm_yz * t428);
+        - (J_l_upper_arm_yx * t567 + J_l_upper_arm_yy * t568 + J_l_upper_arm_yz * t569);
     const six_link_real delta_T_upper_arm_3 = carried_upper_arm_3
-        - (J_l_upper_arm_zx * t426 + J_l_upper_arm_zy * t427 + J_l_upper_arm_zz * t428);
-    const six_link_real delta_T_upper_arm_5 = t429 - minus_etaddot_upper_arm_1 * 2;
-    const six_link_real minus_delta_T_upper_arm_6 = t430 + minus_etaddot_upper_arm_2 * 2;
+        - (J_l_upper_arm_zx * t567 + J_l_upper_arm_zy * t568 + J_l_upper_arm_zz * t569);
+    const six_link_real delta_T_upper_arm_5 = t572 - t570;
+    const six_link_real minus_delta_T_upper_arm_6 = t573 + t571;
 
     /* forearm, joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_forearm_1 = R_P_forearm_21 * delta_T_upper_arm_2
@@ -2171,56 +2603,75 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - R_P_forearm_12 * minus_delta_T_upper_arm_1 + R_P_forearm_32 * delta_T_upper_arm_3;
     const six_link_real carried_forearm_3 = R_P_forearm_23 * delta_T_upper_arm_2
         - R_P_forearm_13 * minus_delta_T_upper_arm_1 + R_P_forearm_33 * delta_T_upper_arm_3;
-    const six_link_real t431 = R_P_forearm_11 * delta_T_upper_arm_4 + R_P_forearm_21 * delta_T_upper_arm_5
+    const six_link_real t574 = R_P_forearm_11 * delta_T_upper_arm_4 + R_P_forearm_21 * delta_T_upper_arm_5
         - R_P_forearm_31 * minus_delta_T_upper_arm_6;
-    const six_link_real t432 = R_P_forearm_12 * delta_T_upper_arm_4 + R_P_forearm_22 * delta_T_upper_arm_5
+    const six_link_real t575 = R_P_forearm_12 * delta_T_upper_arm_4 + R_P_forearm_22 * delta_T_upper_arm_5
         - R_P_forearm_32 * minus_delta_T_upper_arm_6;
-    const six_link_real t433 = R_P_forearm_13 * delta_T_upper_arm_4 + R_P_forearm_23 * delta_T_upper_arm_5
+    const six_link_real t576 = R_P_forearm_13 * delta_T_upper_arm_4 + R_P_forearm_23 * delta_T_upper_arm_5
         - R_P_forearm_33 * minus_delta_T_upper_arm_6;
-    const six_link_real carried_forearm_4 = t431
+    const six_link_real carried_forearm_4 = t574
         + (carried_forearm_2 * lever_forearm_3 - carried_forearm_3 * lever_forearm_2);
-    const six_link_real carried_forearm_5 = t432
+    const six_link_real carried_forearm_5 = t575
         + (carried_forearm_3 * lever_forearm_1 - carried_forearm_1 * lever_forearm_3);
-    const six_link_real carried_forearm_6 = t433
+    const six_link_real carried_forearm_6 = t576
         + (carried_forearm_1 * lever_forearm_2 - carried_forearm_2 * lever_forearm_1);
-    const six_link_real t434 = joint_W_forearm_11 * carried_forearm_1 + joint_W_forearm_12 * carried_forearm_2
+    const six_link_real t577 = joint_W_forearm_11 * carried_forearm_1 + joint_W_forearm_12 * carried_forearm_2
         + joint_W_forearm_13 * carried_forearm_3;
-    const six_link_real t435 = t434 + joint_W_forearm_14 * carried_forearm_4
+    const six_link_real t578 = t577 + joint_W_forearm_14 * carried_forearm_4
         + joint_W_forearm_15 * carried_forearm_5 + joint_W_forearm_16 * carried_forearm_6;
-    const six_link_real qddot_forearm_1 = joint_w_forearm_1 - t435;
+    const six_link_real qddot_forearm_1 = joint_w_forearm_1 - t578;
     output->vdot[2] = qddot_forearm_1;
 
     /* forearm, link: what is added to the acceleration of F_i, modal accelerations (83) */
     const six_link_real delta_forearm_2 = carried_forearm_2 + qddot_forearm_1;
-    const six_link_real t436 = modes_W_forearm_11 * carried_forearm_1 + modes_W_forearm_12 * delta_forearm_2
+    const six_link_real t579 = modes_W_forearm_11 * carried_forearm_1 + modes_W_forearm_12 * delta_forearm_2
         + modes_W_forearm_13 * carried_forearm_3;
-    const six_link_real t437 = t436 + modes_W_forearm_14 * carried_forearm_4
+    const six_link_real t580 = t579 + modes_W_forearm_14 * carried_forearm_4
         + modes_W_forearm_15 * carried_forearm_5 + modes_W_forearm_16 * carried_forearm_6;
-    const six_link_real t438 = modes_W_forearm_21 * carried_forearm_1 + modes_W_forearm_22 * delta_forearm_2
+    const six_link_real t581 = modes_W_forearm_21 * carried_forearm_1 + modes_W_forearm_22 * delta_forearm_2
         + modes_W_forearm_23 * carried_forearm_3;
-    const six_link_real t439 = t438 + modes_W_forearm_24 * carried_forearm_4
+    const six_link_real t582 = t581 + modes_W_forearm_24 * carried_forearm_4
         + modes_W_forearm_25 * carried_forearm_5 + modes_W_forearm_26 * carried_forearm_6;
-    const six_link_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t439;
-    output->vdot[10] = -minus_etaddot_forearm_2;
-    const six_link_real minus_etaddot_forearm_1 = modes_w_forearm_1 + t437
-        - modes_L_forearm_21 * minus_etaddot_forearm_2;
-    output->vdot[9] = -minus_etaddot_forearm_1;
+    const six_link_real t583 = modes_W_forearm_31 * carried_forearm_1 + modes_W_forearm_32 * delta_forearm_2
+        + modes_W_forearm_33 * carried_forearm_3;
+    const six_link_real t584 = t583 + modes_W_forearm_34 * carried_forearm_4
+        + modes_W_forearm_35 * carried_forearm_5 + modes_W_forearm_36 * carried_forearm_6;
+    const six_link_real t585 = modes_W_forearm_41 * carried_forearm_1 + modes_W_forearm_42 * delta_forearm_2
+        + modes_W_forearm_43 * carried_forearm_3;
+    const six_link_real t586 = t585 + modes_W_forearm_44 * carried_forearm_4
+        + modes_W_forearm_45 * carried_forearm_5 + modes_W_forearm_46 * carried_forearm_6;
+    const six_link_real minus_etaddot_forearm_4 = modes_w_forearm_4 + t586;
+    output->vdot[14] = -minus_etaddot_forearm_4;
+    const six_link_real minus_etaddot_forearm_3 = modes_w_forearm_3 + t584
+        - modes_L_forearm_43 * minus_etaddot_forearm_4;
+    output->vdot[13] = -minus_etaddot_forearm_3;
+    const six_link_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t582
+        - modes_L_forearm_32 * minus_etaddot_forearm_3 - modes_L_forearm_42 * minus_etaddot_forearm_4;
+    output->vdot[12] = -minus_etaddot_forearm_2;
+    const six_link_real t587 = modes_w_forearm_1 + t580 - modes_L_forearm_21 * minus_etaddot_forearm_2
+        - modes_L_forearm_31 * minus_etaddot_forearm_3;
+    const six_link_real minus_etaddot_forearm_1 = t587 - modes_L_forearm_41 * minus_etaddot_forearm_4;
+    output->vdot[11] = -minus_etaddot_forearm_1;
 
     /* forearm, tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t440 = c->links[2].Psi_c_y2 * minus_etaddot_forearm_2;
-    const six_link_real t441 = c->links[2].Psi_c_z1 * minus_etaddot_forearm_1;
+    const six_link_real t588 = c->links[2].Psi_c_y3 * minus_etaddot_forearm_3
+        + c->links[2].Psi_c_y4 * minus_etaddot_forearm_4;
+    const six_link_real t589 = c->links[2].Psi_c_z1 * minus_etaddot_forearm_1
+        + c->links[2].Psi_c_z2 * minus_etaddot_forearm_2;
+    const six_link_real t590 = minus_etaddot_forearm_1 * REAL(2.0195202782688155)
+        + minus_etaddot_forearm_2 * REAL(2.8145226674626453);
+    const six_link_real t591 = minus_etaddot_forearm_3 * REAL(2.0195202782688155)
+        + minus_etaddot_forearm_4 * REAL(2.8145226674626453);
     const six_link_real delta_T_forearm_4 = carried_forearm_4
         + (delta_forearm_2 * r_T_forearm_z - carried_forearm_3 * r_T_forearm_y);
     const six_link_real delta_T_forearm_1 = carried_forearm_1
-        + (minus_J_l_forearm_xy * t440 - J_l_forearm_xz * t441);
-    const six_link_real delta_T_forearm_2 = delta_forearm_2 - (J_l_forearm_yy * t440 + J_l_forearm_yz * t441);
-    const six_link_real delta_T_forearm_3 = carried_forearm_3 - (J_l_forearm_yz * t440 + J_l_forearm_zz * t441);
+        + (minus_J_l_forearm_xy * t588 - J_l_forearm_xz * t589);
+    const six_link_real delta_T_forearm_2 = delta_forearm_2 - (J_l_forearm_yy * t588 + J_l_forearm_yz * t589);
+    const six_link_real delta_T_forearm_3 = carried_forearm_3 - (J_l_forearm_yz * t588 + J_l_forearm_zz * t589);
     const six_link_real delta_T_forearm_5 = carried_forearm_5
-        + (carried_forearm_3 * c->links[2].length - carried_forearm_1 * r_T_forearm_z)
-        - minus_etaddot_forearm_1 * REAL(2.23606797749979);
+        + (carried_forearm_3 * c->links[2].length - carried_forearm_1 * r_T_forearm_z) - t590;
     const six_link_real delta_T_forearm_6 = carried_forearm_6
-        + (carried_forearm_1 * r_T_forearm_y - delta_forearm_2 * c->links[2].length)
-        - minus_etaddot_forearm_2 * REAL(2.23606797749979);
+        + (carried_forearm_1 * r_T_forearm_y - delta_forearm_2 * c->links[2].length) - t591;
 
     /* wrist_roll, joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_wrist_roll_1 = R_T_forearm_xx * delta_T_forearm_1
@@ -2235,12 +2686,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_P_wrist_roll_22 * delta_T_forearm_5 + R_P_wrist_roll_32 * delta_T_forearm_6;
     const six_link_real carried_wrist_roll_6 = R_P_wrist_roll_13 * delta_T_forearm_4
         + R_P_wrist_roll_23 * delta_T_forearm_5 + R_P_wrist_roll_33 * delta_T_forearm_6;
-    const six_link_real t442 = joint_W_wrist_roll_11 * carried_wrist_roll_1
+    const six_link_real t592 = joint_W_wrist_roll_11 * carried_wrist_roll_1
         + joint_W_wrist_roll_12 * carried_wrist_roll_2 + joint_W_wrist_roll_13 * carried_wrist_roll_3;
-    const six_link_real t443 = t442 + joint_W_wrist_roll_14 * carried_wrist_roll_4
+    const six_link_real t593 = t592 + joint_W_wrist_roll_14 * carried_wrist_roll_4
         + joint_W_wrist_roll_15 * carried_wrist_roll_5;
     const six_link_real qddot_wrist_roll_1 = joint_w_wrist_roll_1
-        - (t443 + joint_W_wrist_roll_16 * carried_wrist_roll_6);
+        - (t593 + joint_W_wrist_roll_16 * carried_wrist_roll_6);
     output->vdot[3] = qddot_wrist_roll_1;
 
     /* wrist_roll, link: what is added to the acceleration of F_i, modal accelerations (83) */
@@ -2259,12 +2710,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - R_rel_wrist_pitch_xz * delta_T_wrist_roll_6;
     const six_link_real carried_wrist_pitch_6 = R_rel_wrist_pitch_xz * carried_wrist_roll_4
         + R_rel_wrist_pitch_xx * delta_T_wrist_roll_6;
-    const six_link_real t444 = joint_W_wrist_pitch_11 * carried_wrist_pitch_1
+    const six_link_real t594 = joint_W_wrist_pitch_11 * carried_wrist_pitch_1
         + joint_W_wrist_pitch_12 * carried_wrist_roll_2 + joint_W_wrist_pitch_13 * carried_wrist_pitch_3;
-    const six_link_real t445 = t444 + joint_W_wrist_pitch_14 * carried_wrist_pitch_4
+    const six_link_real t595 = t594 + joint_W_wrist_pitch_14 * carried_wrist_pitch_4
         - minus_joint_W_wrist_pitch_15 * delta_T_wrist_roll_5;
     const six_link_real qddot_wrist_pitch_1 = joint_w_wrist_pitch_1
-        - (t445 + joint_W_wrist_pitch_16 * carried_wrist_pitch_6);
+        - (t595 + joint_W_wrist_pitch_16 * carried_wrist_pitch_6);
     output->vdot[4] = qddot_wrist_pitch_1;
 
     /* wrist_pitch, link: what is added to the acceleration of F_i, modal accelerations (83) */
@@ -2283,10 +2734,10 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + minus_R_rel_flange_yz * delta_T_wrist_pitch_6;
     const six_link_real carried_flange_6 = R_rel_flange_yy * delta_T_wrist_pitch_6
         - minus_R_rel_flange_yz * delta_T_wrist_pitch_5;
-    const six_link_real t446 = joint_W_flange_11 * carried_wrist_pitch_1
+    const six_link_real t596 = joint_W_flange_11 * carried_wrist_pitch_1
         - minus_joint_W_flange_12 * carried_flange_2 - minus_joint_W_flange_13 * carried_flange_3;
     const six_link_real qddot_flange_1 = joint_w_flange_1
-        - (t446 - minus_joint_W_flange_15 * carried_flange_5 + joint_W_flange_16 * carried_flange_6);
+        - (t596 - minus_joint_W_flange_15 * carried_flange_5 + joint_W_flange_16 * carried_flange_6);
     output->vdot[5] = qddot_flange_1;
 
     if (wanted & SIX_LINK_WRENCHES) {
@@ -2297,32 +2748,32 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         const six_link_real p_i_upper_arm_2 = h_i_upper_arm_2 + M_i_upper_arm_22 * joint_w_upper_arm_1;
 
         /* upper_arm, handed up: inertia and bias that the joint shows to the parent's tip (49) */
-        const six_link_real t447 = lever_upper_arm_3 * Lambda_i_upper_arm_45;
-        const six_link_real t448 = Lambda_i_upper_arm_14 + (t392 - t447);
-        const six_link_real Lambda_upper_arm_10 = Lambda_i_upper_arm_25 + (t447 - t393);
-        const six_link_real t449 = Lambda_i_upper_arm_12
+        const six_link_real t597 = lever_upper_arm_3 * Lambda_i_upper_arm_45;
+        const six_link_real t598 = Lambda_i_upper_arm_14 + (t526 - t597);
+        const six_link_real Lambda_upper_arm_10 = Lambda_i_upper_arm_25 + (t597 - t527);
+        const six_link_real t599 = Lambda_i_upper_arm_12
             - (Lambda_i_upper_arm_16 * lever_upper_arm_1 - Lambda_i_upper_arm_14 * lever_upper_arm_3);
-        const six_link_real t450 = Lambda_i_upper_arm_23
+        const six_link_real t600 = Lambda_i_upper_arm_23
             - (Lambda_i_upper_arm_24 * c->links[1].mount_xyz_y - Lambda_i_upper_arm_25 * lever_upper_arm_1);
-        const six_link_real Lambda_upper_arm_3 = R_rel_upper_arm_xx * t409 - R_rel_upper_arm_xz * t408;
-        const six_link_real t451 = R_rel_upper_arm_xz
-            * (t449 + (c->links[1].mount_xyz_y * t397 - lever_upper_arm_3 * Lambda_upper_arm_10));
-        const six_link_real Lambda_upper_arm_8 = (t450 + (lever_upper_arm_3 * t398 - lever_upper_arm_1 * t400))
-            * R_rel_upper_arm_xx - t451;
-        const six_link_real Lambda_upper_arm_5 = R_rel_upper_arm_xx * t394 + R_rel_upper_arm_xz * t399;
+        const six_link_real Lambda_upper_arm_3 = R_rel_upper_arm_xx * t543 - R_rel_upper_arm_xz * t542;
+        const six_link_real t601 = R_rel_upper_arm_xz
+            * (t599 + (c->links[1].mount_xyz_y * t531 - lever_upper_arm_3 * Lambda_upper_arm_10));
+        const six_link_real Lambda_upper_arm_8 = (t600 + (lever_upper_arm_3 * t532 - lever_upper_arm_1 * t534))
+            * R_rel_upper_arm_xx - t601;
+        const six_link_real Lambda_upper_arm_5 = R_rel_upper_arm_xx * t528 + R_rel_upper_arm_xz * t533;
         const six_link_real Lambda_upper_arm_13 = R_rel_upper_arm_xx
-            * (t398 * R_rel_upper_arm_xx + t400 * R_rel_upper_arm_xz)
-            - R_rel_upper_arm_xz * (t448 * R_rel_upper_arm_xx + t395 * R_rel_upper_arm_xz);
+            * (t532 * R_rel_upper_arm_xx + t534 * R_rel_upper_arm_xz)
+            - R_rel_upper_arm_xz * (t598 * R_rel_upper_arm_xx + t529 * R_rel_upper_arm_xz);
         const six_link_real Lambda_upper_arm_15 = R_rel_upper_arm_xx
-            * (t400 * R_rel_upper_arm_xx - t398 * R_rel_upper_arm_xz)
-            - R_rel_upper_arm_xz * (t395 * R_rel_upper_arm_xx - t448 * R_rel_upper_arm_xz);
+            * (t534 * R_rel_upper_arm_xx - t532 * R_rel_upper_arm_xz)
+            - R_rel_upper_arm_xz * (t529 * R_rel_upper_arm_xx - t598 * R_rel_upper_arm_xz);
         const six_link_real Lambda_upper_arm_17 = R_rel_upper_arm_xx * Lambda_i_upper_arm_45
             + Lambda_i_upper_arm_56 * R_rel_upper_arm_xz;
         const six_link_real Lambda_upper_arm_20 = Lambda_i_upper_arm_56 * R_rel_upper_arm_xx
             - R_rel_upper_arm_xz * Lambda_i_upper_arm_45;
         const six_link_real p_upper_arm_2 = p_i_upper_arm_2
             + (lever_upper_arm_3 * p_i_upper_arm_4 - lever_upper_arm_1 * p_i_upper_arm_6);
-        const six_link_real p_upper_arm_1 = R_rel_upper_arm_xx * t411 + R_rel_upper_arm_xz * t412;
+        const six_link_real p_upper_arm_1 = R_rel_upper_arm_xx * t545 + R_rel_upper_arm_xz * t546;
         const six_link_real p_upper_arm_4 = R_rel_upper_arm_xx * p_i_upper_arm_4
             + R_rel_upper_arm_xz * p_i_upper_arm_6;
         const six_link_real p_upper_arm_6 = R_rel_upper_arm_xx * p_i_upper_arm_6
@@ -2343,15 +2794,15 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         const six_link_real Lambda_T_shoulder_15 = Lambda_upper_arm_5 - c->links[0].S_T_z;
         const six_link_real Lambda_T_shoulder_23 = Lambda_upper_arm_8 - c->links[0].J_T_yz;
         const six_link_real Lambda_T_shoulder_34 = Lambda_upper_arm_13 - c->links[0].S_T_y;
-        const six_link_real t452 = state->v[0] * (c->links[0].J_T_yz * state->v[0])
+        const six_link_real t602 = state->v[0] * (c->links[0].J_T_yz * state->v[0])
             - (c->links[0].S_T_y * c->gravity[2] + c->links[0].S_T_z * alpha_0_shoulder_5);
-        const six_link_real t453 = c->links[0].S_T_x * c->gravity[2] - c->links[0].S_T_z * minus_alpha_0_T_shoulder_4
+        const six_link_real t603 = c->links[0].S_T_x * c->gravity[2] - c->links[0].S_T_z * minus_alpha_0_T_shoulder_4
             - state->v[0] * (c->links[0].J_T_xz * state->v[0]);
-        const six_link_real t454 = c->links[0].body0_mass * minus_alpha_0_T_shoulder_4
+        const six_link_real t604 = c->links[0].body0_mass * minus_alpha_0_T_shoulder_4
             + state->v[0] * (state->v[0] * c->links[0].S_T_x);
-        const six_link_real p_T_shoulder_1 = p_upper_arm_1 + t452 - input->w_ext[0][0];
-        const six_link_real p_T_shoulder_2 = p_upper_arm_2 + t453 - input->w_ext[0][1];
-        const six_link_real p_T_shoulder_4 = p_upper_arm_4 - t454 - input->w_ext[0][3];
+        const six_link_real p_T_shoulder_1 = p_upper_arm_1 + t602 - input->w_ext[0][0];
+        const six_link_real p_T_shoulder_2 = p_upper_arm_2 + t603 - input->w_ext[0][1];
+        const six_link_real p_T_shoulder_4 = p_upper_arm_4 - t604 - input->w_ext[0][3];
         const six_link_real p_T_shoulder_6 = p_upper_arm_6 - c->links[0].body0_mass * c->gravity[2]
             - input->w_ext[0][5];
 
@@ -2361,7 +2812,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         const six_link_real M_loaded_shoulder_13 = Lambda_T_shoulder_13 + Lambda_T_shoulder_15 * c->links[0].length;
         const six_link_real M_loaded_shoulder_23 = Lambda_T_shoulder_23 + Lambda_upper_arm_10 * c->links[0].length
             - c->links[0].length * M_loaded_shoulder_36;
-        const six_link_real M_loaded_shoulder_35 = c->links[0].S_0_x + t415;
+        const six_link_real M_loaded_shoulder_35 = c->links[0].S_0_x + t549;
         const six_link_real h_loaded_shoulder_2 = H_star_shoulder_2
             + (p_T_shoulder_2 - c->links[0].length * p_T_shoulder_6);
         const six_link_real h_loaded_shoulder_4 = p_T_shoulder_4 - minus_H_star_shoulder_4;
@@ -2383,202 +2834,244 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         output->wrench[0][5] = p_i_shoulder_6;
 
         /* joint wrench (48)_upper_arm */
-        const six_link_real t455 = Lambda_i_upper_arm_13 * carried_upper_arm_3
+        const six_link_real t605 = Lambda_i_upper_arm_13 * carried_upper_arm_3
             - Lambda_i_upper_arm_11 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_14 * minus_carried_upper_arm_4;
-        const six_link_real t456 = t455 + Lambda_i_upper_arm_15 * carried_upper_arm_5
+        const six_link_real t606 = t605 + Lambda_i_upper_arm_15 * carried_upper_arm_5
             - Lambda_i_upper_arm_16 * minus_carried_upper_arm_6;
-        const six_link_real t457 = Lambda_i_upper_arm_23 * carried_upper_arm_3
+        const six_link_real t607 = Lambda_i_upper_arm_23 * carried_upper_arm_3
             - Lambda_i_upper_arm_12 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_24 * minus_carried_upper_arm_4;
-        const six_link_real t458 = t457 + Lambda_i_upper_arm_25 * carried_upper_arm_5
+        const six_link_real t608 = t607 + Lambda_i_upper_arm_25 * carried_upper_arm_5
             - Lambda_i_upper_arm_26 * minus_carried_upper_arm_6;
-        const six_link_real t459 = Lambda_i_upper_arm_33 * carried_upper_arm_3
+        const six_link_real t609 = Lambda_i_upper_arm_33 * carried_upper_arm_3
             - Lambda_i_upper_arm_13 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_34 * minus_carried_upper_arm_4;
-        const six_link_real t460 = t459 + Lambda_i_upper_arm_35 * carried_upper_arm_5
+        const six_link_real t610 = t609 + Lambda_i_upper_arm_35 * carried_upper_arm_5
             - Lambda_i_upper_arm_36 * minus_carried_upper_arm_6;
-        const six_link_real t461 = Lambda_i_upper_arm_34 * carried_upper_arm_3
+        const six_link_real t611 = Lambda_i_upper_arm_34 * carried_upper_arm_3
             - Lambda_i_upper_arm_14 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_44 * minus_carried_upper_arm_4;
-        const six_link_real t462 = t461 + Lambda_i_upper_arm_45 * carried_upper_arm_5
+        const six_link_real t612 = t611 + Lambda_i_upper_arm_45 * carried_upper_arm_5
             - Lambda_i_upper_arm_46 * minus_carried_upper_arm_6;
-        const six_link_real t463 = Lambda_i_upper_arm_35 * carried_upper_arm_3
+        const six_link_real t613 = Lambda_i_upper_arm_35 * carried_upper_arm_3
             - Lambda_i_upper_arm_15 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_45 * minus_carried_upper_arm_4;
-        const six_link_real t464 = t463 + Lambda_i_upper_arm_55 * carried_upper_arm_5
+        const six_link_real t614 = t613 + Lambda_i_upper_arm_55 * carried_upper_arm_5
             - Lambda_i_upper_arm_56 * minus_carried_upper_arm_6;
-        const six_link_real t465 = Lambda_i_upper_arm_36 * carried_upper_arm_3
+        const six_link_real t615 = Lambda_i_upper_arm_36 * carried_upper_arm_3
             - Lambda_i_upper_arm_16 * minus_carried_upper_arm_1 - Lambda_i_upper_arm_46 * minus_carried_upper_arm_4;
-        const six_link_real t466 = t465 + Lambda_i_upper_arm_56 * carried_upper_arm_5
+        const six_link_real t616 = t615 + Lambda_i_upper_arm_56 * carried_upper_arm_5
             - Lambda_i_upper_arm_66 * minus_carried_upper_arm_6;
-        const six_link_real wrench_upper_arm_1 = t456 + p_i_upper_arm_1;
+        const six_link_real wrench_upper_arm_1 = t606 + p_i_upper_arm_1;
         output->wrench[1][0] = wrench_upper_arm_1;
-        const six_link_real wrench_upper_arm_2 = t458 + p_i_upper_arm_2;
+        const six_link_real wrench_upper_arm_2 = t608 + p_i_upper_arm_2;
         output->wrench[1][1] = wrench_upper_arm_2;
-        const six_link_real wrench_upper_arm_3 = t460 + p_i_upper_arm_3;
+        const six_link_real wrench_upper_arm_3 = t610 + p_i_upper_arm_3;
         output->wrench[1][2] = wrench_upper_arm_3;
-        const six_link_real wrench_upper_arm_4 = t462 + p_i_upper_arm_4;
+        const six_link_real wrench_upper_arm_4 = t612 + p_i_upper_arm_4;
         output->wrench[1][3] = wrench_upper_arm_4;
-        const six_link_real wrench_upper_arm_5 = t464 + p_i_upper_arm_5;
+        const six_link_real wrench_upper_arm_5 = t614 + p_i_upper_arm_5;
         output->wrench[1][4] = wrench_upper_arm_5;
-        const six_link_real wrench_upper_arm_6 = t466 + p_i_upper_arm_6;
+        const six_link_real wrench_upper_arm_6 = t616 + p_i_upper_arm_6;
         output->wrench[1][5] = wrench_upper_arm_6;
 
         /* joint wrench (48)_forearm */
-        const six_link_real t467 = Lambda_i_forearm_11 * carried_forearm_1 + Lambda_i_forearm_12 * carried_forearm_2
+        const six_link_real t617 = Lambda_i_forearm_11 * carried_forearm_1 + Lambda_i_forearm_12 * carried_forearm_2
             + Lambda_i_forearm_13 * carried_forearm_3;
-        const six_link_real t468 = t467 + Lambda_i_forearm_14 * carried_forearm_4
+        const six_link_real t618 = t617 + Lambda_i_forearm_14 * carried_forearm_4
             + Lambda_i_forearm_15 * carried_forearm_5 + Lambda_i_forearm_16 * carried_forearm_6;
-        const six_link_real t469 = Lambda_i_forearm_12 * carried_forearm_1 + Lambda_i_forearm_22 * carried_forearm_2
+        const six_link_real t619 = Lambda_i_forearm_12 * carried_forearm_1 + Lambda_i_forearm_22 * carried_forearm_2
             + Lambda_i_forearm_23 * carried_forearm_3;
-        const six_link_real t470 = t469 + Lambda_i_forearm_24 * carried_forearm_4
+        const six_link_real t620 = t619 + Lambda_i_forearm_24 * carried_forearm_4
             + Lambda_i_forearm_25 * carried_forearm_5 + Lambda_i_forearm_26 * carried_forearm_6;
-        const six_link_real t471 = Lambda_i_forearm_13 * carried_forearm_1 + Lambda_i_forearm_23 * carried_forearm_2
+        const six_link_real t621 = Lambda_i_forearm_13 * carried_forearm_1 + Lambda_i_forearm_23 * carried_forearm_2
             + Lambda_i_forearm_33 * carried_forearm_3;
-        const six_link_real t472 = t471 + Lambda_i_forearm_34 * carried_forearm_4
+        const six_link_real t622 = t621 + Lambda_i_forearm_34 * carried_forearm_4
             + Lambda_i_forearm_35 * carried_forearm_5 + Lambda_i_forearm_36 * carried_forearm_6;
-        const six_link_real t473 = Lambda_i_forearm_14 * carried_forearm_1 + Lambda_i_forearm_24 * carried_forearm_2
+        const six_link_real t623 = Lambda_i_forearm_14 * carried_forearm_1 + Lambda_i_forearm_24 * carried_forearm_2
             + Lambda_i_forearm_34 * carried_forearm_3;
-        const six_link_real t474 = t473 + Lambda_i_forearm_44 * carried_forearm_4
+        const six_link_real t624 = t623 + Lambda_i_forearm_44 * carried_forearm_4
             + Lambda_i_forearm_45 * carried_forearm_5 + Lambda_i_forearm_46 * carried_forearm_6;
-        const six_link_real t475 = Lambda_i_forearm_15 * carried_forearm_1 + Lambda_i_forearm_25 * carried_forearm_2
+        const six_link_real t625 = Lambda_i_forearm_15 * carried_forearm_1 + Lambda_i_forearm_25 * carried_forearm_2
             + Lambda_i_forearm_35 * carried_forearm_3;
-        const six_link_real t476 = t475 + Lambda_i_forearm_45 * carried_forearm_4
+        const six_link_real t626 = t625 + Lambda_i_forearm_45 * carried_forearm_4
             + Lambda_i_forearm_55 * carried_forearm_5 + Lambda_i_forearm_56 * carried_forearm_6;
-        const six_link_real t477 = Lambda_i_forearm_16 * carried_forearm_1 + Lambda_i_forearm_26 * carried_forearm_2
+        const six_link_real t627 = Lambda_i_forearm_16 * carried_forearm_1 + Lambda_i_forearm_26 * carried_forearm_2
             + Lambda_i_forearm_36 * carried_forearm_3;
-        const six_link_real t478 = t477 + Lambda_i_forearm_46 * carried_forearm_4
+        const six_link_real t628 = t627 + Lambda_i_forearm_46 * carried_forearm_4
             + Lambda_i_forearm_56 * carried_forearm_5 + Lambda_i_forearm_66 * carried_forearm_6;
-        const six_link_real wrench_forearm_1 = t468 + p_i_forearm_1;
+        const six_link_real wrench_forearm_1 = t618 + p_i_forearm_1;
         output->wrench[2][0] = wrench_forearm_1;
-        const six_link_real wrench_forearm_2 = t470 + p_i_forearm_2;
+        const six_link_real wrench_forearm_2 = t620 + p_i_forearm_2;
         output->wrench[2][1] = wrench_forearm_2;
-        const six_link_real wrench_forearm_3 = t472 + p_i_forearm_3;
+        const six_link_real wrench_forearm_3 = t622 + p_i_forearm_3;
         output->wrench[2][2] = wrench_forearm_3;
-        const six_link_real wrench_forearm_4 = t474 + p_i_forearm_4;
+        const six_link_real wrench_forearm_4 = t624 + p_i_forearm_4;
         output->wrench[2][3] = wrench_forearm_4;
-        const six_link_real wrench_forearm_5 = t476 + p_i_forearm_5;
+        const six_link_real wrench_forearm_5 = t626 + p_i_forearm_5;
         output->wrench[2][4] = wrench_forearm_5;
-        const six_link_real wrench_forearm_6 = t478 + p_i_forearm_6;
+        const six_link_real wrench_forearm_6 = t628 + p_i_forearm_6;
         output->wrench[2][5] = wrench_forearm_6;
 
         /* joint wrench (48)_wrist_roll */
-        const six_link_real t479 = Lambda_i_wrist_roll_11 * carried_wrist_roll_1
+        const six_link_real t629 = Lambda_i_wrist_roll_11 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_12 * carried_wrist_roll_2 + Lambda_i_wrist_roll_13 * carried_wrist_roll_3;
-        const six_link_real t480 = t479 + Lambda_i_wrist_roll_14 * carried_wrist_roll_4
+        const six_link_real t630 = t629 + Lambda_i_wrist_roll_14 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_15 * carried_wrist_roll_5;
-        const six_link_real t481 = Lambda_i_wrist_roll_12 * carried_wrist_roll_1
+        const six_link_real t631 = Lambda_i_wrist_roll_12 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_22 * carried_wrist_roll_2 + Lambda_i_wrist_roll_23 * carried_wrist_roll_3;
-        const six_link_real t482 = t481 + Lambda_i_wrist_roll_24 * carried_wrist_roll_4
+        const six_link_real t632 = t631 + Lambda_i_wrist_roll_24 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_25 * carried_wrist_roll_5;
-        const six_link_real t483 = Lambda_i_wrist_roll_13 * carried_wrist_roll_1
+        const six_link_real t633 = Lambda_i_wrist_roll_13 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_23 * carried_wrist_roll_2 + Lambda_i_wrist_roll_33 * carried_wrist_roll_3;
-        const six_link_real t484 = t483 + Lambda_i_wrist_roll_34 * carried_wrist_roll_4
+        const six_link_real t634 = t633 + Lambda_i_wrist_roll_34 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_35 * carried_wrist_roll_5;
-        const six_link_real t485 = Lambda_i_wrist_roll_14 * carried_wrist_roll_1
+        const six_link_real t635 = Lambda_i_wrist_roll_14 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_24 * carried_wrist_roll_2 + Lambda_i_wrist_roll_34 * carried_wrist_roll_3;
-        const six_link_real t486 = t485 + Lambda_i_wrist_roll_44 * carried_wrist_roll_4
+        const six_link_real t636 = t635 + Lambda_i_wrist_roll_44 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_45 * carried_wrist_roll_5;
-        const six_link_real t487 = Lambda_i_wrist_roll_15 * carried_wrist_roll_1
+        const six_link_real t637 = Lambda_i_wrist_roll_15 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_25 * carried_wrist_roll_2 + Lambda_i_wrist_roll_35 * carried_wrist_roll_3;
-        const six_link_real t488 = t487 + Lambda_i_wrist_roll_45 * carried_wrist_roll_4
+        const six_link_real t638 = t637 + Lambda_i_wrist_roll_45 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_55 * carried_wrist_roll_5;
-        const six_link_real t489 = Lambda_i_wrist_roll_16 * carried_wrist_roll_1
+        const six_link_real t639 = Lambda_i_wrist_roll_16 * carried_wrist_roll_1
             + Lambda_i_wrist_roll_26 * carried_wrist_roll_2 + Lambda_i_wrist_roll_36 * carried_wrist_roll_3;
-        const six_link_real t490 = t489 - minus_Lambda_i_wrist_roll_46 * carried_wrist_roll_4
+        const six_link_real t640 = t639 - minus_Lambda_i_wrist_roll_46 * carried_wrist_roll_4
             + Lambda_i_wrist_roll_56 * carried_wrist_roll_5;
-        const six_link_real wrench_wrist_roll_1 = t480 + Lambda_i_wrist_roll_16 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_1 = t630 + Lambda_i_wrist_roll_16 * carried_wrist_roll_6
             + p_i_wrist_roll_1;
         output->wrench[3][0] = wrench_wrist_roll_1;
-        const six_link_real wrench_wrist_roll_2 = t482 + Lambda_i_wrist_roll_26 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_2 = t632 + Lambda_i_wrist_roll_26 * carried_wrist_roll_6
             + p_i_wrist_roll_2;
         output->wrench[3][1] = wrench_wrist_roll_2;
-        const six_link_real wrench_wrist_roll_3 = t484 + Lambda_i_wrist_roll_36 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_3 = t634 + Lambda_i_wrist_roll_36 * carried_wrist_roll_6
             + p_i_wrist_roll_3;
         output->wrench[3][2] = wrench_wrist_roll_3;
-        const six_link_real wrench_wrist_roll_4 = t486 - minus_Lambda_i_wrist_roll_46 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_4 = t636 - minus_Lambda_i_wrist_roll_46 * carried_wrist_roll_6
             + p_i_wrist_roll_4;
         output->wrench[3][3] = wrench_wrist_roll_4;
-        const six_link_real wrench_wrist_roll_5 = t488 + Lambda_i_wrist_roll_56 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_5 = t638 + Lambda_i_wrist_roll_56 * carried_wrist_roll_6
             + p_i_wrist_roll_5;
         output->wrench[3][4] = wrench_wrist_roll_5;
-        const six_link_real wrench_wrist_roll_6 = t490 + Lambda_i_wrist_roll_66 * carried_wrist_roll_6
+        const six_link_real wrench_wrist_roll_6 = t640 + Lambda_i_wrist_roll_66 * carried_wrist_roll_6
             + p_i_wrist_roll_6;
         output->wrench[3][5] = wrench_wrist_roll_6;
 
         /* joint wrench (48)_wrist_pitch */
-        const six_link_real t491 = Lambda_i_wrist_pitch_11 * carried_wrist_pitch_1
+        const six_link_real t641 = Lambda_i_wrist_pitch_11 * carried_wrist_pitch_1
             + Lambda_i_wrist_pitch_12 * carried_wrist_roll_2 + Lambda_i_wrist_pitch_13 * carried_wrist_pitch_3;
-        const six_link_real t492 = t491 - minus_Lambda_i_wrist_pitch_14 * carried_wrist_pitch_4
+        const six_link_real t642 = t641 - minus_Lambda_i_wrist_pitch_14 * carried_wrist_pitch_4
             + Lambda_i_wrist_pitch_15 * delta_T_wrist_roll_5;
-        const six_link_real t493 = Lambda_i_wrist_pitch_12 * carried_wrist_pitch_1
+        const six_link_real t643 = Lambda_i_wrist_pitch_12 * carried_wrist_pitch_1
             + Lambda_i_wrist_pitch_22 * carried_wrist_roll_2 + Lambda_i_wrist_pitch_23 * carried_wrist_pitch_3;
-        const six_link_real t494 = t493 + Lambda_i_wrist_pitch_24 * carried_wrist_pitch_4
+        const six_link_real t644 = t643 + Lambda_i_wrist_pitch_24 * carried_wrist_pitch_4
             + Lambda_i_wrist_pitch_25 * delta_T_wrist_roll_5;
-        const six_link_real t495 = Lambda_i_wrist_pitch_13 * carried_wrist_pitch_1
+        const six_link_real t645 = Lambda_i_wrist_pitch_13 * carried_wrist_pitch_1
             + Lambda_i_wrist_pitch_23 * carried_wrist_roll_2 + Lambda_i_wrist_pitch_33 * carried_wrist_pitch_3;
-        const six_link_real t496 = t495 + Lambda_i_wrist_pitch_34 * carried_wrist_pitch_4
+        const six_link_real t646 = t645 + Lambda_i_wrist_pitch_34 * carried_wrist_pitch_4
             + Lambda_i_wrist_pitch_35 * delta_T_wrist_roll_5;
-        const six_link_real t497 = Lambda_i_wrist_pitch_24 * carried_wrist_roll_2
+        const six_link_real t647 = Lambda_i_wrist_pitch_24 * carried_wrist_roll_2
             - minus_Lambda_i_wrist_pitch_14 * carried_wrist_pitch_1;
-        const six_link_real t498 = t497 + Lambda_i_wrist_pitch_34 * carried_wrist_pitch_3
+        const six_link_real t648 = t647 + Lambda_i_wrist_pitch_34 * carried_wrist_pitch_3
             + Lambda_i_wrist_pitch_44 * carried_wrist_pitch_4;
-        const six_link_real t499 = t498 + Lambda_i_wrist_pitch_45 * delta_T_wrist_roll_5
+        const six_link_real t649 = t648 + Lambda_i_wrist_pitch_45 * delta_T_wrist_roll_5
             - minus_Lambda_i_wrist_pitch_46 * carried_wrist_pitch_6;
-        const six_link_real t500 = Lambda_i_wrist_pitch_15 * carried_wrist_pitch_1
+        const six_link_real t650 = Lambda_i_wrist_pitch_15 * carried_wrist_pitch_1
             + Lambda_i_wrist_pitch_25 * carried_wrist_roll_2 + Lambda_i_wrist_pitch_35 * carried_wrist_pitch_3;
-        const six_link_real t501 = t500 + Lambda_i_wrist_pitch_45 * carried_wrist_pitch_4
+        const six_link_real t651 = t650 + Lambda_i_wrist_pitch_45 * carried_wrist_pitch_4
             + Lambda_i_wrist_pitch_55 * delta_T_wrist_roll_5;
-        const six_link_real t502 = Lambda_i_wrist_pitch_16 * carried_wrist_pitch_1
+        const six_link_real t652 = Lambda_i_wrist_pitch_16 * carried_wrist_pitch_1
             + Lambda_i_wrist_pitch_26 * carried_wrist_roll_2 + Lambda_i_wrist_pitch_36 * carried_wrist_pitch_3;
-        const six_link_real t503 = t502 - minus_Lambda_i_wrist_pitch_46 * carried_wrist_pitch_4
+        const six_link_real t653 = t652 - minus_Lambda_i_wrist_pitch_46 * carried_wrist_pitch_4
             + Lambda_i_wrist_pitch_56 * delta_T_wrist_roll_5;
-        const six_link_real wrench_wrist_pitch_1 = t492 + Lambda_i_wrist_pitch_16 * carried_wrist_pitch_6
+        const six_link_real wrench_wrist_pitch_1 = t642 + Lambda_i_wrist_pitch_16 * carried_wrist_pitch_6
             + p_i_wrist_pitch_1;
         output->wrench[4][0] = wrench_wrist_pitch_1;
-        const six_link_real wrench_wrist_pitch_2 = t494 + Lambda_i_wrist_pitch_26 * carried_wrist_pitch_6
+        const six_link_real wrench_wrist_pitch_2 = t644 + Lambda_i_wrist_pitch_26 * carried_wrist_pitch_6
             + p_i_wrist_pitch_2;
         output->wrench[4][1] = wrench_wrist_pitch_2;
-        const six_link_real wrench_wrist_pitch_3 = t496 + Lambda_i_wrist_pitch_36 * carried_wrist_pitch_6
+        const six_link_real wrench_wrist_pitch_3 = t646 + Lambda_i_wrist_pitch_36 * carried_wrist_pitch_6
             + p_i_wrist_pitch_3;
         output->wrench[4][2] = wrench_wrist_pitch_3;
-        const six_link_real wrench_wrist_pitch_4 = t499 + p_i_wrist_pitch_4;
+        const six_link_real wrench_wrist_pitch_4 = t649 + p_i_wrist_pitch_4;
         output->wrench[4][3] = wrench_wrist_pitch_4;
-        const six_link_real wrench_wrist_pitch_5 = t501 + Lambda_i_wrist_pitch_56 * carried_wrist_pitch_6
+        const six_link_real wrench_wrist_pitch_5 = t651 + Lambda_i_wrist_pitch_56 * carried_wrist_pitch_6
             + p_i_wrist_pitch_5;
         output->wrench[4][4] = wrench_wrist_pitch_5;
-        const six_link_real wrench_wrist_pitch_6 = t503 + Lambda_i_wrist_pitch_66 * carried_wrist_pitch_6
+        const six_link_real wrench_wrist_pitch_6 = t653 + Lambda_i_wrist_pitch_66 * carried_wrist_pitch_6
             + p_i_wrist_pitch_6;
         output->wrench[4][5] = wrench_wrist_pitch_6;
 
         /* joint wrench (48)_flange */
-        const six_link_real t504 = Lambda_i_flange_11 * carried_wrist_pitch_1 + Lambda_i_flange_12 * carried_flange_2
+        const six_link_real t654 = Lambda_i_flange_11 * carried_wrist_pitch_1 + Lambda_i_flange_12 * carried_flange_2
             + Lambda_i_flange_13 * carried_flange_3;
-        const six_link_real t505 = Lambda_i_flange_12 * carried_wrist_pitch_1 + Lambda_i_flange_22 * carried_flange_2
+        const six_link_real t655 = Lambda_i_flange_12 * carried_wrist_pitch_1 + Lambda_i_flange_22 * carried_flange_2
             - minus_Lambda_i_flange_23 * carried_flange_3;
-        const six_link_real t506 = t505 + c->links[5].S_T_z * carried_wrist_pitch_4
+        const six_link_real t656 = t655 + c->links[5].S_T_z * carried_wrist_pitch_4
             - minus_Lambda_i_flange_25 * carried_flange_5 + Lambda_i_flange_26 * carried_flange_6;
-        const six_link_real t507 = Lambda_i_flange_13 * carried_wrist_pitch_1
+        const six_link_real t657 = Lambda_i_flange_13 * carried_wrist_pitch_1
             - minus_Lambda_i_flange_23 * carried_flange_2 + Lambda_i_flange_33 * carried_flange_3;
-        const six_link_real t508 = t507 - c->links[5].S_T_y * carried_wrist_pitch_4
+        const six_link_real t658 = t657 - c->links[5].S_T_y * carried_wrist_pitch_4
             + Lambda_i_flange_35 * carried_flange_5 + Lambda_i_flange_36 * carried_flange_6;
-        const six_link_real t509 = c->links[5].S_T_z * carried_flange_2 - c->links[5].S_T_y * carried_flange_3
+        const six_link_real t659 = c->links[5].S_T_z * carried_flange_2 - c->links[5].S_T_y * carried_flange_3
             + M_loaded_flange_44 * carried_wrist_pitch_4;
-        const six_link_real t510 = Lambda_i_flange_15 * carried_wrist_pitch_1
+        const six_link_real t660 = Lambda_i_flange_15 * carried_wrist_pitch_1
             - minus_Lambda_i_flange_25 * carried_flange_2 + Lambda_i_flange_35 * carried_flange_3;
-        const six_link_real t511 = Lambda_i_flange_16 * carried_wrist_pitch_1 + Lambda_i_flange_26 * carried_flange_2
+        const six_link_real t661 = Lambda_i_flange_16 * carried_wrist_pitch_1 + Lambda_i_flange_26 * carried_flange_2
             + Lambda_i_flange_36 * carried_flange_3;
-        const six_link_real wrench_flange_1 = t504 + Lambda_i_flange_15 * carried_flange_5
+        const six_link_real wrench_flange_1 = t654 + Lambda_i_flange_15 * carried_flange_5
             + Lambda_i_flange_16 * carried_flange_6 + p_i_flange_1;
         output->wrench[5][0] = wrench_flange_1;
-        const six_link_real wrench_flange_2 = t506 + p_i_flange_2;
+        const six_link_real wrench_flange_2 = t656 + p_i_flange_2;
         output->wrench[5][1] = wrench_flange_2;
-        const six_link_real wrench_flange_3 = t508 + p_i_flange_3;
+        const six_link_real wrench_flange_3 = t658 + p_i_flange_3;
         output->wrench[5][2] = wrench_flange_3;
-        const six_link_real wrench_flange_4 = t509 + h_loaded_flange_4;
+        const six_link_real wrench_flange_4 = t659 + h_loaded_flange_4;
         output->wrench[5][3] = wrench_flange_4;
-        const six_link_real wrench_flange_5 = t510 + Lambda_i_flange_55 * carried_flange_5
+        const six_link_real wrench_flange_5 = t660 + Lambda_i_flange_55 * carried_flange_5
             + Lambda_i_flange_56 * carried_flange_6 + p_i_flange_5;
         output->wrench[5][4] = wrench_flange_5;
-        const six_link_real wrench_flange_6 = t511 + Lambda_i_flange_56 * carried_flange_5
+        const six_link_real wrench_flange_6 = t661 + Lambda_i_flange_56 * carried_flange_5
             + Lambda_i_flange_66 * carried_flange_6 + p_i_flange_6;
         output->wrench[5][5] = wrench_flange_6;
+
+        if (wanted & SIX_LINK_MOTION) {
+            /* upper_arm, link: what is added to the acceleration of F_i, modal accelerations (83) */
+            const six_link_real alpha_upper_arm_4 = alpha_0_upper_arm_4 - minus_carried_upper_arm_4;
+            work->motion[1][2] = alpha_upper_arm_4;
+
+            const six_link_real t662 = S_upper_arm_z * qddot_upper_arm_1 - S_upper_arm_y * carried_upper_arm_3
+                - c->links[1].mu * minus_carried_upper_arm_4;
+            const six_link_real motion_upper_arm_4 = t662 + h_V_upper_arm_4;
+            work->motion[1][3] = motion_upper_arm_4;
+
+            /* forearm, link: what is added to the acceleration of F_i, modal accelerations (83) */
+            const six_link_real alpha_forearm_4 = carried_forearm_4 + alpha_0_forearm_4;
+            work->motion[2][2] = alpha_forearm_4;
+
+            const six_link_real t663 = S_forearm_z * delta_forearm_2 - S_forearm_y * carried_forearm_3
+                + c->links[2].m * carried_forearm_4;
+            const six_link_real motion_forearm_4 = t663 + h_V_forearm_4;
+            work->motion[2][3] = motion_forearm_4;
+
+            /* outputs */
+            work->motion[0][0] = 0;
+            work->motion[0][1] = 0;
+            work->motion[0][2] = 0;
+            work->motion[0][3] = 0;
+            work->motion[1][0] = state->v[1];
+            work->motion[1][1] = omega_R_upper_arm_3;
+            work->motion[2][0] = omega_forearm_y;
+            work->motion[2][1] = omega_R_forearm_3;
+            work->motion[3][0] = 0;
+            work->motion[3][1] = 0;
+            work->motion[3][2] = 0;
+            work->motion[3][3] = 0;
+            work->motion[4][0] = 0;
+            work->motion[4][1] = 0;
+            work->motion[4][2] = 0;
+            work->motion[4][3] = 0;
+            work->motion[5][0] = 0;
+            work->motion[5][1] = 0;
+            work->motion[5][2] = 0;
+            work->motion[5][3] = 0;
+        }
     }
 
     if (wanted & SIX_LINK_TIP_POSE) {
@@ -2616,12 +3109,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
             - R_rel_upper_arm_xz * R_T_upper_arm_xy;
         const six_link_real R_tip_upper_arm_zz = R_rel_upper_arm_xx * R_T_upper_arm_zz
             - R_rel_upper_arm_xz * R_T_upper_arm_xz;
-        const six_link_real t512 = R_upper_arm_xx * c->links[1].length - minus_R_rel_shoulder_xy * r_T_upper_arm_y
+        const six_link_real t664 = R_upper_arm_xx * c->links[1].length - minus_R_rel_shoulder_xy * r_T_upper_arm_y
             + R_upper_arm_xz * r_T_upper_arm_z;
-        const six_link_real t513 = R_upper_arm_yx * c->links[1].length + R_rel_shoulder_xx * r_T_upper_arm_y
+        const six_link_real t665 = R_upper_arm_yx * c->links[1].length + R_rel_shoulder_xx * r_T_upper_arm_y
             + R_upper_arm_yz * r_T_upper_arm_z;
-        const six_link_real r_tip_upper_arm_x = r_upper_arm_x + t512;
-        const six_link_real r_tip_upper_arm_y = r_upper_arm_y + t513;
+        const six_link_real r_tip_upper_arm_x = r_upper_arm_x + t664;
+        const six_link_real r_tip_upper_arm_y = r_upper_arm_y + t665;
         const six_link_real r_tip_upper_arm_z = r_upper_arm_z
             + (R_rel_upper_arm_xx * r_T_upper_arm_z - R_rel_upper_arm_xz * c->links[1].length);
 
@@ -2644,15 +3137,15 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
             + R_tip_upper_arm_zy * c->links[2].R_m_yy + R_tip_upper_arm_zz * c->links[2].R_m_zy;
         const six_link_real R_forearm_zz = R_tip_upper_arm_zx * R_rel_forearm_xz
             + R_tip_upper_arm_zy * R_rel_forearm_yz + R_tip_upper_arm_zz * R_rel_forearm_zz;
-        const six_link_real t514 = R_tip_upper_arm_xx * c->links[2].mount_xyz_x
+        const six_link_real t666 = R_tip_upper_arm_xx * c->links[2].mount_xyz_x
             + R_tip_upper_arm_xy * c->links[2].mount_xyz_y + R_tip_upper_arm_xz * c->links[2].mount_xyz_z;
-        const six_link_real t515 = R_tip_upper_arm_yx * c->links[2].mount_xyz_x
+        const six_link_real t667 = R_tip_upper_arm_yx * c->links[2].mount_xyz_x
             + R_tip_upper_arm_yy * c->links[2].mount_xyz_y + R_tip_upper_arm_yz * c->links[2].mount_xyz_z;
-        const six_link_real t516 = R_tip_upper_arm_zx * c->links[2].mount_xyz_x
+        const six_link_real t668 = R_tip_upper_arm_zx * c->links[2].mount_xyz_x
             + R_tip_upper_arm_zy * c->links[2].mount_xyz_y + R_tip_upper_arm_zz * c->links[2].mount_xyz_z;
-        const six_link_real r_forearm_x = r_tip_upper_arm_x + t514;
-        const six_link_real r_forearm_y = r_tip_upper_arm_y + t515;
-        const six_link_real r_forearm_z = r_tip_upper_arm_z + t516;
+        const six_link_real r_forearm_x = r_tip_upper_arm_x + t666;
+        const six_link_real r_forearm_y = r_tip_upper_arm_y + t667;
+        const six_link_real r_forearm_z = r_tip_upper_arm_z + t668;
 
         /* forearm, pose: rotation and position of the tip section in the inertial frame (Ad) */
         const six_link_real R_tip_forearm_xx = R_forearm_xx * R_T_forearm_xx + R_forearm_xy * minus_R_T_forearm_xy
@@ -2762,18 +3255,37 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     return SIX_LINK_OK;
 }
 
+const six_link_real six_link_measure_bounds[SIX_LINK_NMEASURES] = { REAL(0.1), REAL(0.35), REAL(0.02), REAL(0.2) };
+
+six_link_status six_link_validity(const six_link_constants *c, const six_link_state *state, const six_link_output *output,
+    const six_link_work *work, six_link_measures *measures)
+{
+    six_link_call call = { 0 };
+    six_link_status status;
+    int fault = 0;
+    if (!c || !state || !output || !work || !measures) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    call.eta = state->q + SIX_LINK_NTAU;
+    call.given_wrench = &output->wrench[0][0];
+    call.given_motion = &work->motion[0][0];
+    call.measures = &measures->value[0][0];
+    status = six_link_measuring(c, &call, 0, &fault);
+    return six_link_finite(call.measures, SIX_LINK_NMEASURES * SIX_LINK_NLINKS) ? status : SIX_LINK_NONFINITE;
+}
+
 six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     const six_link_real vdot[], six_link_chain *chain, six_link_real force[], six_link_real wrench[][6])
 {
-    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NMODES)];
+    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
     six_link_call call = { 0 };
     six_link_status status;
     int k, fault = 0;
     if (!c || !state || !input || !vdot || !chain || !force) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        f_eta[k] = c->K[k] * state->q[SIX_LINK_NTAU + k] + c->D[k] * state->v[SIX_LINK_NTAU + k];
+    for (k = 0; k < SIX_LINK_NV; ++k) {
+        f_eta[k] = c->K[k] * state->q[k] + c->D[k] * state->v[k];
     }
     call.gravity = c->gravity;
     call.q = state->q;
@@ -2781,15 +3293,18 @@ six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six
     call.eta = state->q + SIX_LINK_NTAU;
     call.etadot = state->v + SIX_LINK_NTAU;
     call.w_ext = &input->w_ext[0][0];
-    call.m_eta = c->M_eta;
-    call.f_eta = f_eta;
+    call.m_q = c->M_eta;
+    call.f_q = f_eta;
+    call.m_eta = c->M_eta + SIX_LINK_NTAU;
+    call.f_eta = f_eta + SIX_LINK_NTAU;
     call.given_qddot = vdot;
     call.given_etaddot = vdot + SIX_LINK_NTAU;
     call.force = force;
     call.force_eta = force + SIX_LINK_NTAU;
     call.wrench = wrench ? &wrench[0][0] : 0;
     status = six_link_inverse(c, &call, chain, &fault);
-    if (status == SIX_LINK_OK && !(six_link_finite(force, SIX_LINK_NV) && six_link_finite(call.w_ext, 6 * SIX_LINK_NLINKS))) {
+    if (status == SIX_LINK_OK && !(six_link_finite(force, SIX_LINK_NV) && six_link_finite(call.w_ext, 6 * SIX_LINK_NLINKS)
+        && (!wrench || six_link_finite(&wrench[0][0], 6 * SIX_LINK_NLINKS)))) {
         return SIX_LINK_NONFINITE;
     }
     return status;
@@ -2807,9 +3322,13 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
     }
     call.q = state->q;
     call.eta = state->q + SIX_LINK_NTAU;
-    call.m_eta = c->M_eta;
+    call.m_q = c->M_eta;
+    call.m_eta = c->M_eta + SIX_LINK_NTAU;
     call.given_qddot = unit;
     call.given_etaddot = unit + SIX_LINK_NTAU;
+    if (!six_link_finite(state->q, SIX_LINK_NQ)) {
+        return SIX_LINK_NONFINITE;
+    }
     status = six_link_inertia_posture(c, &call, chain, &fault);
     for (j = 0; j < SIX_LINK_NV && status == SIX_LINK_OK; ++j) {
         unit[j] = 1;

@@ -6,39 +6,44 @@
 #include "six_link_links.h"
 
 static const int Q_OFFSET[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
-static const int ETA_OFFSET[SIX_LINK_NLINKS] = { 0, 0, 3, 5, 5, 5 };
+static const int ETA_OFFSET[SIX_LINK_NLINKS] = { 0, 0, 5, 9, 9, 9 };
 
 /* Where the entries of M_sys that a link computes stand among the structural nonzeros. */
 static const int M_PLACE[SIX_LINK_NNZ] = {
     2, 7, 18, 27, 38, 44, 49, 13, 33, 24, 14, 34, 15, 25, 35, 42, 53, 16, 36, 48,
     17, 26, 37, 43, 54, 0, 1, 3, 4, 5, 6, 8, 19, 28, 45, 50, 9, 20, 29, 39,
     51, 10, 21, 30, 40, 46, 22, 31, 41, 11, 32, 47, 12, 23, 52, 55, 61, 64, 70, 74,
-    58, 65, 75, 56, 62, 66, 71, 76, 67, 77, 72, 68, 78, 59, 80, 96, 112, 128, 141, 154,
-    87, 103, 119, 88, 104, 120, 89, 105, 121, 90, 106, 122, 135, 148, 161, 91, 107, 123, 136, 149,
-    162, 92, 108, 124, 137, 150, 163, 464, 479, 494, 465, 480, 495, 466, 481, 496, 467, 482, 497, 468,
-    483, 498, 469, 484, 499, 57, 60, 63, 69, 73, 79, 81, 97, 113, 129, 142, 155, 82, 98, 114,
-    130, 143, 156, 83, 99, 115, 131, 144, 157, 84, 100, 116, 132, 145, 158, 85, 101, 117, 133, 146,
-    159, 86, 102, 118, 134, 147, 160, 458, 473, 488, 459, 474, 489, 460, 475, 490, 461, 476, 491, 462,
-    477, 492, 463, 478, 493, 167, 174, 182, 189, 199, 209, 168, 175, 183, 190, 200, 210, 169, 176, 184,
-    191, 201, 211, 192, 202, 212, 193, 203, 213, 194, 204, 214, 93, 109, 125, 138, 151, 164, 94, 110,
-    126, 139, 152, 165, 95, 111, 127, 140, 153, 166, 470, 485, 500, 471, 486, 501, 472, 487, 502, 171,
-    179, 186, 196, 206, 216, 172, 180, 187, 197, 207, 217, 173, 181, 188, 198, 208, 218, 177, 219, 233,
-    246, 259, 266, 274, 225, 239, 252, 226, 240, 253, 227, 241, 254, 228, 242, 255, 263, 270, 278, 229,
-    243, 256, 264, 271, 279, 230, 244, 257, 265, 272, 280, 506, 516, 507, 517, 508, 518, 509, 519, 510,
-    520, 511, 521, 170, 178, 185, 195, 205, 215, 220, 234, 247, 267, 275, 221, 235, 248, 260, 276, 222,
-    236, 249, 261, 268, 237, 250, 262, 223, 251, 269, 224, 238, 277, 503, 513, 514, 504, 505, 515, 282,
-    289, 295, 301, 310, 319, 283, 290, 296, 302, 311, 320, 284, 291, 297, 303, 312, 321, 304, 313, 322,
-    305, 314, 323, 306, 315, 324, 231, 258, 273, 232, 245, 281, 512, 522, 287, 293, 299, 308, 317, 326,
-    288, 294, 300, 309, 318, 327, 285, 328, 332, 338, 344, 348, 352, 330, 341, 335, 331, 342, 336, 346,
-    355, 343, 351, 337, 347, 356, 286, 292, 298, 307, 316, 325, 329, 333, 353, 339, 349, 345, 340, 350,
-    334, 354, 357, 363, 360, 366, 373, 358, 364, 370, 367, 374, 371, 368, 375, 361, 377, 380, 387, 394,
-    397, 402, 379, 383, 390, 384, 391, 396, 385, 392, 400, 405, 386, 393, 401, 406, 359, 362, 365, 369,
-    372, 376, 378, 381, 403, 388, 398, 395, 389, 399, 382, 404, 407, 410, 413, 418, 423, 411, 414, 419,
-    424, 416, 420, 425, 421, 426, 408, 428, 434, 440, 446, 450, 454, 409, 412, 415, 417, 422, 427, 429,
-    435, 441, 451, 455, 430, 436, 442, 447, 456, 431, 437, 443, 448, 452, 438, 444, 449, 432, 445, 453,
-    433, 439, 457,
+    58, 65, 75, 56, 62, 66, 71, 76, 67, 77, 72, 68, 78, 59, 80, 98, 116, 134, 149, 164,
+    87, 105, 123, 88, 106, 124, 89, 107, 125, 90, 108, 126, 141, 156, 171, 91, 109, 127, 142, 157,
+    172, 92, 110, 128, 143, 158, 173, 506, 523, 540, 557, 574, 507, 524, 541, 558, 575, 508, 525, 542,
+    559, 576, 509, 526, 543, 560, 577, 510, 527, 544, 561, 578, 511, 528, 545, 562, 579, 57, 60, 63,
+    69, 73, 79, 81, 99, 117, 135, 150, 165, 82, 100, 118, 136, 151, 166, 83, 101, 119, 137, 152,
+    167, 84, 102, 120, 138, 153, 168, 85, 103, 121, 139, 154, 169, 86, 104, 122, 140, 155, 170, 500,
+    517, 534, 551, 568, 501, 518, 535, 552, 569, 502, 519, 536, 553, 570, 503, 520, 537, 554, 571, 504,
+    521, 538, 555, 572, 505, 522, 539, 556, 573, 179, 188, 198, 207, 219, 231, 180, 189, 199, 208, 220,
+    232, 181, 190, 200, 209, 221, 233, 210, 222, 234, 211, 223, 235, 212, 224, 236, 93, 111, 129, 144,
+    159, 174, 94, 112, 130, 145, 160, 175, 95, 113, 131, 146, 161, 176, 96, 114, 132, 147, 162, 177,
+    97, 115, 133, 148, 163, 178, 512, 529, 546, 563, 580, 513, 530, 547, 564, 581, 514, 531, 548, 565,
+    582, 515, 532, 549, 566, 583, 516, 533, 550, 567, 584, 183, 193, 202, 214, 226, 238, 184, 194, 203,
+    215, 227, 239, 185, 195, 204, 216, 228, 240, 186, 196, 205, 217, 229, 241, 187, 197, 206, 218, 230,
+    242, 191, 243, 259, 273, 287, 294, 303, 249, 265, 279, 250, 266, 280, 251, 267, 281, 252, 268, 282,
+    291, 298, 307, 253, 269, 283, 292, 299, 308, 254, 270, 284, 293, 300, 309, 588, 598, 608, 618, 589,
+    599, 609, 619, 590, 600, 610, 620, 591, 601, 611, 621, 592, 602, 612, 622, 593, 603, 613, 623, 182,
+    192, 201, 213, 225, 237, 244, 260, 274, 295, 304, 245, 261, 275, 288, 305, 246, 262, 276, 289, 296,
+    263, 277, 290, 247, 278, 297, 248, 264, 306, 585, 595, 605, 615, 606, 616, 586, 596, 587, 597, 607,
+    617, 312, 321, 329, 337, 348, 359, 313, 322, 330, 338, 349, 360, 314, 323, 331, 339, 350, 361, 340,
+    351, 362, 341, 352, 363, 342, 353, 364, 255, 285, 301, 256, 286, 302, 257, 271, 310, 258, 272, 311,
+    594, 604, 614, 624, 317, 325, 333, 344, 355, 366, 318, 326, 334, 345, 356, 367, 319, 327, 335, 346,
+    357, 368, 320, 328, 336, 347, 358, 369, 315, 370, 374, 380, 386, 390, 394, 372, 383, 377, 373, 384,
+    378, 388, 397, 385, 393, 379, 389, 398, 316, 324, 332, 343, 354, 365, 371, 375, 395, 381, 391, 387,
+    382, 392, 376, 396, 399, 405, 402, 408, 415, 400, 406, 412, 409, 416, 413, 410, 417, 403, 419, 422,
+    429, 436, 439, 444, 421, 425, 432, 426, 433, 438, 427, 434, 442, 447, 428, 435, 443, 448, 401, 404,
+    407, 411, 414, 418, 420, 423, 445, 430, 440, 437, 431, 441, 424, 446, 449, 452, 455, 460, 465, 453,
+    456, 461, 466, 458, 462, 467, 463, 468, 450, 470, 476, 482, 488, 492, 496, 451, 454, 457, 459, 464,
+    469, 471, 477, 483, 493, 497, 472, 478, 484, 489, 498, 473, 479, 485, 490, 494, 480, 486, 491, 474,
+    487, 495, 475, 481, 499,
 };
-static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 257, 386, 435, 486 };
+static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 321, 488, 537, 588 };
 
 /* dae kinematics, links like shoulder: 11 operations */
 SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
@@ -69,11 +74,11 @@ SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_consta
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like upper_arm: 216 operations */
+/* dae kinematics, links like upper_arm: 234 operations */
 SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], const six_link_real eta[restrict 3],
-    const six_link_real etadot[restrict 3], six_link_real qdot[restrict 1])
+    const six_link_real twist[restrict 6], const six_link_real eta[restrict 5],
+    const six_link_real etadot[restrict 5], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -109,15 +114,19 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
     link->r_T[0] = r_T_y;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
     link->r_T[1] = r_T_z;
 
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t2 = theta_x * theta_x;
@@ -204,9 +213,9 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     tip->R_T[8] = R_T_zz;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t19 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -220,7 +229,7 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     const six_link_real omega_s_z = thetadot_z + c2 * t20 + c3 * t24;
 
     /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+    const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
@@ -250,8 +259,8 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
         - (minus_omega_R_1 * omega_s_y + twist[1] * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
     const six_link_real t25 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
-    const six_link_real t27 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
+    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + udot_T_y * 2;
+    const six_link_real t27 = udot_T_z * 2 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
     const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (twist[1] * t27 - omega_R_3 * t26);
     tip->alpha_0[3] = alpha_0_T_4;
     const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
@@ -267,11 +276,11 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like forearm: 287 operations */
+/* dae kinematics, links like forearm: 305 operations */
 SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], const six_link_real eta[restrict 2],
-    const six_link_real etadot[restrict 2], six_link_real qdot[restrict 1])
+    const six_link_real twist[restrict 6], const six_link_real eta[restrict 4],
+    const six_link_real etadot[restrict 4], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -344,14 +353,18 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     link->alpha_0[5] = alpha_0_6;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
     link->r_T[0] = r_T_y;
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
     link->r_T[1] = r_T_z;
 
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -406,8 +419,8 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     tip->R_T[8] = R_T_zz;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -444,8 +457,8 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
         + (omega_R_1 * omega_s_y - twist[1] * omega_s_x);
     tip->alpha_0[2] = alpha_0_T_3;
     const six_link_real t11 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
-    const six_link_real t13 = omega_R_1 * r_T_y - twist[1] * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
+    const six_link_real t13 = omega_R_1 * r_T_y - twist[1] * c->length + udot_T_z * 2;
     const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
         + (twist[1] * t13 - omega_R_3 * t12);
     tip->alpha_0[3] = alpha_0_T_4;
@@ -651,10 +664,11 @@ SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constant
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like shoulder: 113 operations */
+/* eliminate, links like shoulder: 112 operations */
 SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
@@ -709,10 +723,10 @@ SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *
     const six_link_real h_loaded_6 = H_star_6 + p_T_6;
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_33 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_loaded_33 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_3) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_loaded_3) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real p_i_1 = p_T_1 + M_loaded_13 * joint_w_1;
     link->p_i[0] = p_i_1;
@@ -729,35 +743,40 @@ SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like upper_arm: 1223 operations */
+/* eliminate, links like upper_arm: 1739 operations */
 SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 3],
-    const six_link_real etadot[restrict 3], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 3], const six_link_real f_eta[restrict 3],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 5],
+    const six_link_real etadot[restrict 5], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 5], const six_link_real f_eta[restrict 5],
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* S: first moment */
-    const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_y1;
+    const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_1 * eta[1];
-    const six_link_real J_yy = L_y1 * eta[0];
-    const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z1 * eta[1];
+    const six_link_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -780,12 +799,12 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -796,8 +815,8 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real h_c_6 = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
-    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
+    const six_link_real h_MD_2 = h_c_2 + etadot[4] * link->omega[2] * c->sigma_t_5;
+    const six_link_real h_MD_3 = h_c_3 - etadot[4] * link->omega[1] * c->sigma_t_5;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_xz + J_yy * Omega_zy
@@ -831,9 +850,13 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
         + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
-    const six_link_real h_eta_3 = link->alpha_0[0] * c->sigma_t_3;
+    const six_link_real h_eta_4 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const six_link_real h_eta_5 = link->alpha_0[0] * c->sigma_t_5;
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const six_link_real t10 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
@@ -904,14 +927,20 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
     const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real Theta_12 = link->J_l[1] * c->Psi_c_y2;
-    const six_link_real Theta_13 = link->J_l[0] * REAL(1.4142135623730951);
+    const six_link_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
+    const six_link_real Theta_13 = link->J_l[1] * c->Psi_c_y3;
+    const six_link_real Theta_14 = link->J_l[1] * c->Psi_c_y4;
+    const six_link_real Theta_15 = link->J_l[0] * REAL(1.7320508075688772);
     const six_link_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real Theta_22 = link->J_l[4] * c->Psi_c_y2;
-    const six_link_real Theta_23 = link->J_l[3] * REAL(1.4142135623730951);
+    const six_link_real Theta_22 = link->J_l[5] * c->Psi_c_z2;
+    const six_link_real Theta_23 = link->J_l[4] * c->Psi_c_y3;
+    const six_link_real Theta_24 = link->J_l[4] * c->Psi_c_y4;
+    const six_link_real Theta_25 = link->J_l[3] * REAL(1.7320508075688772);
     const six_link_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
-    const six_link_real Theta_32 = link->J_l[7] * c->Psi_c_y2;
-    const six_link_real Theta_33 = link->J_l[6] * REAL(1.4142135623730951);
+    const six_link_real Theta_32 = link->J_l[8] * c->Psi_c_z2;
+    const six_link_real Theta_33 = link->J_l[7] * c->Psi_c_y3;
+    const six_link_real Theta_34 = link->J_l[7] * c->Psi_c_y4;
+    const six_link_real Theta_35 = link->J_l[6] * REAL(1.7320508075688772);
     const six_link_real t39 = link->r_T[1] * tip->Lambda[16];
     const six_link_real t40 = link->r_T[0] * tip->Lambda[17];
     const six_link_real t41 = c->length * tip->Lambda[19];
@@ -958,85 +987,186 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real h_loaded_5 = h_V_5 + p_T_5;
     const six_link_real h_loaded_6 = h_V_6 + p_T_6;
     const six_link_real t54 = Lambda_T_11 * Theta_11 + Lambda_T_12 * Theta_21 + Lambda_T_13 * Theta_31
-        + Lambda_T_15 * 2;
+        + Lambda_T_15 * REAL(2.0195202782688155);
     const six_link_real t55 = Lambda_T_11 * Theta_12 + Lambda_T_12 * Theta_22 + Lambda_T_13 * Theta_32
-        + Lambda_T_16 * 2;
-    const six_link_real t56 = Lambda_T_11 * Theta_13 + Lambda_T_12 * Theta_23 + Lambda_T_13 * Theta_33;
-    const six_link_real t57 = Lambda_T_12 * Theta_11 + Lambda_T_22 * Theta_21 + Lambda_T_23 * Theta_31
-        + tip->Lambda[9] * 2;
-    const six_link_real t58 = Lambda_T_12 * Theta_12 + Lambda_T_22 * Theta_22 + Lambda_T_23 * Theta_32
-        + Lambda_T_26 * 2;
-    const six_link_real t59 = Lambda_T_12 * Theta_13 + Lambda_T_22 * Theta_23 + Lambda_T_23 * Theta_33;
-    const six_link_real t60 = Lambda_T_13 * Theta_11 + Lambda_T_23 * Theta_21 + Lambda_T_33 * Theta_31
-        + Lambda_T_35 * 2;
-    const six_link_real t61 = Lambda_T_13 * Theta_12 + Lambda_T_23 * Theta_22 + Lambda_T_33 * Theta_32
-        + tip->Lambda[14] * 2;
-    const six_link_real t62 = Lambda_T_13 * Theta_13 + Lambda_T_23 * Theta_23 + Lambda_T_33 * Theta_33;
+        + Lambda_T_15 * REAL(2.8145226674626453);
+    const six_link_real t56 = Lambda_T_11 * Theta_13 + Lambda_T_12 * Theta_23 + Lambda_T_13 * Theta_33
+        + Lambda_T_16 * REAL(2.0195202782688155);
+    const six_link_real t57 = Lambda_T_11 * Theta_14 + Lambda_T_12 * Theta_24 + Lambda_T_13 * Theta_34
+        + Lambda_T_16 * REAL(2.8145226674626453);
+    const six_link_real t58 = Lambda_T_11 * Theta_15 + Lambda_T_12 * Theta_25 + Lambda_T_13 * Theta_35;
+    const six_link_real t59 = Lambda_T_12 * Theta_11 + Lambda_T_22 * Theta_21 + Lambda_T_23 * Theta_31
+        + tip->Lambda[9] * REAL(2.0195202782688155);
+    const six_link_real t60 = Lambda_T_12 * Theta_12 + Lambda_T_22 * Theta_22 + Lambda_T_23 * Theta_32
+        + tip->Lambda[9] * REAL(2.8145226674626453);
+    const six_link_real t61 = Lambda_T_12 * Theta_13 + Lambda_T_22 * Theta_23 + Lambda_T_23 * Theta_33
+        + Lambda_T_26 * REAL(2.0195202782688155);
+    const six_link_real t62 = Lambda_T_12 * Theta_14 + Lambda_T_22 * Theta_24 + Lambda_T_23 * Theta_34
+        + Lambda_T_26 * REAL(2.8145226674626453);
+    const six_link_real t63 = Lambda_T_12 * Theta_15 + Lambda_T_22 * Theta_25 + Lambda_T_23 * Theta_35;
+    const six_link_real t64 = Lambda_T_13 * Theta_11 + Lambda_T_23 * Theta_21 + Lambda_T_33 * Theta_31
+        + Lambda_T_35 * REAL(2.0195202782688155);
+    const six_link_real t65 = Lambda_T_13 * Theta_12 + Lambda_T_23 * Theta_22 + Lambda_T_33 * Theta_32
+        + Lambda_T_35 * REAL(2.8145226674626453);
+    const six_link_real t66 = Lambda_T_13 * Theta_13 + Lambda_T_23 * Theta_23 + Lambda_T_33 * Theta_33
+        + tip->Lambda[14] * REAL(2.0195202782688155);
+    const six_link_real t67 = Lambda_T_13 * Theta_14 + Lambda_T_23 * Theta_24 + Lambda_T_33 * Theta_34
+        + tip->Lambda[14] * REAL(2.8145226674626453);
+    const six_link_real t68 = Lambda_T_13 * Theta_15 + Lambda_T_23 * Theta_25 + Lambda_T_33 * Theta_35;
     const six_link_real C_41 = tip->Lambda[3] * Theta_11 + Lambda_T_24 * Theta_21 + Lambda_T_34 * Theta_31
-        + tip->Lambda[16] * 2;
+        + tip->Lambda[16] * REAL(2.0195202782688155);
     const six_link_real C_42 = tip->Lambda[3] * Theta_12 + Lambda_T_24 * Theta_22 + Lambda_T_34 * Theta_32
-        + tip->Lambda[17] * 2;
-    const six_link_real C_43 = tip->Lambda[3] * Theta_13 + Lambda_T_24 * Theta_23 + Lambda_T_34 * Theta_33;
-    const six_link_real t63 = Lambda_T_15 * Theta_11 + tip->Lambda[9] * Theta_21 + Lambda_T_35 * Theta_31
-        + Lambda_T_55 * 2;
-    const six_link_real t64 = tip->Lambda[19] * 2;
-    const six_link_real C_52 = Lambda_T_15 * Theta_12 + tip->Lambda[9] * Theta_22 + Lambda_T_35 * Theta_32 + t64;
-    const six_link_real C_53 = Lambda_T_15 * Theta_13 + tip->Lambda[9] * Theta_23 + Lambda_T_35 * Theta_33;
-    const six_link_real C_61 = Lambda_T_16 * Theta_11 + Lambda_T_26 * Theta_21 + tip->Lambda[14] * Theta_31 + t64;
-    const six_link_real t65 = Lambda_T_16 * Theta_12 + Lambda_T_26 * Theta_22 + tip->Lambda[14] * Theta_32
-        + Lambda_T_66 * 2;
-    const six_link_real C_63 = Lambda_T_16 * Theta_13 + Lambda_T_26 * Theta_23 + tip->Lambda[14] * Theta_33;
-    const six_link_real C_21 = t57 + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real C_32 = t61 + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_23 = t59 + (link->r_T[1] * C_43 - c->length * C_63);
-    const six_link_real C_33 = t62 + (c->length * C_53 - link->r_T[0] * C_43);
-    const six_link_real C_11 = t54 + (link->r_T[0] * C_61 - link->r_T[1] * t63) - L_z1;
-    const six_link_real C_12 = L_y1 + (t55 + (link->r_T[0] * t65 - link->r_T[1] * C_52));
-    const six_link_real C_13 = c->sigma_t_3 + (t56 + (link->r_T[0] * C_63 - link->r_T[1] * C_53));
-    const six_link_real C_22 = t58 + (link->r_T[1] * C_42 - c->length * t65) - c->chi_1;
-    const six_link_real C_31 = c->chi_1 + (t60 + (c->length * t63 - link->r_T[0] * C_41));
-    const six_link_real C_51 = c->sigma_y1 + t63;
-    const six_link_real C_62 = c->sigma_y1 + t65;
-    const six_link_real modal_inertia_11 = Theta_11 * t54 + Theta_21 * t57 + Theta_31 * t60 + t63 * 2 + m_eta[0];
+        + tip->Lambda[16] * REAL(2.8145226674626453);
+    const six_link_real C_43 = tip->Lambda[3] * Theta_13 + Lambda_T_24 * Theta_23 + Lambda_T_34 * Theta_33
+        + tip->Lambda[17] * REAL(2.0195202782688155);
+    const six_link_real C_44 = tip->Lambda[3] * Theta_14 + Lambda_T_24 * Theta_24 + Lambda_T_34 * Theta_34
+        + tip->Lambda[17] * REAL(2.8145226674626453);
+    const six_link_real C_45 = tip->Lambda[3] * Theta_15 + Lambda_T_24 * Theta_25 + Lambda_T_34 * Theta_35;
+    const six_link_real t69 = Lambda_T_15 * Theta_11 + tip->Lambda[9] * Theta_21 + Lambda_T_35 * Theta_31
+        + Lambda_T_55 * REAL(2.0195202782688155);
+    const six_link_real t70 = Lambda_T_15 * Theta_12 + tip->Lambda[9] * Theta_22 + Lambda_T_35 * Theta_32
+        + Lambda_T_55 * REAL(2.8145226674626453);
+    const six_link_real t71 = tip->Lambda[19] * REAL(2.0195202782688155);
+    const six_link_real C_53 = Lambda_T_15 * Theta_13 + tip->Lambda[9] * Theta_23 + Lambda_T_35 * Theta_33 + t71;
+    const six_link_real t72 = tip->Lambda[19] * REAL(2.8145226674626453);
+    const six_link_real C_54 = Lambda_T_15 * Theta_14 + tip->Lambda[9] * Theta_24 + Lambda_T_35 * Theta_34 + t72;
+    const six_link_real C_55 = Lambda_T_15 * Theta_15 + tip->Lambda[9] * Theta_25 + Lambda_T_35 * Theta_35;
+    const six_link_real C_61 = Lambda_T_16 * Theta_11 + Lambda_T_26 * Theta_21 + tip->Lambda[14] * Theta_31 + t71;
+    const six_link_real C_62 = Lambda_T_16 * Theta_12 + Lambda_T_26 * Theta_22 + tip->Lambda[14] * Theta_32 + t72;
+    const six_link_real t73 = Lambda_T_16 * Theta_13 + Lambda_T_26 * Theta_23 + tip->Lambda[14] * Theta_33
+        + Lambda_T_66 * REAL(2.0195202782688155);
+    const six_link_real t74 = Lambda_T_16 * Theta_14 + Lambda_T_26 * Theta_24 + tip->Lambda[14] * Theta_34
+        + Lambda_T_66 * REAL(2.8145226674626453);
+    const six_link_real C_65 = Lambda_T_16 * Theta_15 + Lambda_T_26 * Theta_25 + tip->Lambda[14] * Theta_35;
+    const six_link_real C_21 = t59 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_22 = t60 + (link->r_T[1] * C_42 - c->length * C_62);
+    const six_link_real C_33 = t66 + (c->length * C_53 - link->r_T[0] * C_43);
+    const six_link_real C_34 = t67 + (c->length * C_54 - link->r_T[0] * C_44);
+    const six_link_real C_25 = t63 + (link->r_T[1] * C_45 - c->length * C_65);
+    const six_link_real C_35 = t68 + (c->length * C_55 - link->r_T[0] * C_45);
+    const six_link_real C_11 = t54 + (link->r_T[0] * C_61 - link->r_T[1] * t69) - L_z1;
+    const six_link_real C_12 = t55 + (link->r_T[0] * C_62 - link->r_T[1] * t70) - L_z2;
+    const six_link_real C_13 = L_y1 + (t56 + (link->r_T[0] * t73 - link->r_T[1] * C_53));
+    const six_link_real C_14 = L_y2 + (t57 + (link->r_T[0] * t74 - link->r_T[1] * C_54));
+    const six_link_real C_15 = c->sigma_t_5 + (t58 + (link->r_T[0] * C_65 - link->r_T[1] * C_55));
+    const six_link_real C_23 = t61 + (link->r_T[1] * C_43 - c->length * t73) - c->chi_1;
+    const six_link_real C_24 = t62 + (link->r_T[1] * C_44 - c->length * t74) - c->chi_2;
+    const six_link_real C_31 = c->chi_1 + (t64 + (c->length * t69 - link->r_T[0] * C_41));
+    const six_link_real C_32 = c->chi_2 + (t65 + (c->length * t70 - link->r_T[0] * C_42));
+    const six_link_real C_51 = c->sigma_y1 + t69;
+    const six_link_real C_52 = c->sigma_y2 + t70;
+    const six_link_real C_63 = c->sigma_y1 + t73;
+    const six_link_real C_64 = c->sigma_y2 + t74;
+    const six_link_real modal_inertia_11 = Theta_11 * t54 + Theta_21 * t59 + Theta_31 * t64
+        + t69 * REAL(2.0195202782688155) + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_12 = Theta_11 * t55 + Theta_21 * t58 + Theta_31 * t61 + C_52 * 2;
-    const six_link_real modal_inertia_13 = Theta_11 * t56 + Theta_21 * t59 + Theta_31 * t62 + C_53 * 2;
-    const six_link_real modal_inertia_22 = Theta_12 * t55 + Theta_22 * t58 + Theta_32 * t61 + t65 * 2 + m_eta[1];
-    const six_link_real modal_inertia_23 = Theta_12 * t56 + Theta_22 * t59 + Theta_32 * t62 + C_63 * 2;
-    const six_link_real modal_inertia_33 = Theta_13 * t56 + Theta_23 * t59 + Theta_33 * t62 + m_eta[2];
+    const six_link_real modal_inertia_12 = Theta_11 * t55 + Theta_21 * t60 + Theta_31 * t65
+        + t70 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_13 = Theta_11 * t56 + Theta_21 * t61 + Theta_31 * t66
+        + C_53 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_14 = Theta_11 * t57 + Theta_21 * t62 + Theta_31 * t67
+        + C_54 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_15 = Theta_11 * t58 + Theta_21 * t63 + Theta_31 * t68
+        + C_55 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_22 = Theta_12 * t55 + Theta_22 * t60 + Theta_32 * t65
+        + t70 * REAL(2.8145226674626453) + m_eta[1];
+    const six_link_real modal_inertia_23 = Theta_12 * t56 + Theta_22 * t61 + Theta_32 * t66
+        + C_53 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_24 = Theta_12 * t57 + Theta_22 * t62 + Theta_32 * t67
+        + C_54 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_25 = Theta_12 * t58 + Theta_22 * t63 + Theta_32 * t68
+        + C_55 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_33 = Theta_13 * t56 + Theta_23 * t61 + Theta_33 * t66
+        + t73 * REAL(2.0195202782688155) + m_eta[2];
+    const six_link_real modal_inertia_34 = Theta_13 * t57 + Theta_23 * t62 + Theta_33 * t67
+        + t74 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_35 = Theta_13 * t58 + Theta_23 * t63 + Theta_33 * t68
+        + C_65 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_44 = Theta_14 * t57 + Theta_24 * t62 + Theta_34 * t67
+        + t74 * REAL(2.8145226674626453) + m_eta[3];
+    const six_link_real modal_inertia_45 = Theta_14 * t58 + Theta_24 * t63 + Theta_34 * t68
+        + C_65 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_55 = Theta_15 * t58 + Theta_25 * t63 + Theta_35 * t68 + m_eta[4];
     const six_link_real h_phi_1 = h_eta_1 + f_eta[0]
-        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * 2);
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.0195202782688155));
     const six_link_real h_phi_2 = h_eta_2 + f_eta[1]
-        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_6 * 2);
-    const six_link_real h_phi_3 = h_eta_3 + f_eta[2] + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3);
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * REAL(2.8145226674626453));
+    const six_link_real h_phi_3 = h_eta_3 + f_eta[2]
+        + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3 + p_T_6 * REAL(2.0195202782688155));
+    const six_link_real h_phi_4 = h_eta_4 + f_eta[3]
+        + (Theta_14 * p_T_1 + Theta_24 * p_T_2 + Theta_34 * p_T_3 + p_T_6 * REAL(2.8145226674626453));
+    const six_link_real h_phi_5 = h_eta_5 + f_eta[4] + (Theta_15 * p_T_1 + Theta_25 * p_T_2 + Theta_35 * p_T_3);
     const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
     const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
     link->modes_L[0] = modes_L_21;
     const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
     link->modes_L[1] = modes_L_31;
-    const six_link_real t66 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t66 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t66;
-    const six_link_real t67 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const six_link_real modes_L_32 = t67 * modes_inverse_2;
+    const six_link_real modes_L_41 = modal_inertia_14 * modes_inverse_1;
+    link->modes_L[3] = modes_L_41;
+    const six_link_real modes_L_51 = modal_inertia_15 * modes_inverse_1;
+    link->modes_L[6] = modes_L_51;
+    const six_link_real t75 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t75 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t75;
+    const six_link_real t76 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const six_link_real modes_L_32 = t76 * modes_inverse_2;
     link->modes_L[2] = modes_L_32;
-    const six_link_real t68 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t67 * modes_L_32);
-    if (!(t68 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_3 = 1 / t68;
-    const six_link_real t69 = C_12 - modes_L_21 * C_11;
-    const six_link_real t70 = C_22 - modes_L_21 * C_21;
-    const six_link_real t71 = C_32 - modes_L_21 * C_31;
-    const six_link_real t72 = C_42 - modes_L_21 * C_41;
-    const six_link_real t73 = C_52 - modes_L_21 * C_51;
-    const six_link_real t74 = C_62 - modes_L_21 * C_61;
-    const six_link_real t75 = C_13 - modes_L_31 * C_11 - modes_L_32 * t69;
-    const six_link_real t76 = C_23 - modes_L_31 * C_21 - modes_L_32 * t70;
-    const six_link_real t77 = C_33 - modes_L_31 * C_31 - modes_L_32 * t71;
-    const six_link_real t78 = C_43 - modes_L_31 * C_41 - modes_L_32 * t72;
-    const six_link_real t79 = C_53 - modes_L_31 * C_51 - modes_L_32 * t73;
-    const six_link_real t80 = C_63 - modes_L_31 * C_61 - modes_L_32 * t74;
-    const six_link_real t81 = h_phi_2 - modes_L_21 * h_phi_1;
-    const six_link_real t82 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t81;
+    const six_link_real t77 = modal_inertia_24 - modal_inertia_12 * modes_L_41;
+    const six_link_real modes_L_42 = t77 * modes_inverse_2;
+    link->modes_L[4] = modes_L_42;
+    const six_link_real t78 = modal_inertia_25 - modal_inertia_12 * modes_L_51;
+    const six_link_real modes_L_52 = t78 * modes_inverse_2;
+    link->modes_L[7] = modes_L_52;
+    const six_link_real t79 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t76 * modes_L_32);
+    if (!(t79 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_3 = 1 / t79;
+    const six_link_real t80 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t76 * modes_L_42);
+    const six_link_real modes_L_43 = t80 * modes_inverse_3;
+    link->modes_L[5] = modes_L_43;
+    const six_link_real t81 = modal_inertia_35 - (modal_inertia_13 * modes_L_51 + t76 * modes_L_52);
+    const six_link_real modes_L_53 = t81 * modes_inverse_3;
+    link->modes_L[8] = modes_L_53;
+    const six_link_real t82 = modal_inertia_44
+        - (modal_inertia_14 * modes_L_41 + t77 * modes_L_42 + t80 * modes_L_43);
+    if (!(t82 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_4 = 1 / t82;
+    const six_link_real t83 = modal_inertia_45
+        - (modal_inertia_14 * modes_L_51 + t77 * modes_L_52 + t80 * modes_L_53);
+    const six_link_real modes_L_54 = t83 * modes_inverse_4;
+    link->modes_L[9] = modes_L_54;
+    const six_link_real t84 = modal_inertia_55
+        - (modal_inertia_15 * modes_L_51 + t78 * modes_L_52 + t81 * modes_L_53 + t83 * modes_L_54);
+    if (!(t84 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_5 = 1 / t84;
+    const six_link_real t85 = C_12 - modes_L_21 * C_11;
+    const six_link_real t86 = C_22 - modes_L_21 * C_21;
+    const six_link_real t87 = C_32 - modes_L_21 * C_31;
+    const six_link_real t88 = C_42 - modes_L_21 * C_41;
+    const six_link_real t89 = C_52 - modes_L_21 * C_51;
+    const six_link_real t90 = C_62 - modes_L_21 * C_61;
+    const six_link_real t91 = C_13 - modes_L_31 * C_11 - modes_L_32 * t85;
+    const six_link_real t92 = C_23 - modes_L_31 * C_21 - modes_L_32 * t86;
+    const six_link_real t93 = C_33 - modes_L_31 * C_31 - modes_L_32 * t87;
+    const six_link_real t94 = C_43 - modes_L_31 * C_41 - modes_L_32 * t88;
+    const six_link_real t95 = C_53 - modes_L_31 * C_51 - modes_L_32 * t89;
+    const six_link_real t96 = C_63 - modes_L_31 * C_61 - modes_L_32 * t90;
+    const six_link_real t97 = C_14 - modes_L_41 * C_11 - modes_L_42 * t85 - modes_L_43 * t91;
+    const six_link_real t98 = C_24 - modes_L_41 * C_21 - modes_L_42 * t86 - modes_L_43 * t92;
+    const six_link_real t99 = C_34 - modes_L_41 * C_31 - modes_L_42 * t87 - modes_L_43 * t93;
+    const six_link_real t100 = C_44 - modes_L_41 * C_41 - modes_L_42 * t88 - modes_L_43 * t94;
+    const six_link_real t101 = C_54 - modes_L_41 * C_51 - modes_L_42 * t89 - modes_L_43 * t95;
+    const six_link_real t102 = C_64 - modes_L_41 * C_61 - modes_L_42 * t90 - modes_L_43 * t96;
+    const six_link_real t103 = C_15 - modes_L_51 * C_11 - modes_L_52 * t85 - modes_L_53 * t91 - modes_L_54 * t97;
+    const six_link_real t104 = C_25 - modes_L_51 * C_21 - modes_L_52 * t86 - modes_L_53 * t92 - modes_L_54 * t98;
+    const six_link_real t105 = C_35 - modes_L_51 * C_31 - modes_L_52 * t87 - modes_L_53 * t93 - modes_L_54 * t99;
+    const six_link_real t106 = C_45 - modes_L_51 * C_41 - modes_L_52 * t88 - modes_L_53 * t94 - modes_L_54 * t100;
+    const six_link_real t107 = C_55 - modes_L_51 * C_51 - modes_L_52 * t89 - modes_L_53 * t95 - modes_L_54 * t101;
+    const six_link_real t108 = C_65 - modes_L_51 * C_61 - modes_L_52 * t90 - modes_L_53 * t96 - modes_L_54 * t102;
+    const six_link_real t109 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real t110 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t109;
+    const six_link_real t111 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t109 - modes_L_43 * t110;
+    const six_link_real t112 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t109 - modes_L_53 * t110
+        - modes_L_54 * t111;
     const six_link_real modes_W_11 = C_11 * modes_inverse_1;
     link->modes_W[0] = modes_W_11;
     const six_link_real modes_W_12 = C_21 * modes_inverse_1;
@@ -1049,66 +1179,127 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     link->modes_W[4] = modes_W_15;
     const six_link_real modes_W_16 = C_61 * modes_inverse_1;
     link->modes_W[5] = modes_W_16;
-    const six_link_real modes_W_21 = t69 * modes_inverse_2;
+    const six_link_real modes_W_21 = t85 * modes_inverse_2;
     link->modes_W[6] = modes_W_21;
-    const six_link_real modes_W_22 = t70 * modes_inverse_2;
+    const six_link_real modes_W_22 = t86 * modes_inverse_2;
     link->modes_W[7] = modes_W_22;
-    const six_link_real modes_W_23 = t71 * modes_inverse_2;
+    const six_link_real modes_W_23 = t87 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
-    const six_link_real modes_W_24 = t72 * modes_inverse_2;
+    const six_link_real modes_W_24 = t88 * modes_inverse_2;
     link->modes_W[9] = modes_W_24;
-    const six_link_real modes_W_25 = t73 * modes_inverse_2;
+    const six_link_real modes_W_25 = t89 * modes_inverse_2;
     link->modes_W[10] = modes_W_25;
-    const six_link_real modes_W_26 = t74 * modes_inverse_2;
+    const six_link_real modes_W_26 = t90 * modes_inverse_2;
     link->modes_W[11] = modes_W_26;
-    const six_link_real modes_W_31 = t75 * modes_inverse_3;
+    const six_link_real modes_W_31 = t91 * modes_inverse_3;
     link->modes_W[12] = modes_W_31;
-    const six_link_real modes_W_32 = t76 * modes_inverse_3;
+    const six_link_real modes_W_32 = t92 * modes_inverse_3;
     link->modes_W[13] = modes_W_32;
-    const six_link_real modes_W_33 = t77 * modes_inverse_3;
+    const six_link_real modes_W_33 = t93 * modes_inverse_3;
     link->modes_W[14] = modes_W_33;
-    const six_link_real modes_W_34 = t78 * modes_inverse_3;
+    const six_link_real modes_W_34 = t94 * modes_inverse_3;
     link->modes_W[15] = modes_W_34;
-    const six_link_real modes_W_35 = t79 * modes_inverse_3;
+    const six_link_real modes_W_35 = t95 * modes_inverse_3;
     link->modes_W[16] = modes_W_35;
-    const six_link_real modes_W_36 = t80 * modes_inverse_3;
+    const six_link_real modes_W_36 = t96 * modes_inverse_3;
     link->modes_W[17] = modes_W_36;
+    const six_link_real modes_W_41 = t97 * modes_inverse_4;
+    link->modes_W[18] = modes_W_41;
+    const six_link_real modes_W_42 = t98 * modes_inverse_4;
+    link->modes_W[19] = modes_W_42;
+    const six_link_real modes_W_43 = t99 * modes_inverse_4;
+    link->modes_W[20] = modes_W_43;
+    const six_link_real modes_W_44 = t100 * modes_inverse_4;
+    link->modes_W[21] = modes_W_44;
+    const six_link_real modes_W_45 = t101 * modes_inverse_4;
+    link->modes_W[22] = modes_W_45;
+    const six_link_real modes_W_46 = t102 * modes_inverse_4;
+    link->modes_W[23] = modes_W_46;
+    const six_link_real modes_W_51 = t103 * modes_inverse_5;
+    link->modes_W[24] = modes_W_51;
+    const six_link_real modes_W_52 = t104 * modes_inverse_5;
+    link->modes_W[25] = modes_W_52;
+    const six_link_real modes_W_53 = t105 * modes_inverse_5;
+    link->modes_W[26] = modes_W_53;
+    const six_link_real modes_W_54 = t106 * modes_inverse_5;
+    link->modes_W[27] = modes_W_54;
+    const six_link_real modes_W_55 = t107 * modes_inverse_5;
+    link->modes_W[28] = modes_W_55;
+    const six_link_real modes_W_56 = t108 * modes_inverse_5;
+    link->modes_W[29] = modes_W_56;
     const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
     link->modes_w[0] = modes_w_1;
-    const six_link_real modes_w_2 = t81 * modes_inverse_2;
+    const six_link_real modes_w_2 = t109 * modes_inverse_2;
     link->modes_w[1] = modes_w_2;
-    const six_link_real modes_w_3 = t82 * modes_inverse_3;
+    const six_link_real modes_w_3 = t110 * modes_inverse_3;
     link->modes_w[2] = modes_w_3;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t69 * modes_W_21 + t75 * modes_W_31);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t69 * modes_W_22 + t75 * modes_W_32);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t69 * modes_W_23 + t75 * modes_W_33);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t69 * modes_W_24 + t75 * modes_W_34);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t69 * modes_W_25 + t75 * modes_W_35);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t69 * modes_W_26 + t75 * modes_W_36);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t70 * modes_W_22 + t76 * modes_W_32);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t70 * modes_W_23 + t76 * modes_W_33);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t70 * modes_W_24 + t76 * modes_W_34);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t70 * modes_W_25 + t76 * modes_W_35);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t70 * modes_W_26 + t76 * modes_W_36);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t71 * modes_W_23 + t77 * modes_W_33);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t71 * modes_W_24 + t77 * modes_W_34);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t71 * modes_W_25 + t77 * modes_W_35);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t71 * modes_W_26 + t77 * modes_W_36);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t72 * modes_W_24 + t78 * modes_W_34);
-    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t72 * modes_W_25 + t78 * modes_W_35);
-    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t72 * modes_W_26 + t78 * modes_W_36);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t73 * modes_W_25 + t79 * modes_W_35);
-    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t73 * modes_W_26 + t79 * modes_W_36);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t74 * modes_W_26 + t80 * modes_W_36);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t81 + modes_W_31 * t82);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t81 + modes_W_32 * t82);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t81 + modes_W_33 * t82);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t81 + modes_W_34 * t82);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t81 + modes_W_35 * t82);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t81 + modes_W_36 * t82);
+    const six_link_real modes_w_4 = t111 * modes_inverse_4;
+    link->modes_w[3] = modes_w_4;
+    const six_link_real modes_w_5 = t112 * modes_inverse_5;
+    link->modes_w[4] = modes_w_5;
+    const six_link_real M_i_11 = M_loaded_11
+        - (C_11 * modes_W_11 + t85 * modes_W_21 + t91 * modes_W_31 + t97 * modes_W_41 + t103 * modes_W_51);
+    const six_link_real M_i_12 = M_loaded_12
+        - (C_11 * modes_W_12 + t85 * modes_W_22 + t91 * modes_W_32 + t97 * modes_W_42 + t103 * modes_W_52);
+    const six_link_real M_i_13 = M_loaded_13
+        - (C_11 * modes_W_13 + t85 * modes_W_23 + t91 * modes_W_33 + t97 * modes_W_43 + t103 * modes_W_53);
+    const six_link_real M_i_14 = M_loaded_14
+        - (C_11 * modes_W_14 + t85 * modes_W_24 + t91 * modes_W_34 + t97 * modes_W_44 + t103 * modes_W_54);
+    const six_link_real M_i_15 = M_loaded_15
+        - (C_11 * modes_W_15 + t85 * modes_W_25 + t91 * modes_W_35 + t97 * modes_W_45 + t103 * modes_W_55);
+    const six_link_real M_i_16 = M_loaded_16
+        - (C_11 * modes_W_16 + t85 * modes_W_26 + t91 * modes_W_36 + t97 * modes_W_46 + t103 * modes_W_56);
+    const six_link_real M_i_22 = M_loaded_22
+        - (C_21 * modes_W_12 + t86 * modes_W_22 + t92 * modes_W_32 + t98 * modes_W_42 + t104 * modes_W_52);
+    const six_link_real M_i_23 = M_loaded_23
+        - (C_21 * modes_W_13 + t86 * modes_W_23 + t92 * modes_W_33 + t98 * modes_W_43 + t104 * modes_W_53);
+    const six_link_real M_i_24 = M_loaded_24
+        - (C_21 * modes_W_14 + t86 * modes_W_24 + t92 * modes_W_34 + t98 * modes_W_44 + t104 * modes_W_54);
+    const six_link_real M_i_25 = M_loaded_25
+        - (C_21 * modes_W_15 + t86 * modes_W_25 + t92 * modes_W_35 + t98 * modes_W_45 + t104 * modes_W_55);
+    const six_link_real M_i_26 = M_loaded_26
+        - (C_21 * modes_W_16 + t86 * modes_W_26 + t92 * modes_W_36 + t98 * modes_W_46 + t104 * modes_W_56);
+    const six_link_real M_i_33 = M_loaded_33
+        - (C_31 * modes_W_13 + t87 * modes_W_23 + t93 * modes_W_33 + t99 * modes_W_43 + t105 * modes_W_53);
+    const six_link_real M_i_34 = M_loaded_34
+        - (C_31 * modes_W_14 + t87 * modes_W_24 + t93 * modes_W_34 + t99 * modes_W_44 + t105 * modes_W_54);
+    const six_link_real M_i_35 = M_loaded_35
+        - (C_31 * modes_W_15 + t87 * modes_W_25 + t93 * modes_W_35 + t99 * modes_W_45 + t105 * modes_W_55);
+    const six_link_real M_i_36 = M_loaded_36
+        - (C_31 * modes_W_16 + t87 * modes_W_26 + t93 * modes_W_36 + t99 * modes_W_46 + t105 * modes_W_56);
+    const six_link_real M_i_44 = M_loaded_44
+        - (C_41 * modes_W_14 + t88 * modes_W_24 + t94 * modes_W_34 + t100 * modes_W_44 + t106 * modes_W_54);
+    const six_link_real M_i_45 = tip->Lambda[16]
+        - (C_41 * modes_W_15 + t88 * modes_W_25 + t94 * modes_W_35 + t100 * modes_W_45 + t106 * modes_W_55);
+    const six_link_real M_i_46 = tip->Lambda[17]
+        - (C_41 * modes_W_16 + t88 * modes_W_26 + t94 * modes_W_36 + t100 * modes_W_46 + t106 * modes_W_56);
+    const six_link_real M_i_55 = M_loaded_55
+        - (C_51 * modes_W_15 + t89 * modes_W_25 + t95 * modes_W_35 + t101 * modes_W_45 + t107 * modes_W_55);
+    const six_link_real M_i_56 = tip->Lambda[19]
+        - (C_51 * modes_W_16 + t89 * modes_W_26 + t95 * modes_W_36 + t101 * modes_W_46 + t107 * modes_W_56);
+    const six_link_real M_i_66 = M_loaded_66
+        - (C_61 * modes_W_16 + t90 * modes_W_26 + t96 * modes_W_36 + t102 * modes_W_46 + t108 * modes_W_56);
+    const six_link_real t113 = modes_W_11 * h_phi_1 + modes_W_21 * t109 + modes_W_31 * t110 + modes_W_41 * t111
+        + modes_W_51 * t112;
+    const six_link_real t114 = modes_W_12 * h_phi_1 + modes_W_22 * t109 + modes_W_32 * t110 + modes_W_42 * t111
+        + modes_W_52 * t112;
+    const six_link_real t115 = modes_W_13 * h_phi_1 + modes_W_23 * t109 + modes_W_33 * t110 + modes_W_43 * t111
+        + modes_W_53 * t112;
+    const six_link_real t116 = modes_W_14 * h_phi_1 + modes_W_24 * t109 + modes_W_34 * t110 + modes_W_44 * t111
+        + modes_W_54 * t112;
+    const six_link_real t117 = modes_W_15 * h_phi_1 + modes_W_25 * t109 + modes_W_35 * t110 + modes_W_45 * t111
+        + modes_W_55 * t112;
+    const six_link_real t118 = modes_W_16 * h_phi_1 + modes_W_26 * t109 + modes_W_36 * t110 + modes_W_46 * t111
+        + modes_W_56 * t112;
+    const six_link_real h_i_1 = h_loaded_1 - t113;
+    const six_link_real h_i_2 = h_loaded_2 - t114;
+    const six_link_real h_i_3 = h_loaded_3 - t115;
+    const six_link_real h_i_4 = h_loaded_4 - t116;
+    const six_link_real h_i_5 = h_loaded_5 - t117;
+    const six_link_real h_i_6 = h_loaded_6 - t118;
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_i_22 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
@@ -1122,7 +1313,7 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     link->joint_W[4] = joint_W_15;
     const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_i_2) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
@@ -1181,70 +1372,70 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     link->p_i[5] = p_i_6;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t83 = link->lever[1] * Lambda_i_45;
-    const six_link_real t84 = c->mount_xyz_y * Lambda_i_46;
-    const six_link_real t85 = link->lever[0] * Lambda_i_56;
-    const six_link_real t86 = Lambda_i_14 + (t84 - t83);
-    const six_link_real t87 = Lambda_i_15 + (c->mount_xyz_y * Lambda_i_56 - link->lever[1] * Lambda_i_55);
-    const six_link_real t88 = Lambda_i_16 + (c->mount_xyz_y * Lambda_i_66 - link->lever[1] * Lambda_i_56);
-    const six_link_real t89 = Lambda_i_24 + (link->lever[1] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
-    const six_link_real Lambda_10 = Lambda_i_25 + (t83 - t85);
+    const six_link_real t119 = link->lever[1] * Lambda_i_45;
+    const six_link_real t120 = c->mount_xyz_y * Lambda_i_46;
+    const six_link_real t121 = link->lever[0] * Lambda_i_56;
+    const six_link_real t122 = Lambda_i_14 + (t120 - t119);
+    const six_link_real t123 = Lambda_i_15 + (c->mount_xyz_y * Lambda_i_56 - link->lever[1] * Lambda_i_55);
+    const six_link_real t124 = Lambda_i_16 + (c->mount_xyz_y * Lambda_i_66 - link->lever[1] * Lambda_i_56);
+    const six_link_real t125 = Lambda_i_24 + (link->lever[1] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real Lambda_10 = Lambda_i_25 + (t119 - t121);
     base->Lambda[9] = Lambda_10;
-    const six_link_real t90 = Lambda_i_26 + (link->lever[1] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
-    const six_link_real t91 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - c->mount_xyz_y * Lambda_i_44);
-    const six_link_real t92 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - c->mount_xyz_y * Lambda_i_45);
-    const six_link_real t93 = Lambda_i_36 + (t85 - t84);
-    const six_link_real t94 = Lambda_i_11 - (Lambda_i_15 * link->lever[1] - Lambda_i_16 * c->mount_xyz_y)
-        + (c->mount_xyz_y * t88 - link->lever[1] * t87);
-    const six_link_real t95 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[1])
-        + (c->mount_xyz_y * t90 - link->lever[1] * Lambda_10);
-    const six_link_real t96 = Lambda_i_13 - (Lambda_i_14 * c->mount_xyz_y - Lambda_i_15 * link->lever[0])
-        + (c->mount_xyz_y * t93 - link->lever[1] * t92);
+    const six_link_real t126 = Lambda_i_26 + (link->lever[1] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t127 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - c->mount_xyz_y * Lambda_i_44);
+    const six_link_real t128 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - c->mount_xyz_y * Lambda_i_45);
+    const six_link_real t129 = Lambda_i_36 + (t121 - t120);
+    const six_link_real t130 = Lambda_i_11 - (Lambda_i_15 * link->lever[1] - Lambda_i_16 * c->mount_xyz_y)
+        + (c->mount_xyz_y * t124 - link->lever[1] * t123);
+    const six_link_real t131 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[1])
+        + (c->mount_xyz_y * t126 - link->lever[1] * Lambda_10);
+    const six_link_real t132 = Lambda_i_13 - (Lambda_i_14 * c->mount_xyz_y - Lambda_i_15 * link->lever[0])
+        + (c->mount_xyz_y * t129 - link->lever[1] * t128);
     const six_link_real Lambda_7 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[1])
-        + (link->lever[1] * t89 - link->lever[0] * t90);
+        + (link->lever[1] * t125 - link->lever[0] * t126);
     base->Lambda[6] = Lambda_7;
-    const six_link_real t97 = Lambda_i_23 - (Lambda_i_24 * c->mount_xyz_y - Lambda_i_25 * link->lever[0])
-        + (link->lever[1] * t91 - link->lever[0] * t93);
-    const six_link_real t98 = Lambda_i_33 - (Lambda_i_34 * c->mount_xyz_y - Lambda_i_35 * link->lever[0])
-        + (link->lever[0] * t92 - c->mount_xyz_y * t91);
-    const six_link_real t99 = (t94 - t98) * REAL(0.5);
-    const six_link_real t100 = t99 * link->R_P[0] + t96 * link->R_P[2];
-    const six_link_real t101 = t99 * link->R_P[6] + t96 * link->R_P[8];
-    const six_link_real Lambda_1 = link->R_P[0] * t100 * 2 + t98;
+    const six_link_real t133 = Lambda_i_23 - (Lambda_i_24 * c->mount_xyz_y - Lambda_i_25 * link->lever[0])
+        + (link->lever[1] * t127 - link->lever[0] * t129);
+    const six_link_real t134 = Lambda_i_33 - (Lambda_i_34 * c->mount_xyz_y - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t128 - c->mount_xyz_y * t127);
+    const six_link_real t135 = (t130 - t134) * REAL(0.5);
+    const six_link_real t136 = t135 * link->R_P[0] + t132 * link->R_P[2];
+    const six_link_real t137 = t135 * link->R_P[6] + t132 * link->R_P[8];
+    const six_link_real Lambda_1 = link->R_P[0] * t136 * 2 + t134;
     base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_3 = link->R_P[0] * t101 + link->R_P[6] * t100;
+    const six_link_real Lambda_3 = link->R_P[0] * t137 + link->R_P[6] * t136;
     base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_8 = t97 * link->R_P[8] + link->R_P[6] * t95;
+    const six_link_real Lambda_8 = t133 * link->R_P[8] + link->R_P[6] * t131;
     base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = link->R_P[6] * t101 * 2 + t98;
+    const six_link_real Lambda_12 = link->R_P[6] * t137 * 2 + t134;
     base->Lambda[11] = Lambda_12;
-    const six_link_real Lambda_11 = t89 * link->R_P[6] + t90 * link->R_P[8];
+    const six_link_real Lambda_11 = t125 * link->R_P[6] + t126 * link->R_P[8];
     base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_5 = link->R_P[0] * t87 + link->R_P[2] * t92;
+    const six_link_real Lambda_5 = link->R_P[0] * t123 + link->R_P[2] * t128;
     base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_13 = link->R_P[6] * (t86 * link->R_P[0] + t88 * link->R_P[2])
-        + link->R_P[8] * (t91 * link->R_P[0] + t93 * link->R_P[2]);
+    const six_link_real Lambda_13 = link->R_P[6] * (t122 * link->R_P[0] + t124 * link->R_P[2])
+        + link->R_P[8] * (t127 * link->R_P[0] + t129 * link->R_P[2]);
     base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * t87 + link->R_P[8] * t92;
+    const six_link_real Lambda_14 = link->R_P[6] * t123 + link->R_P[8] * t128;
     base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * (t86 * link->R_P[6] + t88 * link->R_P[8])
-        + link->R_P[8] * (t91 * link->R_P[6] + t93 * link->R_P[8]);
+    const six_link_real Lambda_15 = link->R_P[6] * (t122 * link->R_P[6] + t124 * link->R_P[8])
+        + link->R_P[8] * (t127 * link->R_P[6] + t129 * link->R_P[8]);
     base->Lambda[14] = Lambda_15;
     const six_link_real Lambda_17 = link->R_P[0] * Lambda_i_45 + Lambda_i_56 * link->R_P[2];
     base->Lambda[16] = Lambda_17;
     const six_link_real Lambda_20 = Lambda_i_56 * link->R_P[8] + link->R_P[6] * Lambda_i_45;
     base->Lambda[19] = Lambda_20;
-    const six_link_real t102 = link->R_P[6]
+    const six_link_real t138 = link->R_P[6]
         * ((Lambda_i_44 - Lambda_i_66) * REAL(0.5) * link->R_P[6] + Lambda_i_46 * link->R_P[8]);
-    const six_link_real Lambda_21 = t102 * 2 + Lambda_i_66;
+    const six_link_real Lambda_21 = t138 * 2 + Lambda_i_66;
     base->Lambda[20] = Lambda_21;
-    const six_link_real t103 = p_i_1 + (c->mount_xyz_y * p_i_6 - link->lever[1] * p_i_5);
+    const six_link_real t139 = p_i_1 + (c->mount_xyz_y * p_i_6 - link->lever[1] * p_i_5);
     const six_link_real p_2 = p_i_2 + (link->lever[1] * p_i_4 - link->lever[0] * p_i_6);
     base->p[1] = p_2;
-    const six_link_real t104 = p_i_3 + (link->lever[0] * p_i_5 - c->mount_xyz_y * p_i_4);
-    const six_link_real p_1 = link->R_P[0] * t103 + link->R_P[2] * t104;
+    const six_link_real t140 = p_i_3 + (link->lever[0] * p_i_5 - c->mount_xyz_y * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t139 + link->R_P[2] * t140;
     base->p[0] = p_1;
-    const six_link_real p_3 = link->R_P[6] * t103 + link->R_P[8] * t104;
+    const six_link_real p_3 = link->R_P[6] * t139 + link->R_P[8] * t140;
     base->p[2] = p_3;
     const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[2] * p_i_6;
     base->p[3] = p_4;
@@ -1253,35 +1444,40 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like forearm: 1028 operations */
+/* eliminate, links like forearm: 1486 operations */
 SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 2],
-    const six_link_real etadot[restrict 2], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 2], const six_link_real f_eta[restrict 2],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 4],
+    const six_link_real etadot[restrict 4], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 4], const six_link_real f_eta[restrict 4],
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* S: first moment */
-    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = c->S_B_z + eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
-    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
-    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -1306,12 +1502,12 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -1353,8 +1549,12 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
         + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const six_link_real p_T_1 = tip->p[0]
@@ -1372,11 +1572,17 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
     const six_link_real Theta_11 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real minus_Theta_12 = link->J_l[1] * c->Psi_c_y2;
+    const six_link_real Theta_12 = link->J_l[2] * c->Psi_c_z2;
+    const six_link_real minus_Theta_13 = link->J_l[1] * c->Psi_c_y3;
+    const six_link_real minus_Theta_14 = link->J_l[1] * c->Psi_c_y4;
     const six_link_real Theta_21 = link->J_l[4] * c->Psi_c_z1;
-    const six_link_real Theta_22 = link->J_l[3] * c->Psi_c_y2;
+    const six_link_real Theta_22 = link->J_l[4] * c->Psi_c_z2;
+    const six_link_real Theta_23 = link->J_l[3] * c->Psi_c_y3;
+    const six_link_real Theta_24 = link->J_l[3] * c->Psi_c_y4;
     const six_link_real Theta_31 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real Theta_32 = link->J_l[4] * c->Psi_c_y2;
+    const six_link_real Theta_32 = link->J_l[5] * c->Psi_c_z2;
+    const six_link_real Theta_33 = link->J_l[4] * c->Psi_c_y3;
+    const six_link_real Theta_34 = link->J_l[4] * c->Psi_c_y4;
     const six_link_real t11 = link->r_T[1] * tip->Lambda[16];
     const six_link_real t12 = link->r_T[0] * tip->Lambda[17];
     const six_link_real t13 = c->length * tip->Lambda[19];
@@ -1423,62 +1629,147 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real h_loaded_5 = h_V_5 + p_T_5;
     const six_link_real h_loaded_6 = h_V_6 + p_T_6;
     const six_link_real t26 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
-        + tip->Lambda[4] * REAL(2.23606797749979);
-    const six_link_real t27 = tip->Lambda[1] * Theta_22 - tip->Lambda[0] * minus_Theta_12
-        + tip->Lambda[2] * Theta_32 + tip->Lambda[5] * REAL(2.23606797749979);
-    const six_link_real t28 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
-        + tip->Lambda[9] * REAL(2.23606797749979);
-    const six_link_real t29 = tip->Lambda[6] * Theta_22 - tip->Lambda[1] * minus_Theta_12
-        + tip->Lambda[7] * Theta_32 + tip->Lambda[10] * REAL(2.23606797749979);
-    const six_link_real t30 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
-        + tip->Lambda[13] * REAL(2.23606797749979);
-    const six_link_real t31 = tip->Lambda[7] * Theta_22 - tip->Lambda[2] * minus_Theta_12
-        + tip->Lambda[11] * Theta_32 + tip->Lambda[14] * REAL(2.23606797749979);
+        + tip->Lambda[4] * REAL(2.0195202782688155);
+    const six_link_real t27 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
+        + tip->Lambda[4] * REAL(2.8145226674626453);
+    const six_link_real t28 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13
+        + tip->Lambda[2] * Theta_33 + tip->Lambda[5] * REAL(2.0195202782688155);
+    const six_link_real t29 = tip->Lambda[1] * Theta_24 - tip->Lambda[0] * minus_Theta_14
+        + tip->Lambda[2] * Theta_34 + tip->Lambda[5] * REAL(2.8145226674626453);
+    const six_link_real t30 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
+        + tip->Lambda[9] * REAL(2.0195202782688155);
+    const six_link_real t31 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
+        + tip->Lambda[9] * REAL(2.8145226674626453);
+    const six_link_real t32 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13
+        + tip->Lambda[7] * Theta_33 + tip->Lambda[10] * REAL(2.0195202782688155);
+    const six_link_real t33 = tip->Lambda[6] * Theta_24 - tip->Lambda[1] * minus_Theta_14
+        + tip->Lambda[7] * Theta_34 + tip->Lambda[10] * REAL(2.8145226674626453);
+    const six_link_real t34 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
+        + tip->Lambda[13] * REAL(2.0195202782688155);
+    const six_link_real t35 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
+        + tip->Lambda[13] * REAL(2.8145226674626453);
+    const six_link_real t36 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13
+        + tip->Lambda[11] * Theta_33 + tip->Lambda[14] * REAL(2.0195202782688155);
+    const six_link_real t37 = tip->Lambda[7] * Theta_24 - tip->Lambda[2] * minus_Theta_14
+        + tip->Lambda[11] * Theta_34 + tip->Lambda[14] * REAL(2.8145226674626453);
     const six_link_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
-        + tip->Lambda[16] * REAL(2.23606797749979);
-    const six_link_real C_42 = tip->Lambda[8] * Theta_22 - tip->Lambda[3] * minus_Theta_12
-        + tip->Lambda[12] * Theta_32 + tip->Lambda[17] * REAL(2.23606797749979);
-    const six_link_real t32 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
-        + tip->Lambda[18] * REAL(2.23606797749979);
-    const six_link_real t33 = tip->Lambda[19] * REAL(2.23606797749979);
-    const six_link_real C_52 = tip->Lambda[9] * Theta_22 - tip->Lambda[4] * minus_Theta_12
-        + tip->Lambda[13] * Theta_32 + t33;
+        + tip->Lambda[16] * REAL(2.0195202782688155);
+    const six_link_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
+        + tip->Lambda[16] * REAL(2.8145226674626453);
+    const six_link_real C_43 = tip->Lambda[8] * Theta_23 - tip->Lambda[3] * minus_Theta_13
+        + tip->Lambda[12] * Theta_33 + tip->Lambda[17] * REAL(2.0195202782688155);
+    const six_link_real C_44 = tip->Lambda[8] * Theta_24 - tip->Lambda[3] * minus_Theta_14
+        + tip->Lambda[12] * Theta_34 + tip->Lambda[17] * REAL(2.8145226674626453);
+    const six_link_real t38 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
+        + tip->Lambda[18] * REAL(2.0195202782688155);
+    const six_link_real t39 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
+        + tip->Lambda[18] * REAL(2.8145226674626453);
+    const six_link_real t40 = tip->Lambda[19] * REAL(2.0195202782688155);
+    const six_link_real C_53 = tip->Lambda[9] * Theta_23 - tip->Lambda[4] * minus_Theta_13
+        + tip->Lambda[13] * Theta_33 + t40;
+    const six_link_real t41 = tip->Lambda[19] * REAL(2.8145226674626453);
+    const six_link_real C_54 = tip->Lambda[9] * Theta_24 - tip->Lambda[4] * minus_Theta_14
+        + tip->Lambda[13] * Theta_34 + t41;
     const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21
-        + tip->Lambda[14] * Theta_31 + t33;
-    const six_link_real t34 = tip->Lambda[10] * Theta_22 - tip->Lambda[5] * minus_Theta_12
-        + tip->Lambda[14] * Theta_32 + tip->Lambda[20] * REAL(2.23606797749979);
-    const six_link_real C_21 = t28 + (link->r_T[1] * C_41 - c->length * C_61);
-    const six_link_real C_32 = t31 + (c->length * C_52 - link->r_T[0] * C_42);
-    const six_link_real C_11 = t26 + (link->r_T[0] * C_61 - link->r_T[1] * t32) - L_z1;
-    const six_link_real C_12 = L_y1 + (t27 + (link->r_T[0] * t34 - link->r_T[1] * C_52));
-    const six_link_real C_22 = t29 + (link->r_T[1] * C_42 - c->length * t34) - c->chi_1;
-    const six_link_real C_31 = c->chi_1 + (t30 + (c->length * t32 - link->r_T[0] * C_41));
-    const six_link_real C_51 = c->sigma_y1 + t32;
-    const six_link_real C_62 = c->sigma_y1 + t34;
-    const six_link_real modal_inertia_11 = Theta_11 * t26 + Theta_21 * t28 + Theta_31 * t30
-        + t32 * REAL(2.23606797749979) + m_eta[0];
+        + tip->Lambda[14] * Theta_31 + t40;
+    const six_link_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22
+        + tip->Lambda[14] * Theta_32 + t41;
+    const six_link_real t42 = tip->Lambda[10] * Theta_23 - tip->Lambda[5] * minus_Theta_13
+        + tip->Lambda[14] * Theta_33 + tip->Lambda[20] * REAL(2.0195202782688155);
+    const six_link_real t43 = tip->Lambda[10] * Theta_24 - tip->Lambda[5] * minus_Theta_14
+        + tip->Lambda[14] * Theta_34 + tip->Lambda[20] * REAL(2.8145226674626453);
+    const six_link_real C_21 = t30 + (link->r_T[1] * C_41 - c->length * C_61);
+    const six_link_real C_22 = t31 + (link->r_T[1] * C_42 - c->length * C_62);
+    const six_link_real C_33 = t36 + (c->length * C_53 - link->r_T[0] * C_43);
+    const six_link_real C_34 = t37 + (c->length * C_54 - link->r_T[0] * C_44);
+    const six_link_real C_11 = t26 + (link->r_T[0] * C_61 - link->r_T[1] * t38) - L_z1;
+    const six_link_real C_12 = t27 + (link->r_T[0] * C_62 - link->r_T[1] * t39) - L_z2;
+    const six_link_real C_13 = L_y1 + (t28 + (link->r_T[0] * t42 - link->r_T[1] * C_53));
+    const six_link_real C_14 = L_y2 + (t29 + (link->r_T[0] * t43 - link->r_T[1] * C_54));
+    const six_link_real C_23 = t32 + (link->r_T[1] * C_43 - c->length * t42) - c->chi_1;
+    const six_link_real C_24 = t33 + (link->r_T[1] * C_44 - c->length * t43) - c->chi_2;
+    const six_link_real C_31 = c->chi_1 + (t34 + (c->length * t38 - link->r_T[0] * C_41));
+    const six_link_real C_32 = c->chi_2 + (t35 + (c->length * t39 - link->r_T[0] * C_42));
+    const six_link_real C_51 = c->sigma_y1 + t38;
+    const six_link_real C_52 = c->sigma_y2 + t39;
+    const six_link_real C_63 = c->sigma_y1 + t42;
+    const six_link_real C_64 = c->sigma_y2 + t43;
+    const six_link_real modal_inertia_11 = Theta_11 * t26 + Theta_21 * t30 + Theta_31 * t34
+        + t38 * REAL(2.0195202782688155) + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modal_inertia_12 = Theta_11 * t27 + Theta_21 * t29 + Theta_31 * t31
-        + C_52 * REAL(2.23606797749979);
-    const six_link_real modal_inertia_22 = Theta_22 * t29 - minus_Theta_12 * t27 + Theta_32 * t31
-        + t34 * REAL(2.23606797749979) + m_eta[1];
+    const six_link_real modal_inertia_12 = Theta_11 * t27 + Theta_21 * t31 + Theta_31 * t35
+        + t39 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_13 = Theta_11 * t28 + Theta_21 * t32 + Theta_31 * t36
+        + C_53 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_14 = Theta_11 * t29 + Theta_21 * t33 + Theta_31 * t37
+        + C_54 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_22 = Theta_12 * t27 + Theta_22 * t31 + Theta_32 * t35
+        + t39 * REAL(2.8145226674626453) + m_eta[1];
+    const six_link_real modal_inertia_23 = Theta_12 * t28 + Theta_22 * t32 + Theta_32 * t36
+        + C_53 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_24 = Theta_12 * t29 + Theta_22 * t33 + Theta_32 * t37
+        + C_54 * REAL(2.8145226674626453);
+    const six_link_real modal_inertia_33 = Theta_23 * t32 - minus_Theta_13 * t28 + Theta_33 * t36
+        + t42 * REAL(2.0195202782688155) + m_eta[2];
+    const six_link_real modal_inertia_34 = Theta_23 * t33 - minus_Theta_13 * t29 + Theta_33 * t37
+        + t43 * REAL(2.0195202782688155);
+    const six_link_real modal_inertia_44 = Theta_24 * t33 - minus_Theta_14 * t29 + Theta_34 * t37
+        + t43 * REAL(2.8145226674626453) + m_eta[3];
     const six_link_real h_phi_1 = h_eta_1 + f_eta[0]
-        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.23606797749979));
+        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.0195202782688155));
     const six_link_real h_phi_2 = h_eta_2 + f_eta[1]
-        + (Theta_22 * p_T_2 - minus_Theta_12 * p_T_1 + Theta_32 * p_T_3 + p_T_6 * REAL(2.23606797749979));
+        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * REAL(2.8145226674626453));
+    const six_link_real h_phi_3 = h_eta_3 + f_eta[2]
+        + (Theta_23 * p_T_2 - minus_Theta_13 * p_T_1 + Theta_33 * p_T_3 + p_T_6 * REAL(2.0195202782688155));
+    const six_link_real h_phi_4 = h_eta_4 + f_eta[3]
+        + (Theta_24 * p_T_2 - minus_Theta_14 * p_T_1 + Theta_34 * p_T_3 + p_T_6 * REAL(2.8145226674626453));
     const six_link_real modes_inverse_1 = 1 / modal_inertia_11;
     const six_link_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
     link->modes_L[0] = modes_L_21;
-    const six_link_real t35 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t35 > 0)) { return SIX_LINK_SINGULAR; }
-    const six_link_real modes_inverse_2 = 1 / t35;
-    const six_link_real t36 = C_12 - modes_L_21 * C_11;
-    const six_link_real t37 = C_22 - modes_L_21 * C_21;
-    const six_link_real t38 = C_32 - modes_L_21 * C_31;
-    const six_link_real t39 = C_42 - modes_L_21 * C_41;
-    const six_link_real t40 = C_52 - modes_L_21 * C_51;
-    const six_link_real t41 = C_62 - modes_L_21 * C_61;
-    const six_link_real t42 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real modes_L_31 = modal_inertia_13 * modes_inverse_1;
+    link->modes_L[1] = modes_L_31;
+    const six_link_real modes_L_41 = modal_inertia_14 * modes_inverse_1;
+    link->modes_L[3] = modes_L_41;
+    const six_link_real t44 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
+    if (!(t44 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_2 = 1 / t44;
+    const six_link_real t45 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const six_link_real modes_L_32 = t45 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const six_link_real t46 = modal_inertia_24 - modal_inertia_12 * modes_L_41;
+    const six_link_real modes_L_42 = t46 * modes_inverse_2;
+    link->modes_L[4] = modes_L_42;
+    const six_link_real t47 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t45 * modes_L_32);
+    if (!(t47 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_3 = 1 / t47;
+    const six_link_real t48 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t45 * modes_L_42);
+    const six_link_real modes_L_43 = t48 * modes_inverse_3;
+    link->modes_L[5] = modes_L_43;
+    const six_link_real t49 = modal_inertia_44
+        - (modal_inertia_14 * modes_L_41 + t46 * modes_L_42 + t48 * modes_L_43);
+    if (!(t49 > 0)) { return SIX_LINK_SINGULAR; }
+    const six_link_real modes_inverse_4 = 1 / t49;
+    const six_link_real t50 = C_12 - modes_L_21 * C_11;
+    const six_link_real t51 = C_22 - modes_L_21 * C_21;
+    const six_link_real t52 = C_32 - modes_L_21 * C_31;
+    const six_link_real t53 = C_42 - modes_L_21 * C_41;
+    const six_link_real t54 = C_52 - modes_L_21 * C_51;
+    const six_link_real t55 = C_62 - modes_L_21 * C_61;
+    const six_link_real t56 = C_13 - modes_L_31 * C_11 - modes_L_32 * t50;
+    const six_link_real t57 = C_23 - modes_L_31 * C_21 - modes_L_32 * t51;
+    const six_link_real t58 = C_33 - modes_L_31 * C_31 - modes_L_32 * t52;
+    const six_link_real t59 = C_43 - modes_L_31 * C_41 - modes_L_32 * t53;
+    const six_link_real t60 = C_53 - modes_L_31 * C_51 - modes_L_32 * t54;
+    const six_link_real t61 = C_63 - modes_L_31 * C_61 - modes_L_32 * t55;
+    const six_link_real t62 = C_14 - modes_L_41 * C_11 - modes_L_42 * t50 - modes_L_43 * t56;
+    const six_link_real t63 = C_24 - modes_L_41 * C_21 - modes_L_42 * t51 - modes_L_43 * t57;
+    const six_link_real t64 = C_34 - modes_L_41 * C_31 - modes_L_42 * t52 - modes_L_43 * t58;
+    const six_link_real t65 = C_44 - modes_L_41 * C_41 - modes_L_42 * t53 - modes_L_43 * t59;
+    const six_link_real t66 = C_54 - modes_L_41 * C_51 - modes_L_42 * t54 - modes_L_43 * t60;
+    const six_link_real t67 = C_64 - modes_L_41 * C_61 - modes_L_42 * t55 - modes_L_43 * t61;
+    const six_link_real t68 = h_phi_2 - modes_L_21 * h_phi_1;
+    const six_link_real t69 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t68;
+    const six_link_real t70 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t68 - modes_L_43 * t69;
     const six_link_real modes_W_11 = C_11 * modes_inverse_1;
     link->modes_W[0] = modes_W_11;
     const six_link_real modes_W_12 = C_21 * modes_inverse_1;
@@ -1491,52 +1782,107 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     link->modes_W[4] = modes_W_15;
     const six_link_real modes_W_16 = C_61 * modes_inverse_1;
     link->modes_W[5] = modes_W_16;
-    const six_link_real modes_W_21 = t36 * modes_inverse_2;
+    const six_link_real modes_W_21 = t50 * modes_inverse_2;
     link->modes_W[6] = modes_W_21;
-    const six_link_real modes_W_22 = t37 * modes_inverse_2;
+    const six_link_real modes_W_22 = t51 * modes_inverse_2;
     link->modes_W[7] = modes_W_22;
-    const six_link_real modes_W_23 = t38 * modes_inverse_2;
+    const six_link_real modes_W_23 = t52 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
-    const six_link_real modes_W_24 = t39 * modes_inverse_2;
+    const six_link_real modes_W_24 = t53 * modes_inverse_2;
     link->modes_W[9] = modes_W_24;
-    const six_link_real modes_W_25 = t40 * modes_inverse_2;
+    const six_link_real modes_W_25 = t54 * modes_inverse_2;
     link->modes_W[10] = modes_W_25;
-    const six_link_real modes_W_26 = t41 * modes_inverse_2;
+    const six_link_real modes_W_26 = t55 * modes_inverse_2;
     link->modes_W[11] = modes_W_26;
+    const six_link_real modes_W_31 = t56 * modes_inverse_3;
+    link->modes_W[12] = modes_W_31;
+    const six_link_real modes_W_32 = t57 * modes_inverse_3;
+    link->modes_W[13] = modes_W_32;
+    const six_link_real modes_W_33 = t58 * modes_inverse_3;
+    link->modes_W[14] = modes_W_33;
+    const six_link_real modes_W_34 = t59 * modes_inverse_3;
+    link->modes_W[15] = modes_W_34;
+    const six_link_real modes_W_35 = t60 * modes_inverse_3;
+    link->modes_W[16] = modes_W_35;
+    const six_link_real modes_W_36 = t61 * modes_inverse_3;
+    link->modes_W[17] = modes_W_36;
+    const six_link_real modes_W_41 = t62 * modes_inverse_4;
+    link->modes_W[18] = modes_W_41;
+    const six_link_real modes_W_42 = t63 * modes_inverse_4;
+    link->modes_W[19] = modes_W_42;
+    const six_link_real modes_W_43 = t64 * modes_inverse_4;
+    link->modes_W[20] = modes_W_43;
+    const six_link_real modes_W_44 = t65 * modes_inverse_4;
+    link->modes_W[21] = modes_W_44;
+    const six_link_real modes_W_45 = t66 * modes_inverse_4;
+    link->modes_W[22] = modes_W_45;
+    const six_link_real modes_W_46 = t67 * modes_inverse_4;
+    link->modes_W[23] = modes_W_46;
     const six_link_real modes_w_1 = h_phi_1 * modes_inverse_1;
     link->modes_w[0] = modes_w_1;
-    const six_link_real modes_w_2 = t42 * modes_inverse_2;
+    const six_link_real modes_w_2 = t68 * modes_inverse_2;
     link->modes_w[1] = modes_w_2;
-    const six_link_real M_i_11 = M_loaded_11 - (C_11 * modes_W_11 + t36 * modes_W_21);
-    const six_link_real M_i_12 = M_loaded_12 - (C_11 * modes_W_12 + t36 * modes_W_22);
-    const six_link_real M_i_13 = M_loaded_13 - (C_11 * modes_W_13 + t36 * modes_W_23);
-    const six_link_real M_i_14 = M_loaded_14 - (C_11 * modes_W_14 + t36 * modes_W_24);
-    const six_link_real M_i_15 = M_loaded_15 - (C_11 * modes_W_15 + t36 * modes_W_25);
-    const six_link_real M_i_16 = M_loaded_16 - (C_11 * modes_W_16 + t36 * modes_W_26);
-    const six_link_real M_i_22 = M_loaded_22 - (C_21 * modes_W_12 + t37 * modes_W_22);
-    const six_link_real M_i_23 = M_loaded_23 - (C_21 * modes_W_13 + t37 * modes_W_23);
-    const six_link_real M_i_24 = M_loaded_24 - (C_21 * modes_W_14 + t37 * modes_W_24);
-    const six_link_real M_i_25 = M_loaded_25 - (C_21 * modes_W_15 + t37 * modes_W_25);
-    const six_link_real M_i_26 = M_loaded_26 - (C_21 * modes_W_16 + t37 * modes_W_26);
-    const six_link_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t38 * modes_W_23);
-    const six_link_real M_i_34 = M_loaded_34 - (C_31 * modes_W_14 + t38 * modes_W_24);
-    const six_link_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t38 * modes_W_25);
-    const six_link_real M_i_36 = M_loaded_36 - (C_31 * modes_W_16 + t38 * modes_W_26);
-    const six_link_real M_i_44 = M_loaded_44 - (C_41 * modes_W_14 + t39 * modes_W_24);
-    const six_link_real M_i_45 = tip->Lambda[16] - (C_41 * modes_W_15 + t39 * modes_W_25);
-    const six_link_real M_i_46 = tip->Lambda[17] - (C_41 * modes_W_16 + t39 * modes_W_26);
-    const six_link_real M_i_55 = M_loaded_55 - (C_51 * modes_W_15 + t40 * modes_W_25);
-    const six_link_real M_i_56 = tip->Lambda[19] - (C_51 * modes_W_16 + t40 * modes_W_26);
-    const six_link_real M_i_66 = M_loaded_66 - (C_61 * modes_W_16 + t41 * modes_W_26);
-    const six_link_real h_i_1 = h_loaded_1 - (modes_W_11 * h_phi_1 + modes_W_21 * t42);
-    const six_link_real h_i_2 = h_loaded_2 - (modes_W_12 * h_phi_1 + modes_W_22 * t42);
-    const six_link_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t42);
-    const six_link_real h_i_4 = h_loaded_4 - (modes_W_14 * h_phi_1 + modes_W_24 * t42);
-    const six_link_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t42);
-    const six_link_real h_i_6 = h_loaded_6 - (modes_W_16 * h_phi_1 + modes_W_26 * t42);
+    const six_link_real modes_w_3 = t69 * modes_inverse_3;
+    link->modes_w[2] = modes_w_3;
+    const six_link_real modes_w_4 = t70 * modes_inverse_4;
+    link->modes_w[3] = modes_w_4;
+    const six_link_real M_i_11 = M_loaded_11
+        - (C_11 * modes_W_11 + t50 * modes_W_21 + t56 * modes_W_31 + t62 * modes_W_41);
+    const six_link_real M_i_12 = M_loaded_12
+        - (C_11 * modes_W_12 + t50 * modes_W_22 + t56 * modes_W_32 + t62 * modes_W_42);
+    const six_link_real M_i_13 = M_loaded_13
+        - (C_11 * modes_W_13 + t50 * modes_W_23 + t56 * modes_W_33 + t62 * modes_W_43);
+    const six_link_real M_i_14 = M_loaded_14
+        - (C_11 * modes_W_14 + t50 * modes_W_24 + t56 * modes_W_34 + t62 * modes_W_44);
+    const six_link_real M_i_15 = M_loaded_15
+        - (C_11 * modes_W_15 + t50 * modes_W_25 + t56 * modes_W_35 + t62 * modes_W_45);
+    const six_link_real M_i_16 = M_loaded_16
+        - (C_11 * modes_W_16 + t50 * modes_W_26 + t56 * modes_W_36 + t62 * modes_W_46);
+    const six_link_real M_i_22 = M_loaded_22
+        - (C_21 * modes_W_12 + t51 * modes_W_22 + t57 * modes_W_32 + t63 * modes_W_42);
+    const six_link_real M_i_23 = M_loaded_23
+        - (C_21 * modes_W_13 + t51 * modes_W_23 + t57 * modes_W_33 + t63 * modes_W_43);
+    const six_link_real M_i_24 = M_loaded_24
+        - (C_21 * modes_W_14 + t51 * modes_W_24 + t57 * modes_W_34 + t63 * modes_W_44);
+    const six_link_real M_i_25 = M_loaded_25
+        - (C_21 * modes_W_15 + t51 * modes_W_25 + t57 * modes_W_35 + t63 * modes_W_45);
+    const six_link_real M_i_26 = M_loaded_26
+        - (C_21 * modes_W_16 + t51 * modes_W_26 + t57 * modes_W_36 + t63 * modes_W_46);
+    const six_link_real M_i_33 = M_loaded_33
+        - (C_31 * modes_W_13 + t52 * modes_W_23 + t58 * modes_W_33 + t64 * modes_W_43);
+    const six_link_real M_i_34 = M_loaded_34
+        - (C_31 * modes_W_14 + t52 * modes_W_24 + t58 * modes_W_34 + t64 * modes_W_44);
+    const six_link_real M_i_35 = M_loaded_35
+        - (C_31 * modes_W_15 + t52 * modes_W_25 + t58 * modes_W_35 + t64 * modes_W_45);
+    const six_link_real M_i_36 = M_loaded_36
+        - (C_31 * modes_W_16 + t52 * modes_W_26 + t58 * modes_W_36 + t64 * modes_W_46);
+    const six_link_real M_i_44 = M_loaded_44
+        - (C_41 * modes_W_14 + t53 * modes_W_24 + t59 * modes_W_34 + t65 * modes_W_44);
+    const six_link_real M_i_45 = tip->Lambda[16]
+        - (C_41 * modes_W_15 + t53 * modes_W_25 + t59 * modes_W_35 + t65 * modes_W_45);
+    const six_link_real M_i_46 = tip->Lambda[17]
+        - (C_41 * modes_W_16 + t53 * modes_W_26 + t59 * modes_W_36 + t65 * modes_W_46);
+    const six_link_real M_i_55 = M_loaded_55
+        - (C_51 * modes_W_15 + t54 * modes_W_25 + t60 * modes_W_35 + t66 * modes_W_45);
+    const six_link_real M_i_56 = tip->Lambda[19]
+        - (C_51 * modes_W_16 + t54 * modes_W_26 + t60 * modes_W_36 + t66 * modes_W_46);
+    const six_link_real M_i_66 = M_loaded_66
+        - (C_61 * modes_W_16 + t55 * modes_W_26 + t61 * modes_W_36 + t67 * modes_W_46);
+    const six_link_real h_i_1 = h_loaded_1
+        - (modes_W_11 * h_phi_1 + modes_W_21 * t68 + modes_W_31 * t69 + modes_W_41 * t70);
+    const six_link_real h_i_2 = h_loaded_2
+        - (modes_W_12 * h_phi_1 + modes_W_22 * t68 + modes_W_32 * t69 + modes_W_42 * t70);
+    const six_link_real h_i_3 = h_loaded_3
+        - (modes_W_13 * h_phi_1 + modes_W_23 * t68 + modes_W_33 * t69 + modes_W_43 * t70);
+    const six_link_real h_i_4 = h_loaded_4
+        - (modes_W_14 * h_phi_1 + modes_W_24 * t68 + modes_W_34 * t69 + modes_W_44 * t70);
+    const six_link_real h_i_5 = h_loaded_5
+        - (modes_W_15 * h_phi_1 + modes_W_25 * t68 + modes_W_35 * t69 + modes_W_45 * t70);
+    const six_link_real h_i_6 = h_loaded_6
+        - (modes_W_16 * h_phi_1 + modes_W_26 * t68 + modes_W_36 * t69 + modes_W_46 * t70);
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_i_22 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_i_22 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_i_12 * joint_inverse_1;
@@ -1551,7 +1897,7 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     link->joint_W[4] = joint_W_15;
     const six_link_real joint_W_16 = M_i_26 * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_i_2) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_i_2) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real Lambda_i_11 = M_i_11 - M_i_12 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
@@ -1609,111 +1955,111 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     link->p_i[5] = p_i_6;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const six_link_real t43 = link->lever[2] * Lambda_i_45;
-    const six_link_real t44 = link->lever[1] * Lambda_i_46;
-    const six_link_real t45 = link->lever[0] * Lambda_i_56;
-    const six_link_real t46 = Lambda_i_14 + (t44 - t43);
-    const six_link_real t47 = Lambda_i_15 + (link->lever[1] * Lambda_i_56 - link->lever[2] * Lambda_i_55);
-    const six_link_real t48 = Lambda_i_16 + (link->lever[1] * Lambda_i_66 - link->lever[2] * Lambda_i_56);
-    const six_link_real t49 = Lambda_i_24 + (link->lever[2] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
-    const six_link_real t50 = Lambda_i_25 + (t43 - t45);
-    const six_link_real t51 = Lambda_i_26 + (link->lever[2] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
-    const six_link_real t52 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - link->lever[1] * Lambda_i_44);
-    const six_link_real t53 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - link->lever[1] * Lambda_i_45);
-    const six_link_real t54 = Lambda_i_36 + (t45 - t44);
-    const six_link_real t55 = Lambda_i_11 - (Lambda_i_15 * link->lever[2] - Lambda_i_16 * link->lever[1])
-        + (link->lever[1] * t48 - link->lever[2] * t47);
-    const six_link_real t56 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[2])
-        + (link->lever[1] * t51 - link->lever[2] * t50);
-    const six_link_real t57 = Lambda_i_13 - (Lambda_i_14 * link->lever[1] - Lambda_i_15 * link->lever[0])
-        + (link->lever[1] * t54 - link->lever[2] * t53);
-    const six_link_real t58 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[2])
-        + (link->lever[2] * t49 - link->lever[0] * t51);
-    const six_link_real t59 = Lambda_i_23 - (Lambda_i_24 * link->lever[1] - Lambda_i_25 * link->lever[0])
-        + (link->lever[2] * t52 - link->lever[0] * t54);
-    const six_link_real t60 = Lambda_i_33 - (Lambda_i_34 * link->lever[1] - Lambda_i_35 * link->lever[0])
-        + (link->lever[0] * t53 - link->lever[1] * t52);
-    const six_link_real t61 = (t55 - t60) * REAL(0.5);
-    const six_link_real t62 = t61 * link->R_P[0] + t56 * link->R_P[1] + t57 * link->R_P[2];
-    const six_link_real t63 = t61 * link->R_P[3] + t56 * link->R_P[4] + t57 * link->R_P[5];
-    const six_link_real t64 = t61 * link->R_P[6] + t56 * link->R_P[7] + t57 * link->R_P[8];
-    const six_link_real t65 = (t58 - t60) * REAL(0.5);
-    const six_link_real t66 = t65 * link->R_P[1] + t59 * link->R_P[2];
-    const six_link_real t67 = t65 * link->R_P[4] + t59 * link->R_P[5];
-    const six_link_real t68 = t65 * link->R_P[7] + t59 * link->R_P[8];
-    const six_link_real Lambda_1 = (link->R_P[0] * t62 + link->R_P[1] * t66) * 2 + t60;
+    const six_link_real t71 = link->lever[2] * Lambda_i_45;
+    const six_link_real t72 = link->lever[1] * Lambda_i_46;
+    const six_link_real t73 = link->lever[0] * Lambda_i_56;
+    const six_link_real t74 = Lambda_i_14 + (t72 - t71);
+    const six_link_real t75 = Lambda_i_15 + (link->lever[1] * Lambda_i_56 - link->lever[2] * Lambda_i_55);
+    const six_link_real t76 = Lambda_i_16 + (link->lever[1] * Lambda_i_66 - link->lever[2] * Lambda_i_56);
+    const six_link_real t77 = Lambda_i_24 + (link->lever[2] * Lambda_i_44 - link->lever[0] * Lambda_i_46);
+    const six_link_real t78 = Lambda_i_25 + (t71 - t73);
+    const six_link_real t79 = Lambda_i_26 + (link->lever[2] * Lambda_i_46 - link->lever[0] * Lambda_i_66);
+    const six_link_real t80 = Lambda_i_34 + (link->lever[0] * Lambda_i_45 - link->lever[1] * Lambda_i_44);
+    const six_link_real t81 = Lambda_i_35 + (link->lever[0] * Lambda_i_55 - link->lever[1] * Lambda_i_45);
+    const six_link_real t82 = Lambda_i_36 + (t73 - t72);
+    const six_link_real t83 = Lambda_i_11 - (Lambda_i_15 * link->lever[2] - Lambda_i_16 * link->lever[1])
+        + (link->lever[1] * t76 - link->lever[2] * t75);
+    const six_link_real t84 = Lambda_i_12 - (Lambda_i_16 * link->lever[0] - Lambda_i_14 * link->lever[2])
+        + (link->lever[1] * t79 - link->lever[2] * t78);
+    const six_link_real t85 = Lambda_i_13 - (Lambda_i_14 * link->lever[1] - Lambda_i_15 * link->lever[0])
+        + (link->lever[1] * t82 - link->lever[2] * t81);
+    const six_link_real t86 = Lambda_i_22 - (Lambda_i_26 * link->lever[0] - Lambda_i_24 * link->lever[2])
+        + (link->lever[2] * t77 - link->lever[0] * t79);
+    const six_link_real t87 = Lambda_i_23 - (Lambda_i_24 * link->lever[1] - Lambda_i_25 * link->lever[0])
+        + (link->lever[2] * t80 - link->lever[0] * t82);
+    const six_link_real t88 = Lambda_i_33 - (Lambda_i_34 * link->lever[1] - Lambda_i_35 * link->lever[0])
+        + (link->lever[0] * t81 - link->lever[1] * t80);
+    const six_link_real t89 = (t83 - t88) * REAL(0.5);
+    const six_link_real t90 = t89 * link->R_P[0] + t84 * link->R_P[1] + t85 * link->R_P[2];
+    const six_link_real t91 = t89 * link->R_P[3] + t84 * link->R_P[4] + t85 * link->R_P[5];
+    const six_link_real t92 = t89 * link->R_P[6] + t84 * link->R_P[7] + t85 * link->R_P[8];
+    const six_link_real t93 = (t86 - t88) * REAL(0.5);
+    const six_link_real t94 = t93 * link->R_P[1] + t87 * link->R_P[2];
+    const six_link_real t95 = t93 * link->R_P[4] + t87 * link->R_P[5];
+    const six_link_real t96 = t93 * link->R_P[7] + t87 * link->R_P[8];
+    const six_link_real Lambda_1 = (link->R_P[0] * t90 + link->R_P[1] * t94) * 2 + t88;
     base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * t63 + link->R_P[1] * t67
-        + (link->R_P[3] * t62 + link->R_P[4] * t66);
+    const six_link_real Lambda_2 = link->R_P[0] * t91 + link->R_P[1] * t95
+        + (link->R_P[3] * t90 + link->R_P[4] * t94);
     base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t64 + link->R_P[1] * t68
-        + (link->R_P[6] * t62 + link->R_P[7] * t66);
+    const six_link_real Lambda_3 = link->R_P[0] * t92 + link->R_P[1] * t96
+        + (link->R_P[6] * t90 + link->R_P[7] * t94);
     base->Lambda[2] = Lambda_3;
-    const six_link_real Lambda_7 = (link->R_P[3] * t63 + link->R_P[4] * t67) * 2 + t60;
+    const six_link_real Lambda_7 = (link->R_P[3] * t91 + link->R_P[4] * t95) * 2 + t88;
     base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[3] * t64 + link->R_P[4] * t68
-        + (link->R_P[6] * t63 + link->R_P[7] * t67);
+    const six_link_real Lambda_8 = link->R_P[3] * t92 + link->R_P[4] * t96
+        + (link->R_P[6] * t91 + link->R_P[7] * t95);
     base->Lambda[7] = Lambda_8;
-    const six_link_real Lambda_12 = (link->R_P[6] * t64 + link->R_P[7] * t68) * 2 + t60;
+    const six_link_real Lambda_12 = (link->R_P[6] * t92 + link->R_P[7] * t96) * 2 + t88;
     base->Lambda[11] = Lambda_12;
-    const six_link_real t69 = t46 * link->R_P[0] + t47 * link->R_P[1] + t48 * link->R_P[2];
-    const six_link_real t70 = t46 * link->R_P[3] + t47 * link->R_P[4] + t48 * link->R_P[5];
-    const six_link_real t71 = t46 * link->R_P[6] + t47 * link->R_P[7] + t48 * link->R_P[8];
-    const six_link_real t72 = t49 * link->R_P[0] + t50 * link->R_P[1] + t51 * link->R_P[2];
-    const six_link_real t73 = t49 * link->R_P[3] + t50 * link->R_P[4] + t51 * link->R_P[5];
-    const six_link_real t74 = t49 * link->R_P[6] + t50 * link->R_P[7] + t51 * link->R_P[8];
-    const six_link_real t75 = t52 * link->R_P[0] + t53 * link->R_P[1] + t54 * link->R_P[2];
-    const six_link_real t76 = t52 * link->R_P[3] + t53 * link->R_P[4] + t54 * link->R_P[5];
-    const six_link_real t77 = t52 * link->R_P[6] + t53 * link->R_P[7] + t54 * link->R_P[8];
-    const six_link_real Lambda_4 = link->R_P[0] * t69 + link->R_P[1] * t72 + link->R_P[2] * t75;
+    const six_link_real t97 = t74 * link->R_P[0] + t75 * link->R_P[1] + t76 * link->R_P[2];
+    const six_link_real t98 = t74 * link->R_P[3] + t75 * link->R_P[4] + t76 * link->R_P[5];
+    const six_link_real t99 = t74 * link->R_P[6] + t75 * link->R_P[7] + t76 * link->R_P[8];
+    const six_link_real t100 = t77 * link->R_P[0] + t78 * link->R_P[1] + t79 * link->R_P[2];
+    const six_link_real t101 = t77 * link->R_P[3] + t78 * link->R_P[4] + t79 * link->R_P[5];
+    const six_link_real t102 = t77 * link->R_P[6] + t78 * link->R_P[7] + t79 * link->R_P[8];
+    const six_link_real t103 = t80 * link->R_P[0] + t81 * link->R_P[1] + t82 * link->R_P[2];
+    const six_link_real t104 = t80 * link->R_P[3] + t81 * link->R_P[4] + t82 * link->R_P[5];
+    const six_link_real t105 = t80 * link->R_P[6] + t81 * link->R_P[7] + t82 * link->R_P[8];
+    const six_link_real Lambda_4 = link->R_P[0] * t97 + link->R_P[1] * t100 + link->R_P[2] * t103;
     base->Lambda[3] = Lambda_4;
-    const six_link_real Lambda_5 = link->R_P[0] * t70 + link->R_P[1] * t73 + link->R_P[2] * t76;
+    const six_link_real Lambda_5 = link->R_P[0] * t98 + link->R_P[1] * t101 + link->R_P[2] * t104;
     base->Lambda[4] = Lambda_5;
-    const six_link_real Lambda_6 = link->R_P[0] * t71 + link->R_P[1] * t74 + link->R_P[2] * t77;
+    const six_link_real Lambda_6 = link->R_P[0] * t99 + link->R_P[1] * t102 + link->R_P[2] * t105;
     base->Lambda[5] = Lambda_6;
-    const six_link_real Lambda_9 = link->R_P[3] * t69 + link->R_P[4] * t72 + link->R_P[5] * t75;
+    const six_link_real Lambda_9 = link->R_P[3] * t97 + link->R_P[4] * t100 + link->R_P[5] * t103;
     base->Lambda[8] = Lambda_9;
-    const six_link_real Lambda_10 = link->R_P[3] * t70 + link->R_P[4] * t73 + link->R_P[5] * t76;
+    const six_link_real Lambda_10 = link->R_P[3] * t98 + link->R_P[4] * t101 + link->R_P[5] * t104;
     base->Lambda[9] = Lambda_10;
-    const six_link_real Lambda_11 = link->R_P[3] * t71 + link->R_P[4] * t74 + link->R_P[5] * t77;
+    const six_link_real Lambda_11 = link->R_P[3] * t99 + link->R_P[4] * t102 + link->R_P[5] * t105;
     base->Lambda[10] = Lambda_11;
-    const six_link_real Lambda_13 = link->R_P[6] * t69 + link->R_P[7] * t72 + link->R_P[8] * t75;
+    const six_link_real Lambda_13 = link->R_P[6] * t97 + link->R_P[7] * t100 + link->R_P[8] * t103;
     base->Lambda[12] = Lambda_13;
-    const six_link_real Lambda_14 = link->R_P[6] * t70 + link->R_P[7] * t73 + link->R_P[8] * t76;
+    const six_link_real Lambda_14 = link->R_P[6] * t98 + link->R_P[7] * t101 + link->R_P[8] * t104;
     base->Lambda[13] = Lambda_14;
-    const six_link_real Lambda_15 = link->R_P[6] * t71 + link->R_P[7] * t74 + link->R_P[8] * t77;
+    const six_link_real Lambda_15 = link->R_P[6] * t99 + link->R_P[7] * t102 + link->R_P[8] * t105;
     base->Lambda[14] = Lambda_15;
-    const six_link_real t78 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t79 = t78 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
-    const six_link_real t80 = t78 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
-    const six_link_real t81 = t78 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
-    const six_link_real t82 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
-    const six_link_real t83 = t82 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
-    const six_link_real t84 = t82 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
-    const six_link_real t85 = t82 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
-    const six_link_real Lambda_16 = (link->R_P[0] * t79 + link->R_P[1] * t83) * 2 + Lambda_i_66;
+    const six_link_real t106 = (Lambda_i_44 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t107 = t106 * link->R_P[0] + Lambda_i_45 * link->R_P[1] + Lambda_i_46 * link->R_P[2];
+    const six_link_real t108 = t106 * link->R_P[3] + Lambda_i_45 * link->R_P[4] + Lambda_i_46 * link->R_P[5];
+    const six_link_real t109 = t106 * link->R_P[6] + Lambda_i_45 * link->R_P[7] + Lambda_i_46 * link->R_P[8];
+    const six_link_real t110 = (Lambda_i_55 - Lambda_i_66) * REAL(0.5);
+    const six_link_real t111 = t110 * link->R_P[1] + Lambda_i_56 * link->R_P[2];
+    const six_link_real t112 = t110 * link->R_P[4] + Lambda_i_56 * link->R_P[5];
+    const six_link_real t113 = t110 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
+    const six_link_real Lambda_16 = (link->R_P[0] * t107 + link->R_P[1] * t111) * 2 + Lambda_i_66;
     base->Lambda[15] = Lambda_16;
-    const six_link_real Lambda_17 = link->R_P[0] * t80 + link->R_P[1] * t84
-        + (link->R_P[3] * t79 + link->R_P[4] * t83);
+    const six_link_real Lambda_17 = link->R_P[0] * t108 + link->R_P[1] * t112
+        + (link->R_P[3] * t107 + link->R_P[4] * t111);
     base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t81 + link->R_P[1] * t85
-        + (link->R_P[6] * t79 + link->R_P[7] * t83);
+    const six_link_real Lambda_18 = link->R_P[0] * t109 + link->R_P[1] * t113
+        + (link->R_P[6] * t107 + link->R_P[7] * t111);
     base->Lambda[17] = Lambda_18;
-    const six_link_real Lambda_19 = (link->R_P[3] * t80 + link->R_P[4] * t84) * 2 + Lambda_i_66;
+    const six_link_real Lambda_19 = (link->R_P[3] * t108 + link->R_P[4] * t112) * 2 + Lambda_i_66;
     base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[3] * t81 + link->R_P[4] * t85
-        + (link->R_P[6] * t80 + link->R_P[7] * t84);
+    const six_link_real Lambda_20 = link->R_P[3] * t109 + link->R_P[4] * t113
+        + (link->R_P[6] * t108 + link->R_P[7] * t112);
     base->Lambda[19] = Lambda_20;
-    const six_link_real Lambda_21 = (link->R_P[6] * t81 + link->R_P[7] * t85) * 2 + Lambda_i_66;
+    const six_link_real Lambda_21 = (link->R_P[6] * t109 + link->R_P[7] * t113) * 2 + Lambda_i_66;
     base->Lambda[20] = Lambda_21;
-    const six_link_real t86 = p_i_1 + (link->lever[1] * p_i_6 - link->lever[2] * p_i_5);
-    const six_link_real t87 = p_i_2 + (link->lever[2] * p_i_4 - link->lever[0] * p_i_6);
-    const six_link_real t88 = p_i_3 + (link->lever[0] * p_i_5 - link->lever[1] * p_i_4);
-    const six_link_real p_1 = link->R_P[0] * t86 + link->R_P[1] * t87 + link->R_P[2] * t88;
+    const six_link_real t114 = p_i_1 + (link->lever[1] * p_i_6 - link->lever[2] * p_i_5);
+    const six_link_real t115 = p_i_2 + (link->lever[2] * p_i_4 - link->lever[0] * p_i_6);
+    const six_link_real t116 = p_i_3 + (link->lever[0] * p_i_5 - link->lever[1] * p_i_4);
+    const six_link_real p_1 = link->R_P[0] * t114 + link->R_P[1] * t115 + link->R_P[2] * t116;
     base->p[0] = p_1;
-    const six_link_real p_2 = link->R_P[3] * t86 + link->R_P[4] * t87 + link->R_P[5] * t88;
+    const six_link_real p_2 = link->R_P[3] * t114 + link->R_P[4] * t115 + link->R_P[5] * t116;
     base->p[1] = p_2;
-    const six_link_real p_3 = link->R_P[6] * t86 + link->R_P[7] * t87 + link->R_P[8] * t88;
+    const six_link_real p_3 = link->R_P[6] * t114 + link->R_P[7] * t115 + link->R_P[8] * t116;
     base->p[2] = p_3;
     const six_link_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * p_i_6;
     base->p[3] = p_4;
@@ -1724,10 +2070,11 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like wrist_roll: 398 operations */
+/* eliminate, links like wrist_roll: 397 operations */
 SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -1779,7 +2126,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     const six_link_real h_loaded_6 = H_star_6 + p_T_6;
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_loaded_11 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
@@ -1794,7 +2141,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     link->joint_W[4] = joint_W_15;
     const six_link_real joint_W_16 = tip->Lambda[5] * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_loaded_1) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
@@ -1949,10 +2296,11 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like wrist_pitch: 240 operations */
+/* eliminate, links like wrist_pitch: 239 operations */
 SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -2002,7 +2350,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
     const six_link_real h_loaded_6 = H_star_6 + p_T_6;
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_22 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_loaded_22 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
@@ -2017,7 +2365,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
     link->joint_W[4] = joint_W_15;
     const six_link_real joint_W_16 = M_loaded_26 * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_2) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_loaded_2) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_12 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
@@ -2137,10 +2485,11 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
     return SIX_LINK_OK;
 }
 
-/* eliminate, links like flange: 298 operations */
+/* eliminate, links like flange: 297 operations */
 SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real tau[restrict 1], const six_link_real qdot[restrict 1])
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+    const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -2207,7 +2556,7 @@ SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *re
     const six_link_real h_loaded_6 = H_star_6 + p_T_6;
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const six_link_real joint_inertia_11 = M_loaded_11 + c->armature_1;
+    const six_link_real joint_inertia_11 = M_loaded_11 + m_q[0];
     if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
@@ -2220,7 +2569,7 @@ SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *re
     link->joint_W[4] = -minus_joint_W_15;
     const six_link_real joint_W_16 = c->S_T_y * joint_inverse_1;
     link->joint_W[5] = joint_W_16;
-    const six_link_real joint_w_1 = (tau[0] - c->joint_damping_1 * qdot[0] - h_loaded_1) * joint_inverse_1;
+    const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_loaded_1) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
     const six_link_real Lambda_i_11 = M_loaded_11 - M_loaded_11 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
@@ -2351,10 +2700,10 @@ SIX_LINK_PART six_link_status accelerate_shoulder(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* accelerate, links like upper_arm: 165 operations */
+/* accelerate, links like upper_arm: 213 operations */
 SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 3])
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 5])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[6] * base->delta[2];
@@ -2385,77 +2734,93 @@ SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants
         + link->modes_W[8] * carried_3 - link->modes_W[9] * minus_carried_4;
     const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * qddot_1
         + link->modes_W[14] * carried_3 - link->modes_W[15] * minus_carried_4;
-    const six_link_real minus_etaddot_3 = link->modes_w[2]
-        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6);
+    const six_link_real t5 = link->modes_W[18] * carried_1 + link->modes_W[19] * qddot_1
+        + link->modes_W[20] * carried_3 - link->modes_W[21] * minus_carried_4;
+    const six_link_real t6 = link->modes_W[24] * carried_1 + link->modes_W[25] * qddot_1
+        + link->modes_W[26] * carried_3 - link->modes_W[27] * minus_carried_4;
+    const six_link_real minus_etaddot_5 = link->modes_w[4]
+        + (t6 + link->modes_W[28] * carried_5 + link->modes_W[29] * carried_6);
+    etaddot[4] = -minus_etaddot_5;
+    const six_link_real minus_etaddot_4 = link->modes_w[3]
+        + (t5 + link->modes_W[22] * carried_5 + link->modes_W[23] * carried_6)
+        - link->modes_L[9] * minus_etaddot_5;
+    etaddot[3] = -minus_etaddot_4;
+    const six_link_real t7 = link->modes_w[2]
+        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6)
+        - link->modes_L[5] * minus_etaddot_4;
+    const six_link_real minus_etaddot_3 = t7 - link->modes_L[8] * minus_etaddot_5;
     etaddot[2] = -minus_etaddot_3;
-    const six_link_real minus_etaddot_2 = link->modes_w[1]
+    const six_link_real t8 = link->modes_w[1]
         + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
         - link->modes_L[2] * minus_etaddot_3;
+    const six_link_real minus_etaddot_2 = t8 - link->modes_L[4] * minus_etaddot_4
+        - link->modes_L[7] * minus_etaddot_5;
     etaddot[1] = -minus_etaddot_2;
-    const six_link_real t5 = link->modes_w[0]
+    const six_link_real t9 = link->modes_w[0]
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = t5 - link->modes_L[1] * minus_etaddot_3;
+    const six_link_real minus_etaddot_1 = t9 - link->modes_L[1] * minus_etaddot_3
+        - link->modes_L[3] * minus_etaddot_4 - link->modes_L[6] * minus_etaddot_5;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t6 = minus_etaddot_3 * REAL(1.4142135623730951);
-    const six_link_real t7 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t8 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t10 = minus_etaddot_5 * REAL(1.7320508075688772);
+    const six_link_real t11 = c->Psi_c_y3 * minus_etaddot_3 + c->Psi_c_y4 * minus_etaddot_4;
+    const six_link_real t12 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2;
     const six_link_real delta_T_4 = qddot_1 * link->r_T[1] - carried_3 * link->r_T[0] - minus_carried_4;
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t6 + link->J_l[1] * t7 + link->J_l[2] * t8);
+    const six_link_real delta_T_1 = carried_1 - (link->J_l[0] * t10 + link->J_l[1] * t11 + link->J_l[2] * t12);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t6 + link->J_l[4] * t7 + link->J_l[5] * t8);
+    const six_link_real delta_T_2 = qddot_1 - (link->J_l[3] * t10 + link->J_l[4] * t11 + link->J_l[5] * t12);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t6 + link->J_l[7] * t7 + link->J_l[8] * t8);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[6] * t10 + link->J_l[7] * t11 + link->J_l[8] * t12);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
-        - minus_etaddot_1 * 2;
+        - (minus_etaddot_1 * REAL(2.0195202782688155) + minus_etaddot_2 * REAL(2.8145226674626453));
     tip->delta[4] = delta_T_5;
     const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - qddot_1 * c->length)
-        - minus_etaddot_2 * 2;
+        - (minus_etaddot_3 * REAL(2.0195202782688155) + minus_etaddot_4 * REAL(2.8145226674626453));
     tip->delta[5] = delta_T_6;
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t9 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
+        const six_link_real t13 = link->Lambda_i[0] * carried_1 + link->Lambda_i[2] * carried_3
             - link->Lambda_i[3] * minus_carried_4;
-        const six_link_real t10 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
+        const six_link_real t14 = link->Lambda_i[1] * carried_1 + link->Lambda_i[7] * carried_3
             - link->Lambda_i[8] * minus_carried_4;
-        const six_link_real t11 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
+        const six_link_real t15 = link->Lambda_i[2] * carried_1 + link->Lambda_i[11] * carried_3
             - link->Lambda_i[12] * minus_carried_4;
-        const six_link_real t12 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
+        const six_link_real t16 = link->Lambda_i[3] * carried_1 + link->Lambda_i[12] * carried_3
             - link->Lambda_i[15] * minus_carried_4;
-        const six_link_real t13 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
+        const six_link_real t17 = link->Lambda_i[4] * carried_1 + link->Lambda_i[13] * carried_3
             - link->Lambda_i[16] * minus_carried_4;
-        const six_link_real t14 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
+        const six_link_real t18 = link->Lambda_i[5] * carried_1 + link->Lambda_i[14] * carried_3
             - link->Lambda_i[17] * minus_carried_4;
-        const six_link_real wrench_1 = t9 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t13 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t10 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t14 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t11 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t15 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t12 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t16 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t13 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t17 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t14 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t18 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }
     return SIX_LINK_OK;
 }
 
-/* accelerate, links like forearm: 191 operations */
+/* accelerate, links like forearm: 235 operations */
 SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 2])
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 4])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -2494,61 +2859,76 @@ SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *
         + link->modes_W[2] * carried_3 + link->modes_W[3] * carried_4;
     const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2
         + link->modes_W[8] * carried_3 + link->modes_W[9] * carried_4;
-    const six_link_real minus_etaddot_2 = link->modes_w[1]
-        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6);
+    const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * delta_2
+        + link->modes_W[14] * carried_3 + link->modes_W[15] * carried_4;
+    const six_link_real t5 = link->modes_W[18] * carried_1 + link->modes_W[19] * delta_2
+        + link->modes_W[20] * carried_3 + link->modes_W[21] * carried_4;
+    const six_link_real minus_etaddot_4 = link->modes_w[3]
+        + (t5 + link->modes_W[22] * carried_5 + link->modes_W[23] * carried_6);
+    etaddot[3] = -minus_etaddot_4;
+    const six_link_real minus_etaddot_3 = link->modes_w[2]
+        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6)
+        - link->modes_L[5] * minus_etaddot_4;
+    etaddot[2] = -minus_etaddot_3;
+    const six_link_real t6 = link->modes_w[1]
+        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
+        - link->modes_L[2] * minus_etaddot_3;
+    const six_link_real minus_etaddot_2 = t6 - link->modes_L[4] * minus_etaddot_4;
     etaddot[1] = -minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = link->modes_w[0]
+    const six_link_real t7 = link->modes_w[0]
         + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = t7 - link->modes_L[1] * minus_etaddot_3
+        - link->modes_L[3] * minus_etaddot_4;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const six_link_real t4 = c->Psi_c_y2 * minus_etaddot_2;
-    const six_link_real t5 = c->Psi_c_z1 * minus_etaddot_1;
+    const six_link_real t8 = c->Psi_c_y3 * minus_etaddot_3 + c->Psi_c_y4 * minus_etaddot_4;
+    const six_link_real t9 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2;
     const six_link_real delta_T_4 = carried_4 + (delta_2 * link->r_T[1] - carried_3 * link->r_T[0]);
     tip->delta[3] = delta_T_4;
-    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t4 - link->J_l[2] * t5);
+    const six_link_real delta_T_1 = carried_1 + (link->J_l[1] * t8 - link->J_l[2] * t9);
     tip->delta[0] = delta_T_1;
-    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t4 + link->J_l[4] * t5);
+    const six_link_real delta_T_2 = delta_2 - (link->J_l[3] * t8 + link->J_l[4] * t9);
     tip->delta[1] = delta_T_2;
-    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t4 + link->J_l[5] * t5);
+    const six_link_real delta_T_3 = carried_3 - (link->J_l[4] * t8 + link->J_l[5] * t9);
     tip->delta[2] = delta_T_3;
     const six_link_real delta_T_5 = carried_5 + (carried_3 * c->length - carried_1 * link->r_T[1])
-        - minus_etaddot_1 * REAL(2.23606797749979);
+        - (minus_etaddot_1 * REAL(2.0195202782688155) + minus_etaddot_2 * REAL(2.8145226674626453));
     tip->delta[4] = delta_T_5;
     const six_link_real delta_T_6 = carried_6 + (carried_1 * link->r_T[0] - delta_2 * c->length)
-        - minus_etaddot_2 * REAL(2.23606797749979);
+        - (minus_etaddot_3 * REAL(2.0195202782688155) + minus_etaddot_4 * REAL(2.8145226674626453));
     tip->delta[5] = delta_T_6;
 
     if (wrench) {
         /* joint wrench (48) */
-        const six_link_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
+        const six_link_real t10 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
             + link->Lambda_i[2] * carried_3 + link->Lambda_i[3] * carried_4;
-        const six_link_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
+        const six_link_real t11 = link->Lambda_i[1] * carried_1 + link->Lambda_i[6] * carried_2
             + link->Lambda_i[7] * carried_3 + link->Lambda_i[8] * carried_4;
-        const six_link_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
+        const six_link_real t12 = link->Lambda_i[2] * carried_1 + link->Lambda_i[7] * carried_2
             + link->Lambda_i[11] * carried_3 + link->Lambda_i[12] * carried_4;
-        const six_link_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
+        const six_link_real t13 = link->Lambda_i[3] * carried_1 + link->Lambda_i[8] * carried_2
             + link->Lambda_i[12] * carried_3 + link->Lambda_i[15] * carried_4;
-        const six_link_real t10 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
+        const six_link_real t14 = link->Lambda_i[4] * carried_1 + link->Lambda_i[9] * carried_2
             + link->Lambda_i[13] * carried_3 + link->Lambda_i[16] * carried_4;
-        const six_link_real t11 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
+        const six_link_real t15 = link->Lambda_i[5] * carried_1 + link->Lambda_i[10] * carried_2
             + link->Lambda_i[14] * carried_3 + link->Lambda_i[17] * carried_4;
-        const six_link_real wrench_1 = t6 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
+        const six_link_real wrench_1 = t10 + link->Lambda_i[4] * carried_5 + link->Lambda_i[5] * carried_6
             + link->p_i[0];
         wrench[0] = wrench_1;
-        const six_link_real wrench_2 = t7 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
+        const six_link_real wrench_2 = t11 + link->Lambda_i[9] * carried_5 + link->Lambda_i[10] * carried_6
             + link->p_i[1];
         wrench[1] = wrench_2;
-        const six_link_real wrench_3 = t8 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
+        const six_link_real wrench_3 = t12 + link->Lambda_i[13] * carried_5 + link->Lambda_i[14] * carried_6
             + link->p_i[2];
         wrench[2] = wrench_3;
-        const six_link_real wrench_4 = t9 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
+        const six_link_real wrench_4 = t13 + link->Lambda_i[16] * carried_5 + link->Lambda_i[17] * carried_6
             + link->p_i[3];
         wrench[3] = wrench_4;
-        const six_link_real wrench_5 = t10 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
+        const six_link_real wrench_5 = t14 + link->Lambda_i[18] * carried_5 + link->Lambda_i[19] * carried_6
             + link->p_i[4];
         wrench[4] = wrench_5;
-        const six_link_real wrench_6 = t11 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
+        const six_link_real wrench_6 = t15 + link->Lambda_i[19] * carried_5 + link->Lambda_i[20] * carried_6
             + link->p_i[5];
         wrench[5] = wrench_6;
     }
@@ -2951,10 +3331,10 @@ SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c,
     return SIX_LINK_OK;
 }
 
-/* project, links like upper_arm: 397 operations */
+/* project, links like upper_arm: 413 operations */
 SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[3],
-    const six_link_real etadot[3], const six_link_real quaternion[4], six_link_real new_q[1],
+    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[5],
+    const six_link_real etadot[5], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -3003,9 +3383,9 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real omega_y = twist[1] - base->omega_m[1];
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t26 = theta_x * theta_x;
@@ -3046,9 +3426,9 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t35 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -3106,12 +3486,12 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real t52 = -minus_new_quaternion_2;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * 2;
-    const six_link_real udot_T_z = etadot[1] * 2;
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* omega_T: angular velocity of the tip section (46) */
     const six_link_real t53 = omega_s_x - minus_omega_R_x;
@@ -3208,10 +3588,10 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     return SIX_LINK_OK;
 }
 
-/* project, links like forearm: 554 operations */
+/* project, links like forearm: 570 operations */
 SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[2],
-    const six_link_real etadot[2], const six_link_real quaternion[4], six_link_real new_q[1],
+    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[4],
+    const six_link_real etadot[4], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -3283,8 +3663,8 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
         - (c->R_m_xy * base->omega_m[0] + c->R_m_yy * base->omega_m[1] + c->R_m_zy * base->omega_m[2]);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -3310,8 +3690,8 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t37 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -3398,12 +3778,12 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
         + (base->Q[1] * t71 - base->Q[2] * t72);
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * REAL(2.23606797749979);
-    const six_link_real udot_T_z = etadot[1] * REAL(2.23606797749979);
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* omega_T: angular velocity of the tip section (46) */
     const six_link_real t74 = omega_s_x + omega_R_x;
@@ -3864,10 +4244,10 @@ SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_co
     return SIX_LINK_OK;
 }
 
-/* forward kinematics, links like upper_arm: 254 operations */
+/* forward kinematics, links like upper_arm: 270 operations */
 SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
-    const six_link_real etadot[3], six_link_real new_twist[6], six_link_real new_quaternion[4],
+    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
+    const six_link_real etadot[5], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -3904,13 +4284,13 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     const six_link_real t12 = -minus_new_quaternion_2;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t13 = theta_x * theta_x;
@@ -3951,13 +4331,13 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * 2;
-    const six_link_real udot_T_z = etadot[1] * 2;
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t22 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -4049,10 +4429,10 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     return SIX_LINK_OK;
 }
 
-/* forward kinematics, links like forearm: 377 operations */
+/* forward kinematics, links like forearm: 393 operations */
 SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
-    const six_link_real etadot[2], six_link_real new_twist[6], six_link_real new_quaternion[4],
+    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
+    const six_link_real etadot[4], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4133,12 +4513,12 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
         + (base->Q[1] * t36 - base->Q[2] * t37);
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -4164,12 +4544,12 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * REAL(2.23606797749979);
-    const six_link_real udot_T_z = etadot[1] * REAL(2.23606797749979);
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t39 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -4509,10 +4889,10 @@ SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like upper_arm: 216 operations */
+/* kinematics, links like upper_arm: 234 operations */
 SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[3],
-    const six_link_real etadot[3])
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
+    const six_link_real etadot[5])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -4539,13 +4919,17 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
         - minus_omega_R_1 * t5;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t6 = theta_x * theta_x;
@@ -4605,9 +4989,9 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -4621,7 +5005,7 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
 
     /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+    const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
@@ -4644,8 +5028,8 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
         - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
     const six_link_real t29 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + etadot[0] * 4;
-    const six_link_real t31 = etadot[1] * 4 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
+    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + udot_T_y * 2;
+    const six_link_real t31 = udot_T_z * 2 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
     const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t31 - omega_R_3 * t30);
     const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
         + (omega_R_3 * t29 + minus_omega_R_1 * t31);
@@ -4708,10 +5092,10 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like forearm: 287 operations */
+/* kinematics, links like forearm: 305 operations */
 SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[2],
-    const six_link_real etadot[2])
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
+    const six_link_real etadot[4])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -4762,12 +5146,16 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
         + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -4804,8 +5192,8 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -4835,8 +5223,8 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
     const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
     const six_link_real t13 = omega_y * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + etadot[0] * REAL(4.47213595499958);
-    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + etadot[1] * REAL(4.47213595499958);
+    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
+    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + udot_T_z * 2;
     const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
         + (omega_y * t15 - omega_R_3 * t14);
     const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
@@ -5096,9 +5484,9 @@ SIX_LINK_PART six_link_status inverse_outward_shoulder(const six_link_link_const
     return SIX_LINK_OK;
 }
 
-/* inverse outward, links like upper_arm: 46 operations */
+/* inverse outward, links like upper_arm: 54 operations */
 SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3])
+    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5])
 {
     const six_link_real delta_1 = link->R_P[6] * base->delta[2];
     const six_link_real delta_3 = link->R_P[8] * base->delta[2];
@@ -5106,15 +5494,17 @@ SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_cons
     const six_link_real t1 = -minus_delta_4;
     const six_link_real delta_6 = delta_1 * c->mount_xyz_y;
     const six_link_real delta_5 = base->delta[4] + (delta_3 * link->lever[0] - delta_1 * link->lever[1]);
-    const six_link_real t2 = etaddot[2] * REAL(1.4142135623730951);
-    const six_link_real t3 = c->Psi_c_y2 * etaddot[1];
-    const six_link_real t4 = c->Psi_c_z1 * etaddot[0];
+    const six_link_real t2 = etaddot[4] * REAL(1.7320508075688772);
+    const six_link_real t3 = c->Psi_c_y3 * etaddot[2] + c->Psi_c_y4 * etaddot[3];
+    const six_link_real t4 = c->Psi_c_z1 * etaddot[0] + c->Psi_c_z2 * etaddot[1];
     const six_link_real delta_4 = qddot[0] * link->r_T[1] - delta_3 * link->r_T[0] - minus_delta_4;
     const six_link_real delta_1_2 = delta_1 + (link->J_l[0] * t2 + link->J_l[1] * t3 + link->J_l[2] * t4);
     const six_link_real delta_2 = qddot[0] + (link->J_l[3] * t2 + link->J_l[4] * t3 + link->J_l[5] * t4);
     const six_link_real delta_3_2 = delta_3 + (link->J_l[6] * t2 + link->J_l[7] * t3 + link->J_l[8] * t4);
-    const six_link_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1]) + etaddot[0] * 2;
-    const six_link_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - qddot[0] * c->length) + etaddot[1] * 2;
+    const six_link_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1])
+        + (etaddot[0] * REAL(2.0195202782688155) + etaddot[1] * REAL(2.8145226674626453));
+    const six_link_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - qddot[0] * c->length)
+        + (etaddot[2] * REAL(2.0195202782688155) + etaddot[3] * REAL(2.8145226674626453));
 
     /* outputs */
     link->delta[0] = delta_1;
@@ -5132,9 +5522,9 @@ SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_cons
     return SIX_LINK_OK;
 }
 
-/* inverse outward, links like forearm: 73 operations */
+/* inverse outward, links like forearm: 81 operations */
 SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2])
+    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4])
 {
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -5149,16 +5539,16 @@ SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_consta
     const six_link_real delta_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
         + link->R_P[8] * base->delta[5] + (delta_1 * link->lever[1] - t1 * link->lever[0]);
     const six_link_real delta_2 = t1 + qddot[0];
-    const six_link_real t2 = c->Psi_c_y2 * etaddot[1];
-    const six_link_real t3 = c->Psi_c_z1 * etaddot[0];
+    const six_link_real t2 = c->Psi_c_y3 * etaddot[2] + c->Psi_c_y4 * etaddot[3];
+    const six_link_real t3 = c->Psi_c_z1 * etaddot[0] + c->Psi_c_z2 * etaddot[1];
     const six_link_real delta_4_2 = delta_4 + (delta_2 * link->r_T[1] - delta_3 * link->r_T[0]);
     const six_link_real delta_1_2 = delta_1 + (link->J_l[2] * t3 - link->J_l[1] * t2);
     const six_link_real delta_2_2 = delta_2 + (link->J_l[3] * t2 + link->J_l[4] * t3);
     const six_link_real delta_3_2 = delta_3 + (link->J_l[4] * t2 + link->J_l[5] * t3);
     const six_link_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1])
-        + etaddot[0] * REAL(2.23606797749979);
+        + (etaddot[0] * REAL(2.0195202782688155) + etaddot[1] * REAL(2.8145226674626453));
     const six_link_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - delta_2 * c->length)
-        + etaddot[1] * REAL(2.23606797749979);
+        + (etaddot[2] * REAL(2.0195202782688155) + etaddot[3] * REAL(2.8145226674626453));
 
     /* outputs */
     link->delta[0] = delta_1;
@@ -5267,10 +5657,10 @@ SIX_LINK_PART six_link_status inverse_outward_flange(const six_link_link_constan
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like shoulder: 72 operations */
+/* inverse inward, links like shoulder: 71 operations */
 SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real qdot[1],
-    six_link_real force[1], six_link_real wrench[6])
+    const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real m_q[1],
+    const six_link_real f_q[1], six_link_real force[1], six_link_real wrench[6])
 {
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real H_star_3 = c->S_0_x * link->alpha_0[4];
@@ -5282,7 +5672,7 @@ SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_consta
     const six_link_real t4 = c->S_T_x * t1 - c->S_T_y * tip->alpha_0[3] + c->I_T_zz * tip->delta[2] - w_ext[2]
         + tip->p[2] + c->length * t3;
     const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + H_star_3 + t4;
-    const six_link_real force_1 = wrench_3 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real force_1 = wrench_3 + m_q[0] * qddot[0] + f_q[0];
 
     /* outputs */
     force[0] = force_1;
@@ -5321,35 +5711,40 @@ SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_consta
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like upper_arm: 547 operations */
+/* inverse inward, links like upper_arm: 638 operations */
 SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
-    const six_link_real eta[3], const six_link_real etadot[3], const six_link_real w_ext[6],
-    const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real qdot[1],
-    six_link_real force_eta[3], six_link_real force[1], six_link_real wrench[6])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5],
+    const six_link_real eta[5], const six_link_real etadot[5], const six_link_real w_ext[6],
+    const six_link_real m_eta[5], const six_link_real f_eta[5], const six_link_real m_q[1],
+    const six_link_real f_q[1], six_link_real force_eta[5], six_link_real force[1],
+    six_link_real wrench[6])
 {
     /* S: first moment */
-    const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_y1;
+    const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_1 * eta[1];
-    const six_link_real J_yy = L_y1 * eta[0];
-    const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z1 * eta[1];
+    const six_link_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -5372,12 +5767,12 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     const six_link_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -5388,8 +5783,8 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     const six_link_real h_c_6 = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_2 = h_c_2 + etadot[2] * link->omega[2] * c->sigma_t_3;
-    const six_link_real h_MD_3 = h_c_3 - etadot[2] * link->omega[1] * c->sigma_t_3;
+    const six_link_real h_MD_2 = h_c_2 + etadot[4] * link->omega[2] * c->sigma_t_5;
+    const six_link_real h_MD_3 = h_c_3 - etadot[4] * link->omega[1] * c->sigma_t_5;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_xz + J_yy * Omega_zy
@@ -5423,9 +5818,13 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
         + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
-    const six_link_real h_eta_3 = link->alpha_0[0] * c->sigma_t_3;
+    const six_link_real h_eta_4 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+    const six_link_real h_eta_5 = link->alpha_0[0] * c->sigma_t_5;
 
     const six_link_real t10 = link->R_T[0] * c->S_T_x + link->R_T[1] * c->S_T_y + link->R_T[2] * c->S_T_z;
     const six_link_real t11 = link->R_T[3] * c->S_T_x + link->R_T[4] * c->S_T_y + link->R_T[5] * c->S_T_z;
@@ -5489,38 +5888,47 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
         + S_z * link->delta[3] - c->S_0_x * link->delta[5];
     const six_link_real t53 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
-    const six_link_real t54 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
-        + c->sigma_y1 * etaddot[0];
-    const six_link_real t55 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_y1 * etaddot[1];
-    const six_link_real wrench_1 = t51 + (L_y1 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
-        + h_V_1 + (t45 + (link->r_T[0] * t50 - link->r_T[1] * t49));
-    const six_link_real wrench_2 = t52 - c->chi_1 * etaddot[1] + h_V_2
+    const six_link_real t54 = L_y1 * etaddot[2] - (L_z1 * etaddot[0] + L_z2 * etaddot[1]) + L_y2 * etaddot[3]
+        + c->sigma_t_5 * etaddot[4];
+    const six_link_real t55 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1]);
+    const six_link_real t56 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + (c->sigma_y1 * etaddot[2] + c->sigma_y2 * etaddot[3]);
+    const six_link_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4;
+    const six_link_real wrench_1 = t51 + t54 + h_V_1 + (t45 + (link->r_T[0] * t50 - link->r_T[1] * t49));
+    const six_link_real wrench_2 = t52 - (c->chi_1 * etaddot[2] + c->chi_2 * etaddot[3]) + h_V_2
         + (t46 + (link->r_T[1] * t48 - c->length * t50));
-    const six_link_real wrench_3 = t53 + c->chi_1 * etaddot[0] + h_V_3
+    const six_link_real wrench_3 = t53 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1]) + h_V_3
         + (t47 + (c->length * t49 - link->r_T[0] * t48));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4
-        + t48;
-    const six_link_real wrench_5 = t54 + h_V_5 + t49;
-    const six_link_real wrench_6 = t55 + h_V_6 + t50;
-    const six_link_real t56 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+    const six_link_real wrench_4 = motion_4 + t48;
+    const six_link_real wrench_5 = t55 + h_V_5 + t49;
+    const six_link_real wrench_6 = t56 + h_V_6 + t50;
+    const six_link_real t57 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t57 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+    const six_link_real t58 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const six_link_real t58 = t56 + h_eta_1 + f_eta[0]
-        + c->Psi_c_z1 * (link->J_l[2] * t45 + link->J_l[5] * t46 + link->J_l[8] * t47);
-    const six_link_real t59 = t57 + h_eta_2 + f_eta[1]
-        + c->Psi_c_y2 * (link->J_l[1] * t45 + link->J_l[4] * t46 + link->J_l[7] * t47);
-    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2] + h_eta_3 + f_eta[2]
-        + (link->J_l[0] * t45 + link->J_l[3] * t46 + link->J_l[6] * t47) * REAL(1.4142135623730951);
-    const six_link_real force_eta_1 = t58 + t49 * 2;
-    const six_link_real force_eta_2 = t59 + t50 * 2;
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
-    const six_link_real t60 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
+    const six_link_real t59 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[2] * etaddot[2];
+    const six_link_real t60 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const six_link_real t61 = link->J_l[1] * t45 + link->J_l[4] * t46 + link->J_l[7] * t47;
+    const six_link_real t62 = link->J_l[2] * t45 + link->J_l[5] * t46 + link->J_l[8] * t47;
+    const six_link_real force_eta_5 = c->sigma_t_5 * link->delta[0] + m_eta[4] * etaddot[4] + h_eta_5 + f_eta[4]
+        + (link->J_l[0] * t45 + link->J_l[3] * t46 + link->J_l[6] * t47) * REAL(1.7320508075688772);
+    const six_link_real force_eta_1 = t57 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t62
+        + t49 * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t58 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t62
+        + t49 * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t59 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t61
+        + t50 * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t60 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t61
+        + t50 * REAL(2.8145226674626453);
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0] + f_q[0];
+    const six_link_real t63 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
     const six_link_real p_2 = wrench_2 + (link->lever[1] * wrench_4 - link->lever[0] * wrench_6);
-    const six_link_real t61 = wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4);
-    const six_link_real p_1 = link->R_P[0] * t60 + link->R_P[2] * t61;
-    const six_link_real p_3 = link->R_P[6] * t60 + link->R_P[8] * t61;
+    const six_link_real t64 = wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t63 + link->R_P[2] * t64;
+    const six_link_real p_3 = link->R_P[6] * t63 + link->R_P[8] * t64;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
     const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[8] * wrench_6;
 
@@ -5528,6 +5936,8 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
     force[0] = force_1;
     base->p[0] = p_1;
     base->p[1] = p_2;
@@ -5548,35 +5958,40 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like forearm: 361 operations */
+/* inverse inward, links like forearm: 452 operations */
 SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
-    const six_link_real eta[2], const six_link_real etadot[2], const six_link_real w_ext[6],
-    const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real qdot[1],
-    six_link_real force_eta[2], six_link_real force[1], six_link_real wrench[6])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4],
+    const six_link_real eta[4], const six_link_real etadot[4], const six_link_real w_ext[6],
+    const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real m_q[1],
+    const six_link_real f_q[1], six_link_real force_eta[4], six_link_real force[1],
+    six_link_real wrench[6])
 {
     /* S: first moment */
-    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = c->S_B_z + eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
-    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
-    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -5601,12 +6016,12 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     const six_link_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
@@ -5648,8 +6063,12 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
         + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
+        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
         + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
+        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
 
     const six_link_real t11 = tip->p[0]
         - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
@@ -5670,36 +6089,45 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     const six_link_real t19 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
     const six_link_real t20 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
-        + c->sigma_y1 * etaddot[0];
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1]);
     const six_link_real t21 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
-        + c->sigma_y1 * etaddot[1];
-    const six_link_real wrench_1 = t17 + (L_y1 * etaddot[1] - L_z1 * etaddot[0]) + h_V_1
+        + (c->sigma_y1 * etaddot[2] + c->sigma_y2 * etaddot[3]);
+    const six_link_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3] + h_V_4;
+    const six_link_real wrench_1 = t17
+        + (L_y1 * etaddot[2] - (L_z1 * etaddot[0] + L_z2 * etaddot[1]) + L_y2 * etaddot[3]) + h_V_1
         + (t11 + (link->r_T[0] * t16 - link->r_T[1] * t15));
-    const six_link_real wrench_2 = t18 - c->chi_1 * etaddot[1] + h_V_2
+    const six_link_real wrench_2 = t18 - (c->chi_1 * etaddot[2] + c->chi_2 * etaddot[3]) + h_V_2
         + (t12 + (link->r_T[1] * t14 - c->length * t16));
-    const six_link_real wrench_3 = t19 + c->chi_1 * etaddot[0] + h_V_3
+    const six_link_real wrench_3 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1]) + h_V_3
         + (t13 + (c->length * t15 - link->r_T[0] * t14));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3] + h_V_4
-        + t14;
+    const six_link_real wrench_4 = motion_4 + t14;
     const six_link_real wrench_5 = t20 + h_V_5 + t15;
     const six_link_real wrench_6 = t21 + h_V_6 + t16;
     const six_link_real t22 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t23 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+    const six_link_real t23 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const six_link_real t24 = t22 + h_eta_1 + f_eta[0]
-        + c->Psi_c_z1 * (link->J_l[2] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13);
-    const six_link_real t25 = t23 + h_eta_2 + f_eta[1]
-        + c->Psi_c_y2 * (link->J_l[3] * t12 - link->J_l[1] * t11 + link->J_l[4] * t13);
-    const six_link_real force_eta_1 = t24 + t15 * REAL(2.23606797749979);
-    const six_link_real force_eta_2 = t25 + t16 * REAL(2.23606797749979);
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
-    const six_link_real t26 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
-    const six_link_real t27 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
-    const six_link_real t28 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
-    const six_link_real p_1 = link->R_P[0] * t26 + link->R_P[1] * t27 + link->R_P[2] * t28;
-    const six_link_real p_2 = link->R_P[3] * t26 + link->R_P[4] * t27 + link->R_P[5] * t28;
-    const six_link_real p_3 = link->R_P[6] * t26 + link->R_P[7] * t27 + link->R_P[8] * t28;
+    const six_link_real t24 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[2] * etaddot[2];
+    const six_link_real t25 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const six_link_real t26 = link->J_l[3] * t12 - link->J_l[1] * t11 + link->J_l[4] * t13;
+    const six_link_real t27 = link->J_l[2] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13;
+    const six_link_real force_eta_1 = t22 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t27
+        + t15 * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t23 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t27
+        + t15 * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t24 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t26
+        + t16 * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t25 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t26
+        + t16 * REAL(2.8145226674626453);
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0] + f_q[0];
+    const six_link_real t28 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
+    const six_link_real t29 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t30 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t28 + link->R_P[1] * t29 + link->R_P[2] * t30;
+    const six_link_real p_2 = link->R_P[3] * t28 + link->R_P[4] * t29 + link->R_P[5] * t30;
+    const six_link_real p_3 = link->R_P[6] * t28 + link->R_P[7] * t29 + link->R_P[8] * t30;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
     const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
     const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
@@ -5707,6 +6135,8 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     /* outputs */
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
+    force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
     force[0] = force_1;
     base->p[0] = p_1;
     base->p[1] = p_2;
@@ -5727,10 +6157,11 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like wrist_roll: 98 operations */
+/* inverse inward, links like wrist_roll: 97 operations */
 SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
+    six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -5756,7 +6187,7 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_cons
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t2;
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t3;
-    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real force_1 = wrench_1 + m_q[0] * qddot[0] + f_q[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * wrench_3;
     const six_link_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
     const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
@@ -5785,10 +6216,11 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_cons
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like wrist_pitch: 80 operations */
+/* inverse inward, links like wrist_pitch: 79 operations */
 SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
+    six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -5814,7 +6246,7 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_con
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (tip->p[3] - w_ext[3]);
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t2;
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t3;
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0] + f_q[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[2] * wrench_3;
     const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[8] * wrench_3;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
@@ -5841,10 +6273,11 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_con
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like flange: 176 operations */
+/* inverse inward, links like flange: 175 operations */
 SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
     const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real qdot[1], six_link_real force[1], six_link_real wrench[6])
+    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
+    six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -5894,7 +6327,7 @@ SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constant
     const six_link_real wrench_4 = c->mu * link->delta[3] + H_star_4 + (t17 - w_ext[3]);
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + H_star_5 + t20;
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + H_star_6 + t21;
-    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0] + c->joint_damping_1 * qdot[0];
+    const six_link_real force_1 = wrench_1 + m_q[0] * qddot[0] + f_q[0];
     const six_link_real p_2 = link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
     const six_link_real p_3 = link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
     const six_link_real p_5 = link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
@@ -5927,9 +6360,9 @@ SIX_LINK_PART six_link_status kinematics_shoulder_2(void)
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like upper_arm: 68 operations */
+/* kinematics, links like upper_arm: 76 operations */
 SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
-    const six_link_real q[1], const six_link_real eta[3])
+    const six_link_real q[1], const six_link_real eta[5])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5941,13 +6374,13 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
     const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t2 = theta_x * theta_x;
@@ -6041,9 +6474,9 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like forearm: 114 operations */
+/* kinematics, links like forearm: 122 operations */
 SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real eta[2])
+    six_link_node *tip, const six_link_real q[1], const six_link_real eta[4])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -6073,12 +6506,12 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
         + R_rel_zz * c->mount_xyz_z;
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -6210,38 +6643,40 @@ SIX_LINK_PART six_link_status kinematics_flange_2(six_link_link_store *link, con
 
 /* inverse inward, links like shoulder: 14 operations */
 SIX_LINK_PART six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real qddot[1], six_link_real force[1])
+    const six_link_real qddot[1], const six_link_real m_q[1], six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_x * tip->delta[4] + c->I_T_zz * tip->delta[2] + tip->p[2]
         + c->length * (c->body0_mass * tip->delta[4] + tip->delta[2] * c->S_T_x + tip->p[4]);
     const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + t1;
-    const six_link_real force_1 = wrench_3 + c->armature_1 * qddot[0];
+    const six_link_real force_1 = wrench_3 + m_q[0] * qddot[0];
 
     /* outputs */
     force[0] = force_1;
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like upper_arm: 280 operations */
+/* inverse inward, links like upper_arm: 330 operations */
 SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[3],
-    const six_link_real eta[3], const six_link_real m_eta[3], six_link_real force_eta[3],
-    six_link_real force[1])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5],
+    const six_link_real eta[5], const six_link_real m_eta[5], const six_link_real m_q[1],
+    six_link_real force_eta[5], six_link_real force[1])
 {
     /* S: first moment */
-    const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_y1;
+    const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_1 * eta[1];
-    const six_link_real J_yy = L_y1 * eta[0];
-    const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z1 * eta[1];
+    const six_link_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -6286,28 +6721,38 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_con
         + S_z * link->delta[3] - c->S_0_x * link->delta[5];
     const six_link_real t26 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
-    const six_link_real t27 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
-        + c->sigma_y1 * etaddot[0];
-    const six_link_real t28 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
-        + c->sigma_y1 * etaddot[1];
-    const six_link_real wrench_1 = t24 + (L_y1 * etaddot[1] - L_z1 * etaddot[0] + c->sigma_t_3 * etaddot[2])
-        + (t18 + (link->r_T[0] * t23 - link->r_T[1] * t22));
-    const six_link_real wrench_2 = t25 - c->chi_1 * etaddot[1] + (t19 + (link->r_T[1] * t21 - c->length * t23));
-    const six_link_real wrench_3 = t26 + c->chi_1 * etaddot[0] + (t20 + (c->length * t22 - link->r_T[0] * t21));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + t21;
-    const six_link_real wrench_5 = t27 + t22;
-    const six_link_real wrench_6 = t28 + t23;
-    const six_link_real t29 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
+    const six_link_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3];
+    const six_link_real t27 = L_y1 * etaddot[2] - (L_z1 * etaddot[0] + L_z2 * etaddot[1]) + L_y2 * etaddot[3]
+        + c->sigma_t_5 * etaddot[4];
+    const six_link_real t28 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->mu * link->delta[4]
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1]);
+    const six_link_real t29 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
+        + (c->sigma_y1 * etaddot[2] + c->sigma_y2 * etaddot[3]);
+    const six_link_real wrench_1 = t24 + t27 + (t18 + (link->r_T[0] * t23 - link->r_T[1] * t22));
+    const six_link_real wrench_2 = t25 - (c->chi_1 * etaddot[2] + c->chi_2 * etaddot[3])
+        + (t19 + (link->r_T[1] * t21 - c->length * t23));
+    const six_link_real wrench_3 = t26 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1])
+        + (t20 + (c->length * t22 - link->r_T[0] * t21));
+    const six_link_real wrench_4 = motion_4 + t21;
+    const six_link_real wrench_5 = t28 + t22;
+    const six_link_real wrench_6 = t29 + t23;
+    const six_link_real t30 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t30 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+    const six_link_real t31 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const six_link_real force_eta_3 = c->sigma_t_3 * link->delta[0] + m_eta[2] * etaddot[2]
-        + (link->J_l[0] * t18 + link->J_l[3] * t19 + link->J_l[6] * t20) * REAL(1.4142135623730951);
-    const six_link_real force_eta_1 = t29
-        + c->Psi_c_z1 * (link->J_l[2] * t18 + link->J_l[5] * t19 + link->J_l[8] * t20) + t22 * 2;
-    const six_link_real force_eta_2 = t30
-        + c->Psi_c_y2 * (link->J_l[1] * t18 + link->J_l[4] * t19 + link->J_l[7] * t20) + t23 * 2;
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
+    const six_link_real t32 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[2] * etaddot[2];
+    const six_link_real t33 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const six_link_real t34 = link->J_l[1] * t18 + link->J_l[4] * t19 + link->J_l[7] * t20;
+    const six_link_real t35 = link->J_l[2] * t18 + link->J_l[5] * t19 + link->J_l[8] * t20;
+    const six_link_real force_eta_5 = c->sigma_t_5 * link->delta[0] + m_eta[4] * etaddot[4]
+        + (link->J_l[0] * t18 + link->J_l[3] * t19 + link->J_l[6] * t20) * REAL(1.7320508075688772);
+    const six_link_real force_eta_1 = t30 + c->Psi_c_z1 * t35 + t22 * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t31 + c->Psi_c_z2 * t35 + t22 * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t32 + c->Psi_c_y3 * t34 + t23 * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t33 + c->Psi_c_y4 * t34 + t23 * REAL(2.8145226674626453);
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0];
     const six_link_real p_3 = link->R_P[6] * (wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5))
         + link->R_P[8] * (wrench_3 + (link->lever[0] * wrench_5 - c->mount_xyz_y * wrench_4));
 
@@ -6315,32 +6760,36 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_con
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
     force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
+    force_eta[4] = force_eta_5;
     force[0] = force_1;
     base->p[2] = p_3;
     base->p[4] = wrench_5;
     return SIX_LINK_OK;
 }
 
-/* inverse inward, links like forearm: 168 operations */
+/* inverse inward, links like forearm: 218 operations */
 SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[2],
-    const six_link_real eta[2], const six_link_real m_eta[2], six_link_real force_eta[2],
-    six_link_real force[1])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4],
+    const six_link_real eta[4], const six_link_real m_eta[4], const six_link_real m_q[1],
+    six_link_real force_eta[4], six_link_real force[1])
 {
     /* S: first moment */
-    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = c->S_B_z + eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
-    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
-    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -6353,37 +6802,42 @@ SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_const
         + S_z * link->delta[3] - c->S_0_x * link->delta[5];
     const six_link_real t3 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
+    const six_link_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3];
     const six_link_real t4 = c->S_0_x * link->delta[2] - S_z * link->delta[0] + c->m * link->delta[4]
-        + c->sigma_y1 * etaddot[0];
+        + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1]);
     const six_link_real t5 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->m * link->delta[5]
-        + c->sigma_y1 * etaddot[1];
-    const six_link_real wrench_1 = t1 + (L_y1 * etaddot[1] - L_z1 * etaddot[0])
+        + (c->sigma_y1 * etaddot[2] + c->sigma_y2 * etaddot[3]);
+    const six_link_real wrench_1 = t1
+        + (L_y1 * etaddot[2] - (L_z1 * etaddot[0] + L_z2 * etaddot[1]) + L_y2 * etaddot[3])
         + (tip->p[0] + (link->r_T[0] * tip->p[5] - link->r_T[1] * tip->p[4]));
-    const six_link_real wrench_2 = t2 - c->chi_1 * etaddot[1]
+    const six_link_real wrench_2 = t2 - (c->chi_1 * etaddot[2] + c->chi_2 * etaddot[3])
         + (tip->p[1] + (link->r_T[1] * tip->p[3] - c->length * tip->p[5]));
-    const six_link_real wrench_3 = t3 + c->chi_1 * etaddot[0]
+    const six_link_real wrench_3 = t3 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1])
         + (tip->p[2] + (c->length * tip->p[4] - link->r_T[0] * tip->p[3]));
-    const six_link_real wrench_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->m * link->delta[3]
-        + tip->p[3];
+    const six_link_real wrench_4 = motion_4 + tip->p[3];
     const six_link_real wrench_5 = t4 + tip->p[4];
     const six_link_real wrench_6 = t5 + tip->p[5];
     const six_link_real t6 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
-    const six_link_real t7 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+    const six_link_real t7 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
         + m_eta[1] * etaddot[1];
-    const six_link_real t8 = t6
-        + c->Psi_c_z1 * (link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2]);
-    const six_link_real t9 = t7
-        + c->Psi_c_y2 * (link->J_l[3] * tip->p[1] - link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[2]);
-    const six_link_real force_eta_1 = t8 + tip->p[4] * REAL(2.23606797749979);
-    const six_link_real force_eta_2 = t9 + tip->p[5] * REAL(2.23606797749979);
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
-    const six_link_real t10 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
-    const six_link_real t11 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
-    const six_link_real t12 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
-    const six_link_real p_1 = link->R_P[0] * t10 + link->R_P[1] * t11 + link->R_P[2] * t12;
-    const six_link_real p_2 = link->R_P[3] * t10 + link->R_P[4] * t11 + link->R_P[5] * t12;
-    const six_link_real p_3 = link->R_P[6] * t10 + link->R_P[7] * t11 + link->R_P[8] * t12;
+    const six_link_real t8 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + c->sigma_y1 * link->delta[5]
+        + m_eta[2] * etaddot[2];
+    const six_link_real t9 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + c->sigma_y2 * link->delta[5]
+        + m_eta[3] * etaddot[3];
+    const six_link_real t10 = link->J_l[3] * tip->p[1] - link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[2];
+    const six_link_real t11 = link->J_l[2] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[5] * tip->p[2];
+    const six_link_real force_eta_1 = t6 + c->Psi_c_z1 * t11 + tip->p[4] * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t7 + c->Psi_c_z2 * t11 + tip->p[4] * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t8 + c->Psi_c_y3 * t10 + tip->p[5] * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t9 + c->Psi_c_y4 * t10 + tip->p[5] * REAL(2.8145226674626453);
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0];
+    const six_link_real t12 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
+    const six_link_real t13 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
+    const six_link_real t14 = wrench_3 + (link->lever[0] * wrench_5 - link->lever[1] * wrench_4);
+    const six_link_real p_1 = link->R_P[0] * t12 + link->R_P[1] * t13 + link->R_P[2] * t14;
+    const six_link_real p_2 = link->R_P[3] * t12 + link->R_P[4] * t13 + link->R_P[5] * t14;
+    const six_link_real p_3 = link->R_P[6] * t12 + link->R_P[7] * t13 + link->R_P[8] * t14;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
     const six_link_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
     const six_link_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
@@ -6391,6 +6845,8 @@ SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_const
     /* outputs */
     force_eta[0] = force_eta_1;
     force_eta[1] = force_eta_2;
+    force_eta[2] = force_eta_3;
+    force_eta[3] = force_eta_4;
     force[0] = force_1;
     base->p[0] = p_1;
     base->p[1] = p_2;
@@ -6403,7 +6859,8 @@ SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_const
 
 /* inverse inward, links like wrist_roll: 56 operations */
 SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
+    six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
@@ -6413,7 +6870,7 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_co
     const six_link_real wrench_4 = c->mu * link->delta[3] + tip->p[3];
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + tip->p[4];
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + tip->p[5];
-    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0];
+    const six_link_real force_1 = wrench_1 + m_q[0] * qddot[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * wrench_3;
     const six_link_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
     const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
@@ -6434,7 +6891,8 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_co
 
 /* inverse inward, links like wrist_pitch: 38 operations */
 SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
+    six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
@@ -6444,7 +6902,7 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_c
     const six_link_real wrench_4 = c->mu * link->delta[3] + tip->p[3];
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + tip->p[4];
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + tip->p[5];
-    const six_link_real force_1 = wrench_2 + c->armature_1 * qddot[0];
+    const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0];
     const six_link_real p_1 = link->R_P[0] * wrench_1 + link->R_P[2] * wrench_3;
     const six_link_real p_3 = link->R_P[6] * wrench_1 + link->R_P[8] * wrench_3;
     const six_link_real p_4 = link->R_P[0] * wrench_4 + link->R_P[2] * wrench_6;
@@ -6463,7 +6921,8 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_c
 
 /* inverse inward, links like flange: 80 operations */
 SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], six_link_real force[1])
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
+    six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_y * tip->delta[5] - c->S_T_z * tip->delta[4]
         + (c->I_T_xx * tip->delta[0] - c->J_T_xy * tip->delta[1] - c->J_T_xz * tip->delta[2]);
@@ -6482,7 +6941,7 @@ SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_consta
         + (c->body0_mass * tip->delta[3] + (tip->delta[1] * c->S_T_z - tip->delta[2] * c->S_T_y));
     const six_link_real wrench_5 = c->S_0_x * link->delta[2] + c->mu * link->delta[4] + t4;
     const six_link_real wrench_6 = c->mu * link->delta[5] - c->S_0_x * link->delta[1] + t5;
-    const six_link_real force_1 = wrench_1 + c->armature_1 * qddot[0];
+    const six_link_real force_1 = wrench_1 + m_q[0] * qddot[0];
     const six_link_real p_2 = link->R_P[4] * wrench_2 + link->R_P[5] * wrench_3;
     const six_link_real p_3 = link->R_P[7] * wrench_2 + link->R_P[8] * wrench_3;
     const six_link_real p_5 = link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
@@ -6496,6 +6955,777 @@ SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_consta
     base->p[3] = wrench_4;
     base->p[4] = p_5;
     base->p[5] = p_6;
+    return SIX_LINK_OK;
+}
+
+/* velocities, links like shoulder: 1 operations */
+SIX_LINK_PART six_link_status velocities_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real qdot[1])
+{
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real v_T_y = c->length * qdot[0];
+
+    /* outputs */
+    tip->omega[2] = qdot[0];
+    tip->v[1] = v_T_y;
+    return SIX_LINK_OK;
+}
+
+/* velocities, links like upper_arm: 148 operations */
+SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
+    const six_link_real etadot[5])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
+
+    /* omega_R: angular velocity of the parent's tip */
+    const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
+    const six_link_real omega_R_z = R_rel_xx * base->omega[2];
+
+    /* v_R: velocity of the joint point */
+    const six_link_real t1 = c->mount_xyz_y * base->omega[2];
+    const six_link_real minus_v_R_x = R_rel_xx * t1;
+    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real minus_v_R_z = R_rel_xz * t1;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t2 = theta_x * theta_x;
+    const six_link_real t3 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t2 + t3;
+    const six_link_real t4 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t4;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t3 + t4;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t2 + t4;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const six_link_real t5 = c2 * theta_hat2_12;
+    const six_link_real t6 = c1 * theta_z;
+    const six_link_real R_T_xy = t5 - t6;
+    const six_link_real t7 = c1 * theta_y;
+    const six_link_real t8 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t7 + t8;
+    const six_link_real R_T_yx = t6 + t5;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real t9 = c2 * theta_hat2_23;
+    const six_link_real t10 = c1 * theta_x;
+    const six_link_real R_T_yz = t9 - t10;
+    const six_link_real R_T_zx = t8 - t7;
+    const six_link_real R_T_zy = t10 + t9;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t11 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t12 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t13 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real omega_s_x = thetadot_x + c2 * t11 + c3 * (theta_y * t12 - theta_z * t13);
+    const six_link_real omega_s_y = thetadot_y + c2 * t13 + c3 * (theta_z * t11 - theta_x * t12);
+    const six_link_real omega_s_z = thetadot_z + c2 * t12 + c3 * (theta_x * t13 - theta_y * t11);
+
+    /* omega_T: angular velocity of the tip section (46) */
+    const six_link_real t14 = omega_s_x - minus_omega_R_x;
+    const six_link_real t15 = omega_s_y + qdot[0];
+    const six_link_real t16 = omega_s_z + omega_R_z;
+    const six_link_real omega_T_x = R_T_xx * t14 + R_T_yx * t15 + R_T_zx * t16;
+    const six_link_real omega_T_y = R_T_xy * t14 + R_T_yy * t15 + R_T_zy * t16;
+    const six_link_real omega_T_z = R_T_xz * t14 + R_T_yz * t15 + R_T_zz * t16;
+
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real t17 = qdot[0] * r_T_z - minus_v_R_x - omega_R_z * r_T_y;
+    const six_link_real t18 = udot_T_y + v_R_y + c->length * omega_R_z + minus_omega_R_x * r_T_z;
+    const six_link_real t19 = udot_T_z - minus_v_R_z - minus_omega_R_x * r_T_y - c->length * qdot[0];
+    const six_link_real v_T_x = R_T_xx * t17 + R_T_yx * t18 + R_T_zx * t19;
+    const six_link_real v_T_y = R_T_xy * t17 + R_T_yy * t18 + R_T_zy * t19;
+    const six_link_real v_T_z = R_T_xz * t17 + R_T_yz * t18 + R_T_zz * t19;
+
+    /* outputs */
+    tip->omega[0] = omega_T_x;
+    tip->omega[1] = omega_T_y;
+    tip->omega[2] = omega_T_z;
+    tip->v[0] = v_T_x;
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return SIX_LINK_OK;
+}
+
+/* velocities, links like forearm: 165 operations */
+SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
+    const six_link_real etadot[4])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
+
+    /* omega_R: angular velocity of the parent's tip */
+    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
+        + R_rel_zx * base->omega[2];
+    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
+        + c->R_m_zy * base->omega[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
+        + R_rel_zz * base->omega[2];
+
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_y = omega_R_y + qdot[0];
+
+    /* v_R: velocity of the joint point */
+    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
+    const six_link_real t4 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
+    const six_link_real t5 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    const six_link_real v_R_x = R_rel_xx * t3 + R_rel_yx * t4 + R_rel_zx * t5;
+    const six_link_real v_R_y = c->R_m_xy * t3 + c->R_m_yy * t4 + c->R_m_zy * t5;
+    const six_link_real v_R_z = R_rel_xz * t3 + R_rel_yz * t4 + R_rel_zz * t5;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
+
+    /* x: squared angle of the tip section */
+    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+    const six_link_real c1 = 1 - x * c3;
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * x;
+    const six_link_real minus_R_T_xy = c1 * theta_z;
+    const six_link_real R_T_xz = c1 * theta_y;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real R_T_yz = c2 * theta_hat2_23;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t6 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t6;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t6;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t6;
+
+    /* omega_T: angular velocity of the tip section (46) */
+    const six_link_real t7 = omega_s_x + omega_R_x;
+    const six_link_real t8 = omega_s_y + omega_y;
+    const six_link_real t9 = omega_s_z + omega_R_z;
+    const six_link_real omega_T_x = R_T_xx * t7 + minus_R_T_xy * t8 - R_T_xz * t9;
+    const six_link_real omega_T_y = R_T_yy * t8 - minus_R_T_xy * t7 + R_T_yz * t9;
+    const six_link_real omega_T_z = R_T_xz * t7 + R_T_yz * t8 + R_T_zz * t9;
+
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real t10 = v_R_x + omega_y * r_T_z - omega_R_z * r_T_y;
+    const six_link_real t11 = udot_T_y + v_R_y + c->length * omega_R_z - omega_R_x * r_T_z;
+    const six_link_real t12 = udot_T_z + v_R_z + omega_R_x * r_T_y - c->length * omega_y;
+    const six_link_real v_T_x = R_T_xx * t10 + minus_R_T_xy * t11 - R_T_xz * t12;
+    const six_link_real v_T_y = R_T_yy * t11 - minus_R_T_xy * t10 + R_T_yz * t12;
+    const six_link_real v_T_z = R_T_xz * t10 + R_T_yz * t11 + R_T_zz * t12;
+
+    /* outputs */
+    tip->omega[0] = omega_T_x;
+    tip->omega[1] = omega_T_y;
+    tip->omega[2] = omega_T_z;
+    tip->v[0] = v_T_x;
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return SIX_LINK_OK;
+}
+
+/* velocities, links like wrist_roll: 19 operations */
+SIX_LINK_PART six_link_status velocities_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
+
+    /* omega_R: angular velocity of the parent's tip */
+    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_x = base->omega[0] + qdot[0];
+
+    /* v_R: velocity of the joint point */
+    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
+    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real v_T_y = v_R_y + c->length * omega_R_z;
+    const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
+
+    /* outputs */
+    tip->omega[0] = omega_x;
+    tip->omega[1] = omega_R_y;
+    tip->omega[2] = omega_R_z;
+    tip->v[0] = base->v[0];
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return SIX_LINK_OK;
+}
+
+/* velocities, links like wrist_pitch: 19 operations */
+SIX_LINK_PART six_link_status velocities_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
+
+    /* omega_R: angular velocity of the parent's tip */
+    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_y = base->omega[1] + qdot[0];
+
+    /* v_R: velocity of the joint point */
+    const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
+    const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
+
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real v_T_y = base->v[1] + c->length * omega_R_z;
+    const six_link_real v_T_z = v_R_z - c->length * omega_y;
+
+    /* outputs */
+    tip->omega[0] = omega_R_x;
+    tip->omega[1] = omega_y;
+    tip->omega[2] = omega_R_z;
+    tip->v[0] = v_R_x;
+    tip->v[1] = v_T_y;
+    tip->v[2] = v_T_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like shoulder: 7 operations */
+SIX_LINK_PART six_link_status poses_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1], six_link_real R[9],
+    six_link_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real t1 = -minus_R_rel_xy;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = c->mount_xyz_x + R_rel_xx * c->length;
+    const six_link_real r_tip_y = c->mount_xyz_y + minus_R_rel_xy * c->length;
+
+    /* outputs */
+    R[0] = R_rel_xx;
+    R[1] = t1;
+    R[2] = 0;
+    R[3] = minus_R_rel_xy;
+    R[4] = R_rel_xx;
+    R[5] = 0;
+    R[6] = 0;
+    R[7] = 0;
+    R[8] = 1;
+    r[0] = c->mount_xyz_x;
+    r[1] = c->mount_xyz_y;
+    r[2] = c->mount_xyz_z;
+    tip->R[0] = R_rel_xx;
+    tip->R[1] = t1;
+    tip->R[3] = minus_R_rel_xy;
+    tip->R[4] = R_rel_xx;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = c->mount_xyz_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like upper_arm: 120 operations */
+SIX_LINK_PART six_link_status poses_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real eta[5], six_link_real R[9], six_link_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
+
+    /* x: squared angle of the tip section */
+    const six_link_real t1 = theta_x * theta_x;
+    const six_link_real t2 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t1 + t2;
+    const six_link_real t3 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t3;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * (REAL(0.16666666666666666) - x * six_link_c5(x));
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t2 + t3;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t1 + t3;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const six_link_real t4 = c2 * theta_hat2_12;
+    const six_link_real t5 = c1 * theta_z;
+    const six_link_real R_T_xy = t4 - t5;
+    const six_link_real t6 = c1 * theta_y;
+    const six_link_real t7 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t6 + t7;
+    const six_link_real R_T_yx = t5 + t4;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real t8 = c2 * theta_hat2_23;
+    const six_link_real t9 = c1 * theta_x;
+    const six_link_real R_T_yz = t8 - t9;
+    const six_link_real R_T_zx = t7 - t6;
+    const six_link_real R_T_zy = t9 + t8;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * R_rel_xx;
+    const six_link_real R_xz = base->R[0] * R_rel_xz;
+    const six_link_real R_yx = base->R[3] * R_rel_xx;
+    const six_link_real R_yz = base->R[3] * R_rel_xz;
+    const six_link_real t10 = -R_rel_xz;
+    const six_link_real r_x = base->r[0] + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y);
+    const six_link_real r_y = base->r[1] + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y);
+    const six_link_real r_z = base->r[2] + c->mount_xyz_z;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real R_tip_xx = R_xx * R_T_xx + base->R[1] * R_T_yx + R_xz * R_T_zx;
+    const six_link_real R_tip_xy = R_xx * R_T_xy + base->R[1] * R_T_yy + R_xz * R_T_zy;
+    const six_link_real R_tip_xz = R_xx * R_T_xz + base->R[1] * R_T_yz + R_xz * R_T_zz;
+    const six_link_real R_tip_yx = R_yx * R_T_xx + base->R[4] * R_T_yx + R_yz * R_T_zx;
+    const six_link_real R_tip_yy = R_yx * R_T_xy + base->R[4] * R_T_yy + R_yz * R_T_zy;
+    const six_link_real R_tip_yz = R_yx * R_T_xz + base->R[4] * R_T_yz + R_yz * R_T_zz;
+    const six_link_real R_tip_zx = R_rel_xx * R_T_zx - R_rel_xz * R_T_xx;
+    const six_link_real R_tip_zy = R_rel_xx * R_T_zy - R_rel_xz * R_T_xy;
+    const six_link_real R_tip_zz = R_rel_xx * R_T_zz - R_rel_xz * R_T_xz;
+    const six_link_real r_tip_x = r_x + (R_xx * c->length + base->R[1] * r_T_y + R_xz * r_T_z);
+    const six_link_real r_tip_y = r_y + (R_yx * c->length + base->R[4] * r_T_y + R_yz * r_T_z);
+    const six_link_real r_tip_z = r_z + (R_rel_xx * r_T_z - R_rel_xz * c->length);
+
+    /* outputs */
+    R[0] = R_xx;
+    R[1] = base->R[1];
+    R[2] = R_xz;
+    R[3] = R_yx;
+    R[4] = base->R[4];
+    R[5] = R_yz;
+    R[6] = t10;
+    R[7] = 0;
+    R[8] = R_rel_xx;
+    r[0] = r_x;
+    r[1] = r_y;
+    r[2] = r_z;
+    tip->R[0] = R_tip_xx;
+    tip->R[1] = R_tip_xy;
+    tip->R[2] = R_tip_xz;
+    tip->R[3] = R_tip_yx;
+    tip->R[4] = R_tip_yy;
+    tip->R[5] = R_tip_yz;
+    tip->R[6] = R_tip_zx;
+    tip->R[7] = R_tip_zy;
+    tip->R[8] = R_tip_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like forearm: 179 operations */
+SIX_LINK_PART six_link_status poses_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], const six_link_real eta[4], six_link_real R[9], six_link_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real t1 = turn.sine, t2 = turn.cosine;
+    const six_link_real R_rel_xx = c->R_m_xx * t2 - c->R_m_xz * t1;
+    const six_link_real R_rel_xz = c->R_m_xx * t1 + c->R_m_xz * t2;
+    const six_link_real R_rel_yx = c->R_m_yx * t2 - c->R_m_yz * t1;
+    const six_link_real R_rel_yz = c->R_m_yx * t1 + c->R_m_yz * t2;
+    const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
+    const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
+
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
+
+    /* x: squared angle of the tip section */
+    const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * (REAL(0.16666666666666666) - x * six_link_c5(x));
+
+    /* c2: Stumpff function of order 2 */
+    const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * x;
+    const six_link_real minus_R_T_xy = c1 * theta_z;
+    const six_link_real R_T_xz = c1 * theta_y;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real R_T_yz = c2 * theta_hat2_23;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * R_rel_xx + base->R[1] * R_rel_yx + base->R[2] * R_rel_zx;
+    const six_link_real R_xy = base->R[0] * c->R_m_xy + base->R[1] * c->R_m_yy + base->R[2] * c->R_m_zy;
+    const six_link_real R_xz = base->R[0] * R_rel_xz + base->R[1] * R_rel_yz + base->R[2] * R_rel_zz;
+    const six_link_real R_yx = base->R[3] * R_rel_xx + base->R[4] * R_rel_yx + base->R[5] * R_rel_zx;
+    const six_link_real R_yy = base->R[3] * c->R_m_xy + base->R[4] * c->R_m_yy + base->R[5] * c->R_m_zy;
+    const six_link_real R_yz = base->R[3] * R_rel_xz + base->R[4] * R_rel_yz + base->R[5] * R_rel_zz;
+    const six_link_real R_zx = base->R[6] * R_rel_xx + base->R[7] * R_rel_yx + base->R[8] * R_rel_zx;
+    const six_link_real R_zy = base->R[6] * c->R_m_xy + base->R[7] * c->R_m_yy + base->R[8] * c->R_m_zy;
+    const six_link_real R_zz = base->R[6] * R_rel_xz + base->R[7] * R_rel_yz + base->R[8] * R_rel_zz;
+    const six_link_real r_x = base->r[0]
+        + (base->R[0] * c->mount_xyz_x + base->R[1] * c->mount_xyz_y + base->R[2] * c->mount_xyz_z);
+    const six_link_real r_y = base->r[1]
+        + (base->R[3] * c->mount_xyz_x + base->R[4] * c->mount_xyz_y + base->R[5] * c->mount_xyz_z);
+    const six_link_real r_z = base->r[2]
+        + (base->R[6] * c->mount_xyz_x + base->R[7] * c->mount_xyz_y + base->R[8] * c->mount_xyz_z);
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real R_tip_xx = R_xx * R_T_xx + R_xy * minus_R_T_xy - R_xz * R_T_xz;
+    const six_link_real R_tip_xy = R_xy * R_T_yy - R_xx * minus_R_T_xy + R_xz * R_T_yz;
+    const six_link_real R_tip_xz = R_xx * R_T_xz + R_xy * R_T_yz + R_xz * R_T_zz;
+    const six_link_real R_tip_yx = R_yx * R_T_xx + R_yy * minus_R_T_xy - R_yz * R_T_xz;
+    const six_link_real R_tip_yy = R_yy * R_T_yy - R_yx * minus_R_T_xy + R_yz * R_T_yz;
+    const six_link_real R_tip_yz = R_yx * R_T_xz + R_yy * R_T_yz + R_yz * R_T_zz;
+    const six_link_real R_tip_zx = R_zx * R_T_xx + R_zy * minus_R_T_xy - R_zz * R_T_xz;
+    const six_link_real R_tip_zy = R_zy * R_T_yy - R_zx * minus_R_T_xy + R_zz * R_T_yz;
+    const six_link_real R_tip_zz = R_zx * R_T_xz + R_zy * R_T_yz + R_zz * R_T_zz;
+    const six_link_real r_tip_x = r_x + (R_xx * c->length + R_xy * r_T_y + R_xz * r_T_z);
+    const six_link_real r_tip_y = r_y + (R_yx * c->length + R_yy * r_T_y + R_yz * r_T_z);
+    const six_link_real r_tip_z = r_z + (R_zx * c->length + R_zy * r_T_y + R_zz * r_T_z);
+
+    /* outputs */
+    R[0] = R_xx;
+    R[1] = R_xy;
+    R[2] = R_xz;
+    R[3] = R_yx;
+    R[4] = R_yy;
+    R[5] = R_yz;
+    R[6] = R_zx;
+    R[7] = R_zy;
+    R[8] = R_zz;
+    r[0] = r_x;
+    r[1] = r_y;
+    r[2] = r_z;
+    tip->R[0] = R_tip_xx;
+    tip->R[1] = R_tip_xy;
+    tip->R[2] = R_tip_xz;
+    tip->R[3] = R_tip_yx;
+    tip->R[4] = R_tip_yy;
+    tip->R[5] = R_tip_yz;
+    tip->R[6] = R_tip_zx;
+    tip->R[7] = R_tip_zy;
+    tip->R[8] = R_tip_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like wrist_roll: 26 operations */
+SIX_LINK_PART six_link_status poses_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], six_link_real R[9], six_link_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xy = base->R[1] * R_rel_yy + base->R[2] * minus_R_rel_yz;
+    const six_link_real R_xz = base->R[2] * R_rel_yy - base->R[1] * minus_R_rel_yz;
+    const six_link_real R_yy = base->R[4] * R_rel_yy + base->R[5] * minus_R_rel_yz;
+    const six_link_real R_yz = base->R[5] * R_rel_yy - base->R[4] * minus_R_rel_yz;
+    const six_link_real R_zy = base->R[7] * R_rel_yy + base->R[8] * minus_R_rel_yz;
+    const six_link_real R_zz = base->R[8] * R_rel_yy - base->R[7] * minus_R_rel_yz;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = base->r[0] + base->R[0] * c->length;
+    const six_link_real r_tip_y = base->r[1] + base->R[3] * c->length;
+    const six_link_real r_tip_z = base->r[2] + base->R[6] * c->length;
+
+    /* outputs */
+    R[0] = base->R[0];
+    R[1] = R_xy;
+    R[2] = R_xz;
+    R[3] = base->R[3];
+    R[4] = R_yy;
+    R[5] = R_yz;
+    R[6] = base->R[6];
+    R[7] = R_zy;
+    R[8] = R_zz;
+    r[0] = base->r[0];
+    r[1] = base->r[1];
+    r[2] = base->r[2];
+    tip->R[0] = base->R[0];
+    tip->R[1] = R_xy;
+    tip->R[2] = R_xz;
+    tip->R[3] = base->R[3];
+    tip->R[4] = R_yy;
+    tip->R[5] = R_yz;
+    tip->R[6] = base->R[6];
+    tip->R[7] = R_zy;
+    tip->R[8] = R_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* poses, links like wrist_pitch: 26 operations */
+SIX_LINK_PART six_link_status poses_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
+    const six_link_real q[1], six_link_real R[9], six_link_real r[3])
+{
+    /* R_rel: rotation of F_i relative to the parent's tip frame */
+    const six_link_sincos turn = six_link_sine_cosine(q[0]);
+    const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
+
+    /* pose: rotation and position of F_i in the inertial frame (Ad) */
+    const six_link_real R_xx = base->R[0] * R_rel_xx - base->R[2] * R_rel_xz;
+    const six_link_real R_xz = base->R[0] * R_rel_xz + base->R[2] * R_rel_xx;
+    const six_link_real R_yx = base->R[3] * R_rel_xx - base->R[5] * R_rel_xz;
+    const six_link_real R_yz = base->R[3] * R_rel_xz + base->R[5] * R_rel_xx;
+    const six_link_real R_zx = base->R[6] * R_rel_xx - base->R[8] * R_rel_xz;
+    const six_link_real R_zz = base->R[6] * R_rel_xz + base->R[8] * R_rel_xx;
+
+    /* pose: rotation and position of the tip section in the inertial frame (Ad) */
+    const six_link_real r_tip_x = base->r[0] + R_xx * c->length;
+    const six_link_real r_tip_y = base->r[1] + R_yx * c->length;
+    const six_link_real r_tip_z = base->r[2] + R_zx * c->length;
+
+    /* outputs */
+    R[0] = R_xx;
+    R[1] = base->R[1];
+    R[2] = R_xz;
+    R[3] = R_yx;
+    R[4] = base->R[4];
+    R[5] = R_yz;
+    R[6] = R_zx;
+    R[7] = base->R[7];
+    R[8] = R_zz;
+    r[0] = base->r[0];
+    r[1] = base->r[1];
+    r[2] = base->r[2];
+    tip->R[0] = R_xx;
+    tip->R[1] = base->R[1];
+    tip->R[2] = R_xz;
+    tip->R[3] = R_yx;
+    tip->R[4] = base->R[4];
+    tip->R[5] = R_yz;
+    tip->R[6] = R_zx;
+    tip->R[7] = base->R[7];
+    tip->R[8] = R_zz;
+    tip->r[0] = r_tip_x;
+    tip->r[1] = r_tip_y;
+    tip->r[2] = r_tip_z;
+    return SIX_LINK_OK;
+}
+
+/* tip twist, links like shoulder: 2 operations */
+SIX_LINK_PART six_link_status tip_twist_shoulder(const six_link_node *tip, six_link_real tip_twist[6])
+{
+    const six_link_real tip_twist_4 = tip->R[1] * tip->v[1];
+    const six_link_real tip_twist_5 = tip->R[4] * tip->v[1];
+
+    /* outputs */
+    tip_twist[0] = 0;
+    tip_twist[1] = 0;
+    tip_twist[2] = tip->omega[2];
+    tip_twist[3] = tip_twist_4;
+    tip_twist[4] = tip_twist_5;
+    tip_twist[5] = 0;
+    return SIX_LINK_OK;
+}
+
+/* tip twist, links like upper_arm: 30 operations */
+SIX_LINK_PART six_link_status tip_twist_upper_arm(const six_link_node *tip, six_link_real tip_twist[6])
+{
+    const six_link_real tip_twist_1 = tip->R[0] * tip->omega[0] + tip->R[1] * tip->omega[1]
+        + tip->R[2] * tip->omega[2];
+    const six_link_real tip_twist_2 = tip->R[3] * tip->omega[0] + tip->R[4] * tip->omega[1]
+        + tip->R[5] * tip->omega[2];
+    const six_link_real tip_twist_3 = tip->R[6] * tip->omega[0] + tip->R[7] * tip->omega[1]
+        + tip->R[8] * tip->omega[2];
+    const six_link_real tip_twist_4 = tip->R[0] * tip->v[0] + tip->R[1] * tip->v[1] + tip->R[2] * tip->v[2];
+    const six_link_real tip_twist_5 = tip->R[3] * tip->v[0] + tip->R[4] * tip->v[1] + tip->R[5] * tip->v[2];
+    const six_link_real tip_twist_6 = tip->R[6] * tip->v[0] + tip->R[7] * tip->v[1] + tip->R[8] * tip->v[2];
+
+    /* outputs */
+    tip_twist[0] = tip_twist_1;
+    tip_twist[1] = tip_twist_2;
+    tip_twist[2] = tip_twist_3;
+    tip_twist[3] = tip_twist_4;
+    tip_twist[4] = tip_twist_5;
+    tip_twist[5] = tip_twist_6;
+    return SIX_LINK_OK;
+}
+
+/* measure, links like shoulder: 0 operations */
+SIX_LINK_PART six_link_status measure_shoulder(six_link_real measures[restrict 4])
+{
+    /* outputs */
+    measures[0] = 0;
+    measures[1] = 0;
+    measures[2] = 0;
+    measures[3] = 0;
+    return SIX_LINK_OK;
+}
+
+/* measure, links like upper_arm: 33 operations */
+SIX_LINK_PART six_link_status measure_upper_arm(const six_link_link_constants *restrict c, const six_link_real motion[restrict 4],
+    const six_link_real wrench[restrict 6], const six_link_real eta[restrict 5],
+    six_link_real measures[restrict 4])
+{
+    /* deflection_T: transverse displacement of the tip, components y and z in F_i */
+    const six_link_real deflection_T_1 = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real deflection_T_2 = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* deflection_2: its square */
+    const six_link_real deflection_2 = deflection_T_1 * deflection_T_1 + deflection_T_2 * deflection_T_2;
+
+    /* deflection: transverse displacement of the tip over length */
+    const six_link_real deflection = six_link_sqrt(deflection_2) / c->length;
+    measures[0] = deflection;
+
+    /* slope_T: slope of the tip section, components y and z in F_i */
+    const six_link_real minus_slope_T_1 = eta[3] * REAL(21.453696215957475) / c->length
+        + eta[2] * REAL(2.7818912044528052) / c->length;
+    const six_link_real slope_T_2 = eta[1] * REAL(21.453696215957475) / c->length
+        + eta[0] * REAL(2.7818912044528052) / c->length;
+
+    /* slope_2: its square */
+    const six_link_real slope_2 = minus_slope_T_1 * minus_slope_T_1 + slope_T_2 * slope_T_2;
+
+    /* slope: slope of the tip section */
+    const six_link_real slope = six_link_sqrt(slope_2);
+    measures[1] = slope;
+
+    /* Omega_2: squared turn of the centreline */
+    const six_link_real Omega_2 = motion[0] * motion[0] + motion[1] * motion[1];
+
+    /* axial_load: axial load over buckling load, compression > 0 */
+    const six_link_real axial_load = motion[2] * c->per_acceleration + c->per_force * (wrench[3] - motion[3]);
+    measures[2] = axial_load;
+
+    /* rotation: Omega^2 rhoA l^4 / EI */
+    const six_link_real rotation = Omega_2 * c->per_turn;
+    measures[3] = rotation;
+    return SIX_LINK_OK;
+}
+
+/* measure, links like forearm: 33 operations */
+SIX_LINK_PART six_link_status measure_forearm(const six_link_link_constants *restrict c, const six_link_real motion[restrict 4],
+    const six_link_real wrench[restrict 6], const six_link_real eta[restrict 4],
+    six_link_real measures[restrict 4])
+{
+    /* deflection_T: transverse displacement of the tip, components y and z in F_i */
+    const six_link_real deflection_T_1 = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real deflection_T_2 = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
+    /* deflection_2: its square */
+    const six_link_real deflection_2 = deflection_T_1 * deflection_T_1 + deflection_T_2 * deflection_T_2;
+
+    /* deflection: transverse displacement of the tip over length */
+    const six_link_real deflection = six_link_sqrt(deflection_2) / c->length;
+    measures[0] = deflection;
+
+    /* slope_T: slope of the tip section, components y and z in F_i */
+    const six_link_real minus_slope_T_1 = eta[3] * REAL(21.453696215957475) / c->length
+        + eta[2] * REAL(2.7818912044528052) / c->length;
+    const six_link_real slope_T_2 = eta[1] * REAL(21.453696215957475) / c->length
+        + eta[0] * REAL(2.7818912044528052) / c->length;
+
+    /* slope_2: its square */
+    const six_link_real slope_2 = minus_slope_T_1 * minus_slope_T_1 + slope_T_2 * slope_T_2;
+
+    /* slope: slope of the tip section */
+    const six_link_real slope = six_link_sqrt(slope_2);
+    measures[1] = slope;
+
+    /* Omega_2: squared turn of the centreline */
+    const six_link_real Omega_2 = motion[0] * motion[0] + motion[1] * motion[1];
+
+    /* axial_load: axial load over buckling load, compression > 0 */
+    const six_link_real axial_load = motion[2] * c->per_acceleration + c->per_force * (wrench[3] - motion[3]);
+    measures[2] = axial_load;
+
+    /* rotation: Omega^2 rhoA l^4 / EI */
+    const six_link_real rotation = Omega_2 * c->per_turn;
+    measures[3] = rotation;
     return SIX_LINK_OK;
 }
 
@@ -6613,10 +7843,10 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like upper_arm: 590 operations */
+/* joint rows, links like upper_arm: 660 operations */
 SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real eta[3], const six_link_real etadot[3],
+    const six_link_real gravity[3], const six_link_real eta[5], const six_link_real etadot[5],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
@@ -6662,27 +7892,31 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
         + (1 + t8 * (t7 - t9)) * gravity[2];
 
     /* S: first moment */
-    const six_link_real S_y = eta[0] * c->sigma_y1;
-    const six_link_real S_z = eta[1] * c->sigma_y1;
+    const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->chi_1 * eta[0];
-    const six_link_real J_xz = c->chi_1 * eta[1];
-    const six_link_real J_yy = L_y1 * eta[0];
-    const six_link_real J_yz = L_z1 * eta[0];
-    const six_link_real J_zz = L_z1 * eta[1];
+    const six_link_real J_xy = c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -6706,12 +7940,12 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real minus_Omega_zz = t21 + t19;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
@@ -6722,8 +7956,8 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real h_c_6 = Sdot_y * twist[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_2 = h_c_2 + etadot[2] * twist[2] * c->sigma_t_3;
-    const six_link_real h_MD_3 = h_c_3 - etadot[2] * twist[1] * c->sigma_t_3;
+    const six_link_real h_MD_2 = h_c_2 + etadot[4] * twist[2] * c->sigma_t_5;
+    const six_link_real h_MD_3 = h_c_3 - etadot[4] * twist[1] * c->sigma_t_5;
 
     /* H_star: gyroscopic wrench and weight (29) */
     const six_link_real t22 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
@@ -6755,17 +7989,21 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
         + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
+        + a_0_y * c->sigma_y2 - Ldot_z2 * 2 * twist[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
         + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + a_0_z * c->sigma_y2 + Ldot_y2 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * 2;
-    const six_link_real r_T_z = eta[1] * 2;
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_x = eta[2] * REAL(1.4142135623730951);
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real t26 = theta_x * theta_x;
@@ -6825,13 +8063,13 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * 2;
-    const six_link_real udot_T_z = etadot[1] * 2;
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[2] * REAL(1.4142135623730951);
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t43 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -6845,7 +8083,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real omega_s_z = thetadot_z + c2 * t44 + c3 * t48;
 
     /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[2] * REAL(2.8284271247461903) * thetadot_x + theta_y * 2 * thetadot_y
+    const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
@@ -6943,7 +8181,9 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     link->M_V[6] = J_yz;
     link->M_V[7] = I_zz;
     link->M_D[0] = L_z1;
-    link->M_D[1] = L_y1;
+    link->M_D[1] = L_z2;
+    link->M_D[2] = L_y1;
+    link->M_D[3] = L_y2;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -6952,6 +8192,8 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     link->h_V[5] = h_V_6;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
+    link->h_eta[2] = h_eta_3;
+    link->h_eta[3] = h_eta_4;
     link->R_T[0] = R_T_xx;
     link->R_T[1] = R_T_xy;
     link->R_T[2] = R_T_xz;
@@ -7051,10 +8293,10 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     return SIX_LINK_OK;
 }
 
-/* joint rows, links like forearm: 542 operations */
+/* joint rows, links like forearm: 612 operations */
 SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
     const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real eta[2], const six_link_real etadot[2],
+    const six_link_real gravity[3], const six_link_real eta[4], const six_link_real etadot[4],
     const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
@@ -7110,27 +8352,31 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
         + (1 + t10 * (t9 - t11)) * gravity[2];
 
     /* S: first moment */
-    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1;
-    const six_link_real S_z = c->S_B_z + eta[1] * c->sigma_y1;
+    const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
+    const six_link_real S_z = c->S_B_z + eta[2] * c->sigma_y1 + eta[3] * c->sigma_y2;
 
     /* Sdot: rate of the first moment */
-    const six_link_real Sdot_y = etadot[0] * c->sigma_y1;
-    const six_link_real Sdot_z = etadot[1] * c->sigma_y1;
+    const six_link_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2;
+    const six_link_real Sdot_z = etadot[2] * c->sigma_y1 + etadot[3] * c->sigma_y2;
 
     /* L: first moment weighted by each mode shape (85) */
     const six_link_real L_y1 = c->mu * eta[0];
-    const six_link_real L_z1 = eta[1] * c->mu;
+    const six_link_real L_y2 = c->mu * eta[1];
+    const six_link_real L_z1 = eta[2] * c->mu;
+    const six_link_real L_z2 = eta[3] * c->mu;
 
     /* Ldot: rate of L */
     const six_link_real Ldot_y1 = c->mu * etadot[0];
-    const six_link_real Ldot_z1 = etadot[1] * c->mu;
+    const six_link_real Ldot_y2 = c->mu * etadot[1];
+    const six_link_real Ldot_z1 = etadot[2] * c->mu;
+    const six_link_real Ldot_z2 = etadot[3] * c->mu;
 
     /* J: second moment */
-    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0];
-    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[1];
-    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0];
-    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0];
-    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[1];
+    const six_link_real J_xy = c->J_B_xy + c->chi_1 * eta[0] + c->chi_2 * eta[1];
+    const six_link_real J_xz = c->J_B_xz + c->chi_1 * eta[2] + c->chi_2 * eta[3];
+    const six_link_real J_yy = c->J_B_yy + L_y1 * eta[0] + L_y2 * eta[1];
+    const six_link_real J_yz = c->J_B_yz + L_z1 * eta[0] + L_z2 * eta[1];
+    const six_link_real J_zz = c->J_B_zz + L_z1 * eta[2] + L_z2 * eta[3];
 
     /* I: inertia about the origin, deformed */
     const six_link_real I_xx = c->I_s + J_yy + J_zz;
@@ -7154,12 +8400,12 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real minus_Omega_zz = t23 + t21;
 
     /* B: moment of the elastic velocity */
-    const six_link_real B_yx = c->chi_1 * etadot[0];
-    const six_link_real B_yy = L_y1 * etadot[0];
-    const six_link_real B_yz = L_z1 * etadot[0];
-    const six_link_real B_zx = c->chi_1 * etadot[1];
-    const six_link_real B_zy = L_y1 * etadot[1];
-    const six_link_real B_zz = L_z1 * etadot[1];
+    const six_link_real B_yx = c->chi_1 * etadot[0] + c->chi_2 * etadot[1];
+    const six_link_real B_yy = L_y1 * etadot[0] + L_y2 * etadot[1];
+    const six_link_real B_yz = L_z1 * etadot[0] + L_z2 * etadot[1];
+    const six_link_real B_zx = c->chi_1 * etadot[2] + c->chi_2 * etadot[3];
+    const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
+    const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
     /* h_c: half of the Coriolis wrench */
     const six_link_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
@@ -7199,16 +8445,20 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
         + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
+        + a_0_y * c->sigma_y2 - Ldot_z2 * 2 * twist[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
         + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
+        + a_0_z * c->sigma_y2 + Ldot_y2 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[0] * REAL(2.23606797749979);
-    const six_link_real r_T_z = eta[1] * REAL(2.23606797749979);
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_y = c->Psi_c_y2 * eta[1];
-    const six_link_real theta_z = c->Psi_c_z1 * eta[0];
+    const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
+    const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_33 = theta_y * theta_y;
@@ -7243,12 +8493,12 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[0] * REAL(2.23606797749979);
-    const six_link_real udot_T_z = etadot[1] * REAL(2.23606797749979);
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y2 * etadot[1];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0];
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t30 = theta_y * thetadot_z - theta_z * thetadot_y;
@@ -7350,7 +8600,9 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     link->M_V[6] = J_yz;
     link->M_V[7] = I_zz;
     link->M_D[0] = L_z1;
-    link->M_D[1] = L_y1;
+    link->M_D[1] = L_z2;
+    link->M_D[2] = L_y1;
+    link->M_D[3] = L_y2;
     link->h_V[0] = h_V_1;
     link->h_V[1] = h_V_2;
     link->h_V[2] = h_V_3;
@@ -7359,6 +8611,8 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     link->h_V[5] = h_V_6;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
+    link->h_eta[2] = h_eta_3;
+    link->h_eta[3] = h_eta_4;
     link->R_T[0] = R_T_xx;
     link->R_T[1] = minus_R_T_xy;
     link->R_T[2] = R_T_xz;
@@ -8004,14 +9258,16 @@ SIX_LINK_PART six_link_status link_rows_shoulder(const six_link_link_constants *
     return SIX_LINK_OK;
 }
 
-/* link rows, links like upper_arm: 1590 operations */
+/* link rows, links like upper_arm: 2195 operations */
 SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real m_eta[3], const six_link_real f_eta[3], const six_link_real w_ext[6],
-    six_link_real eta_H[3], six_link_real eta_W[3], const int *place, six_link_real *M,
+    const six_link_real m_eta[5], const six_link_real f_eta[5], const six_link_real w_ext[6],
+    six_link_real eta_H[5], six_link_real eta_W[5], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
     const six_link_real t1 = link->h_eta[0] + f_eta[0];
     const six_link_real t2 = link->h_eta[1] + f_eta[1];
+    const six_link_real t3 = link->h_eta[2] + f_eta[2];
+    const six_link_real t4 = link->h_eta[3] + f_eta[3];
 
     /* J_TV: twist of the tip section from that of F_i (46) */
     const six_link_real J_TV_41 = link->R_T[6] * link->r_T[0] - link->R_T[3] * link->r_T[1];
@@ -8025,200 +9281,284 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real J_TV_63 = link->R_T[5] * c->length - link->R_T[2] * link->r_T[0];
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const six_link_real t3 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real t4 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real t5 = link->J_l[8] * c->Psi_c_z1;
-    const six_link_real J_Teta_11 = link->R_T[0] * t3 + link->R_T[3] * t4 + link->R_T[6] * t5;
-    const six_link_real t6 = link->J_l[1] * c->Psi_c_y2;
-    const six_link_real t7 = link->J_l[4] * c->Psi_c_y2;
-    const six_link_real t8 = link->J_l[7] * c->Psi_c_y2;
-    const six_link_real J_Teta_12 = link->R_T[0] * t6 + link->R_T[3] * t7 + link->R_T[6] * t8;
-    const six_link_real t9 = link->J_l[0] * REAL(1.4142135623730951);
-    const six_link_real t10 = link->J_l[3] * REAL(1.4142135623730951);
-    const six_link_real t11 = link->J_l[6] * REAL(1.4142135623730951);
-    const six_link_real J_Teta_13 = link->R_T[0] * t9 + link->R_T[3] * t10 + link->R_T[6] * t11;
-    const six_link_real J_Teta_21 = link->R_T[1] * t3 + link->R_T[4] * t4 + link->R_T[7] * t5;
-    const six_link_real J_Teta_22 = link->R_T[1] * t6 + link->R_T[4] * t7 + link->R_T[7] * t8;
-    const six_link_real J_Teta_23 = link->R_T[1] * t9 + link->R_T[4] * t10 + link->R_T[7] * t11;
-    const six_link_real J_Teta_31 = link->R_T[2] * t3 + link->R_T[5] * t4 + link->R_T[8] * t5;
-    const six_link_real J_Teta_32 = link->R_T[2] * t6 + link->R_T[5] * t7 + link->R_T[8] * t8;
-    const six_link_real J_Teta_33 = link->R_T[2] * t9 + link->R_T[5] * t10 + link->R_T[8] * t11;
-    const six_link_real J_Teta_41 = link->R_T[3] * 2;
-    const six_link_real J_Teta_42 = link->R_T[6] * 2;
-    const six_link_real J_Teta_51 = link->R_T[4] * 2;
-    const six_link_real J_Teta_52 = link->R_T[7] * 2;
-    const six_link_real J_Teta_61 = link->R_T[5] * 2;
-    const six_link_real J_Teta_62 = link->R_T[8] * 2;
+    const six_link_real t5 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real t6 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real t7 = link->J_l[8] * c->Psi_c_z1;
+    const six_link_real J_Teta_11 = link->R_T[0] * t5 + link->R_T[3] * t6 + link->R_T[6] * t7;
+    const six_link_real t8 = link->J_l[2] * c->Psi_c_z2;
+    const six_link_real t9 = link->J_l[5] * c->Psi_c_z2;
+    const six_link_real t10 = link->J_l[8] * c->Psi_c_z2;
+    const six_link_real J_Teta_12 = link->R_T[0] * t8 + link->R_T[3] * t9 + link->R_T[6] * t10;
+    const six_link_real t11 = link->J_l[1] * c->Psi_c_y3;
+    const six_link_real t12 = link->J_l[4] * c->Psi_c_y3;
+    const six_link_real t13 = link->J_l[7] * c->Psi_c_y3;
+    const six_link_real J_Teta_13 = link->R_T[0] * t11 + link->R_T[3] * t12 + link->R_T[6] * t13;
+    const six_link_real t14 = link->J_l[1] * c->Psi_c_y4;
+    const six_link_real t15 = link->J_l[4] * c->Psi_c_y4;
+    const six_link_real t16 = link->J_l[7] * c->Psi_c_y4;
+    const six_link_real J_Teta_14 = link->R_T[0] * t14 + link->R_T[3] * t15 + link->R_T[6] * t16;
+    const six_link_real t17 = link->J_l[0] * REAL(1.7320508075688772);
+    const six_link_real t18 = link->J_l[3] * REAL(1.7320508075688772);
+    const six_link_real t19 = link->J_l[6] * REAL(1.7320508075688772);
+    const six_link_real J_Teta_15 = link->R_T[0] * t17 + link->R_T[3] * t18 + link->R_T[6] * t19;
+    const six_link_real J_Teta_21 = link->R_T[1] * t5 + link->R_T[4] * t6 + link->R_T[7] * t7;
+    const six_link_real J_Teta_22 = link->R_T[1] * t8 + link->R_T[4] * t9 + link->R_T[7] * t10;
+    const six_link_real J_Teta_23 = link->R_T[1] * t11 + link->R_T[4] * t12 + link->R_T[7] * t13;
+    const six_link_real J_Teta_24 = link->R_T[1] * t14 + link->R_T[4] * t15 + link->R_T[7] * t16;
+    const six_link_real J_Teta_25 = link->R_T[1] * t17 + link->R_T[4] * t18 + link->R_T[7] * t19;
+    const six_link_real J_Teta_31 = link->R_T[2] * t5 + link->R_T[5] * t6 + link->R_T[8] * t7;
+    const six_link_real J_Teta_32 = link->R_T[2] * t8 + link->R_T[5] * t9 + link->R_T[8] * t10;
+    const six_link_real J_Teta_33 = link->R_T[2] * t11 + link->R_T[5] * t12 + link->R_T[8] * t13;
+    const six_link_real J_Teta_34 = link->R_T[2] * t14 + link->R_T[5] * t15 + link->R_T[8] * t16;
+    const six_link_real J_Teta_35 = link->R_T[2] * t17 + link->R_T[5] * t18 + link->R_T[8] * t19;
+    const six_link_real J_Teta_41 = link->R_T[3] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_42 = link->R_T[3] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_43 = link->R_T[6] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_44 = link->R_T[6] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_51 = link->R_T[4] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_52 = link->R_T[4] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_53 = link->R_T[7] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_54 = link->R_T[7] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_61 = link->R_T[5] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_62 = link->R_T[5] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_63 = link->R_T[8] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_64 = link->R_T[8] * REAL(2.8145226674626453);
 
     /* V_V: twist rows, twist columns (100) */
-    const six_link_real t12 = c->S_T_z * link->R_T[1];
-    const six_link_real t13 = c->S_T_y * link->R_T[2];
-    const six_link_real t14 = J_TV_41 * c->body0_mass + t12 - t13;
-    const six_link_real t15 = c->S_T_z * link->R_T[0];
-    const six_link_real t16 = c->S_T_x * link->R_T[2];
-    const six_link_real t17 = J_TV_51 * c->body0_mass - t15 + t16;
-    const six_link_real t18 = c->S_T_y * link->R_T[0];
-    const six_link_real t19 = c->S_T_x * link->R_T[1];
-    const six_link_real t20 = J_TV_61 * c->body0_mass + t18 - t19;
-    const six_link_real t21 = J_TV_61 * c->S_T_y - J_TV_51 * c->S_T_z + c->I_T_xx * link->R_T[0]
+    const six_link_real t20 = c->S_T_z * link->R_T[1];
+    const six_link_real t21 = c->S_T_y * link->R_T[2];
+    const six_link_real t22 = J_TV_41 * c->body0_mass + t20 - t21;
+    const six_link_real t23 = c->S_T_z * link->R_T[0];
+    const six_link_real t24 = c->S_T_x * link->R_T[2];
+    const six_link_real t25 = J_TV_51 * c->body0_mass - t23 + t24;
+    const six_link_real t26 = c->S_T_y * link->R_T[0];
+    const six_link_real t27 = c->S_T_x * link->R_T[1];
+    const six_link_real t28 = J_TV_61 * c->body0_mass + t26 - t27;
+    const six_link_real t29 = J_TV_61 * c->S_T_y - J_TV_51 * c->S_T_z + c->I_T_xx * link->R_T[0]
         - c->J_T_xy * link->R_T[1] - c->J_T_xz * link->R_T[2];
-    const six_link_real t22 = J_TV_41 * c->S_T_z - J_TV_61 * c->S_T_x - c->J_T_xy * link->R_T[0]
+    const six_link_real t30 = J_TV_41 * c->S_T_z - J_TV_61 * c->S_T_x - c->J_T_xy * link->R_T[0]
         + c->I_T_yy * link->R_T[1] - c->J_T_yz * link->R_T[2];
-    const six_link_real t23 = link->M_V[0] + J_TV_41 * t14 + J_TV_51 * t17 + J_TV_61 * t20 + link->R_T[0] * t21
-        + link->R_T[1] * t22;
-    const six_link_real t24 = J_TV_51 * c->S_T_x - J_TV_41 * c->S_T_y - c->J_T_xz * link->R_T[0]
+    const six_link_real t31 = link->M_V[0] + J_TV_41 * t22 + J_TV_51 * t25 + J_TV_61 * t28 + link->R_T[0] * t29
+        + link->R_T[1] * t30;
+    const six_link_real t32 = J_TV_51 * c->S_T_x - J_TV_41 * c->S_T_y - c->J_T_xz * link->R_T[0]
         - c->J_T_yz * link->R_T[1] + c->I_T_zz * link->R_T[2];
-    const six_link_real V_V_11 = t23 + link->R_T[2] * t24;
-    const six_link_real t25 = J_TV_42 * t14 - link->M_V[1] + J_TV_52 * t17 + J_TV_62 * t20 + link->R_T[3] * t21
-        + link->R_T[4] * t22;
-    const six_link_real V_V_12 = t25 + link->R_T[5] * t24;
-    const six_link_real t26 = J_TV_43 * t14 - link->M_V[2] + J_TV_53 * t17 + J_TV_63 * t20 + link->R_T[6] * t21
-        + link->R_T[7] * t22;
-    const six_link_real V_V_13 = t26 + link->R_T[8] * t24;
-    const six_link_real V_V_14 = link->R_T[0] * t14 + link->R_T[1] * t17 + link->R_T[2] * t20;
-    const six_link_real V_V_15 = link->R_T[3] * t14 - link->M_V[3] + link->R_T[4] * t17 + link->R_T[5] * t20;
-    const six_link_real V_V_16 = link->M_V[4] + link->R_T[6] * t14 + link->R_T[7] * t17 + link->R_T[8] * t20;
-    const six_link_real t27 = c->S_T_z * link->R_T[4];
-    const six_link_real t28 = c->S_T_y * link->R_T[5];
-    const six_link_real t29 = J_TV_42 * c->body0_mass + t27 - t28;
-    const six_link_real t30 = c->S_T_z * link->R_T[3];
-    const six_link_real t31 = c->S_T_x * link->R_T[5];
-    const six_link_real t32 = J_TV_52 * c->body0_mass - t30 + t31;
-    const six_link_real t33 = c->S_T_y * link->R_T[3];
-    const six_link_real t34 = c->S_T_x * link->R_T[4];
-    const six_link_real t35 = J_TV_62 * c->body0_mass + t33 - t34;
-    const six_link_real t36 = J_TV_62 * c->S_T_y - J_TV_52 * c->S_T_z + c->I_T_xx * link->R_T[3]
+    const six_link_real V_V_11 = t31 + link->R_T[2] * t32;
+    const six_link_real t33 = J_TV_42 * t22 - link->M_V[1] + J_TV_52 * t25 + J_TV_62 * t28 + link->R_T[3] * t29
+        + link->R_T[4] * t30;
+    const six_link_real V_V_12 = t33 + link->R_T[5] * t32;
+    const six_link_real t34 = J_TV_43 * t22 - link->M_V[2] + J_TV_53 * t25 + J_TV_63 * t28 + link->R_T[6] * t29
+        + link->R_T[7] * t30;
+    const six_link_real V_V_13 = t34 + link->R_T[8] * t32;
+    const six_link_real V_V_14 = link->R_T[0] * t22 + link->R_T[1] * t25 + link->R_T[2] * t28;
+    const six_link_real V_V_15 = link->R_T[3] * t22 - link->M_V[3] + link->R_T[4] * t25 + link->R_T[5] * t28;
+    const six_link_real V_V_16 = link->M_V[4] + link->R_T[6] * t22 + link->R_T[7] * t25 + link->R_T[8] * t28;
+    const six_link_real t35 = c->S_T_z * link->R_T[4];
+    const six_link_real t36 = c->S_T_y * link->R_T[5];
+    const six_link_real t37 = J_TV_42 * c->body0_mass + t35 - t36;
+    const six_link_real t38 = c->S_T_z * link->R_T[3];
+    const six_link_real t39 = c->S_T_x * link->R_T[5];
+    const six_link_real t40 = J_TV_52 * c->body0_mass - t38 + t39;
+    const six_link_real t41 = c->S_T_y * link->R_T[3];
+    const six_link_real t42 = c->S_T_x * link->R_T[4];
+    const six_link_real t43 = J_TV_62 * c->body0_mass + t41 - t42;
+    const six_link_real t44 = J_TV_62 * c->S_T_y - J_TV_52 * c->S_T_z + c->I_T_xx * link->R_T[3]
         - c->J_T_xy * link->R_T[4] - c->J_T_xz * link->R_T[5];
-    const six_link_real t37 = J_TV_42 * c->S_T_z - J_TV_62 * c->S_T_x - c->J_T_xy * link->R_T[3]
+    const six_link_real t45 = J_TV_42 * c->S_T_z - J_TV_62 * c->S_T_x - c->J_T_xy * link->R_T[3]
         + c->I_T_yy * link->R_T[4] - c->J_T_yz * link->R_T[5];
-    const six_link_real t38 = link->M_V[5] + J_TV_42 * t29 + J_TV_52 * t32 + J_TV_62 * t35 + link->R_T[3] * t36
-        + link->R_T[4] * t37;
-    const six_link_real t39 = J_TV_52 * c->S_T_x - J_TV_42 * c->S_T_y - c->J_T_xz * link->R_T[3]
+    const six_link_real t46 = link->M_V[5] + J_TV_42 * t37 + J_TV_52 * t40 + J_TV_62 * t43 + link->R_T[3] * t44
+        + link->R_T[4] * t45;
+    const six_link_real t47 = J_TV_52 * c->S_T_x - J_TV_42 * c->S_T_y - c->J_T_xz * link->R_T[3]
         - c->J_T_yz * link->R_T[4] + c->I_T_zz * link->R_T[5];
-    const six_link_real V_V_22 = t38 + link->R_T[5] * t39;
-    const six_link_real t40 = J_TV_43 * t29 - link->M_V[6] + J_TV_53 * t32 + J_TV_63 * t35 + link->R_T[6] * t36
-        + link->R_T[7] * t37;
-    const six_link_real V_V_23 = t40 + link->R_T[8] * t39;
-    const six_link_real V_V_24 = link->M_V[3] + link->R_T[0] * t29 + link->R_T[1] * t32 + link->R_T[2] * t35;
-    const six_link_real V_V_25 = link->R_T[3] * t29 + link->R_T[4] * t32 + link->R_T[5] * t35;
-    const six_link_real V_V_26 = link->R_T[6] * t29 - c->S_0_x + link->R_T[7] * t32 + link->R_T[8] * t35;
-    const six_link_real t41 = c->S_T_z * link->R_T[7];
-    const six_link_real t42 = c->S_T_y * link->R_T[8];
-    const six_link_real t43 = J_TV_43 * c->body0_mass + t41 - t42;
-    const six_link_real t44 = c->S_T_z * link->R_T[6];
-    const six_link_real t45 = c->S_T_x * link->R_T[8];
-    const six_link_real t46 = J_TV_53 * c->body0_mass - t44 + t45;
-    const six_link_real t47 = c->S_T_y * link->R_T[6];
-    const six_link_real t48 = c->S_T_x * link->R_T[7];
-    const six_link_real t49 = J_TV_63 * c->body0_mass + t47 - t48;
-    const six_link_real t50 = J_TV_63 * c->S_T_y - J_TV_53 * c->S_T_z + c->I_T_xx * link->R_T[6]
+    const six_link_real V_V_22 = t46 + link->R_T[5] * t47;
+    const six_link_real t48 = J_TV_43 * t37 - link->M_V[6] + J_TV_53 * t40 + J_TV_63 * t43 + link->R_T[6] * t44
+        + link->R_T[7] * t45;
+    const six_link_real V_V_23 = t48 + link->R_T[8] * t47;
+    const six_link_real V_V_24 = link->M_V[3] + link->R_T[0] * t37 + link->R_T[1] * t40 + link->R_T[2] * t43;
+    const six_link_real V_V_25 = link->R_T[3] * t37 + link->R_T[4] * t40 + link->R_T[5] * t43;
+    const six_link_real V_V_26 = link->R_T[6] * t37 - c->S_0_x + link->R_T[7] * t40 + link->R_T[8] * t43;
+    const six_link_real t49 = c->S_T_z * link->R_T[7];
+    const six_link_real t50 = c->S_T_y * link->R_T[8];
+    const six_link_real t51 = J_TV_43 * c->body0_mass + t49 - t50;
+    const six_link_real t52 = c->S_T_z * link->R_T[6];
+    const six_link_real t53 = c->S_T_x * link->R_T[8];
+    const six_link_real t54 = J_TV_53 * c->body0_mass - t52 + t53;
+    const six_link_real t55 = c->S_T_y * link->R_T[6];
+    const six_link_real t56 = c->S_T_x * link->R_T[7];
+    const six_link_real t57 = J_TV_63 * c->body0_mass + t55 - t56;
+    const six_link_real t58 = J_TV_63 * c->S_T_y - J_TV_53 * c->S_T_z + c->I_T_xx * link->R_T[6]
         - c->J_T_xy * link->R_T[7] - c->J_T_xz * link->R_T[8];
-    const six_link_real t51 = J_TV_43 * c->S_T_z - J_TV_63 * c->S_T_x - c->J_T_xy * link->R_T[6]
+    const six_link_real t59 = J_TV_43 * c->S_T_z - J_TV_63 * c->S_T_x - c->J_T_xy * link->R_T[6]
         + c->I_T_yy * link->R_T[7] - c->J_T_yz * link->R_T[8];
-    const six_link_real t52 = link->M_V[7] + J_TV_43 * t43 + J_TV_53 * t46 + J_TV_63 * t49 + link->R_T[6] * t50
-        + link->R_T[7] * t51;
-    const six_link_real t53 = J_TV_53 * c->S_T_x - J_TV_43 * c->S_T_y - c->J_T_xz * link->R_T[6]
+    const six_link_real t60 = link->M_V[7] + J_TV_43 * t51 + J_TV_53 * t54 + J_TV_63 * t57 + link->R_T[6] * t58
+        + link->R_T[7] * t59;
+    const six_link_real t61 = J_TV_53 * c->S_T_x - J_TV_43 * c->S_T_y - c->J_T_xz * link->R_T[6]
         - c->J_T_yz * link->R_T[7] + c->I_T_zz * link->R_T[8];
-    const six_link_real V_V_33 = t52 + link->R_T[8] * t53;
-    const six_link_real V_V_34 = link->R_T[0] * t43 - link->M_V[4] + link->R_T[1] * t46 + link->R_T[2] * t49;
-    const six_link_real V_V_35 = c->S_0_x + link->R_T[3] * t43 + link->R_T[4] * t46 + link->R_T[5] * t49;
-    const six_link_real V_V_36 = link->R_T[6] * t43 + link->R_T[7] * t46 + link->R_T[8] * t49;
-    const six_link_real t54 = c->body0_mass * link->R_T[0];
-    const six_link_real t55 = c->body0_mass * link->R_T[1];
-    const six_link_real t56 = c->body0_mass * link->R_T[2];
-    const six_link_real V_V_44 = c->mu + link->R_T[0] * t54 + link->R_T[1] * t55 + link->R_T[2] * t56;
-    const six_link_real V_V_45 = link->R_T[3] * t54 + link->R_T[4] * t55 + link->R_T[5] * t56;
-    const six_link_real V_V_46 = link->R_T[6] * t54 + link->R_T[7] * t55 + link->R_T[8] * t56;
-    const six_link_real t57 = c->body0_mass * link->R_T[3];
-    const six_link_real t58 = c->body0_mass * link->R_T[4];
-    const six_link_real t59 = c->body0_mass * link->R_T[5];
-    const six_link_real V_V_55 = c->mu + link->R_T[3] * t57 + link->R_T[4] * t58 + link->R_T[5] * t59;
-    const six_link_real V_V_56 = link->R_T[6] * t57 + link->R_T[7] * t58 + link->R_T[8] * t59;
-    const six_link_real t60 = c->body0_mass * link->R_T[6];
-    const six_link_real t61 = c->body0_mass * link->R_T[7];
-    const six_link_real t62 = c->body0_mass * link->R_T[8];
-    const six_link_real V_V_66 = c->mu + link->R_T[6] * t60 + link->R_T[7] * t61 + link->R_T[8] * t62;
+    const six_link_real V_V_33 = t60 + link->R_T[8] * t61;
+    const six_link_real V_V_34 = link->R_T[0] * t51 - link->M_V[4] + link->R_T[1] * t54 + link->R_T[2] * t57;
+    const six_link_real V_V_35 = c->S_0_x + link->R_T[3] * t51 + link->R_T[4] * t54 + link->R_T[5] * t57;
+    const six_link_real V_V_36 = link->R_T[6] * t51 + link->R_T[7] * t54 + link->R_T[8] * t57;
+    const six_link_real t62 = c->body0_mass * link->R_T[0];
+    const six_link_real t63 = c->body0_mass * link->R_T[1];
+    const six_link_real t64 = c->body0_mass * link->R_T[2];
+    const six_link_real V_V_44 = c->mu + link->R_T[0] * t62 + link->R_T[1] * t63 + link->R_T[2] * t64;
+    const six_link_real V_V_45 = link->R_T[3] * t62 + link->R_T[4] * t63 + link->R_T[5] * t64;
+    const six_link_real V_V_46 = link->R_T[6] * t62 + link->R_T[7] * t63 + link->R_T[8] * t64;
+    const six_link_real t65 = c->body0_mass * link->R_T[3];
+    const six_link_real t66 = c->body0_mass * link->R_T[4];
+    const six_link_real t67 = c->body0_mass * link->R_T[5];
+    const six_link_real V_V_55 = c->mu + link->R_T[3] * t65 + link->R_T[4] * t66 + link->R_T[5] * t67;
+    const six_link_real V_V_56 = link->R_T[6] * t65 + link->R_T[7] * t66 + link->R_T[8] * t67;
+    const six_link_real t68 = c->body0_mass * link->R_T[6];
+    const six_link_real t69 = c->body0_mass * link->R_T[7];
+    const six_link_real t70 = c->body0_mass * link->R_T[8];
+    const six_link_real V_V_66 = c->mu + link->R_T[6] * t68 + link->R_T[7] * t69 + link->R_T[8] * t70;
 
     /* V_eta: twist rows, modal columns (100) */
-    const six_link_real t63 = J_Teta_11 * t21 - link->M_D[0] + J_Teta_21 * t22 + J_Teta_31 * t24
-        + J_Teta_41 * t14 + J_Teta_51 * t17;
-    const six_link_real V_eta_11 = t63 + J_Teta_61 * t20;
-    const six_link_real t64 = link->M_D[1] + J_Teta_12 * t21 + J_Teta_22 * t22 + J_Teta_32 * t24
-        + J_Teta_42 * t14 + J_Teta_52 * t17;
-    const six_link_real V_eta_12 = t64 + J_Teta_62 * t20;
-    const six_link_real V_eta_13 = c->sigma_t_3 + J_Teta_13 * t21 + J_Teta_23 * t22 + J_Teta_33 * t24;
-    const six_link_real V_eta_21 = J_Teta_11 * t36 + J_Teta_21 * t37 + J_Teta_31 * t39 + J_Teta_41 * t29
-        + J_Teta_51 * t32 + J_Teta_61 * t35;
-    const six_link_real t65 = J_Teta_12 * t36 - c->chi_1 + J_Teta_22 * t37 + J_Teta_32 * t39 + J_Teta_42 * t29
-        + J_Teta_52 * t32;
-    const six_link_real V_eta_22 = t65 + J_Teta_62 * t35;
-    const six_link_real V_eta_23 = J_Teta_13 * t36 + J_Teta_23 * t37 + J_Teta_33 * t39;
-    const six_link_real t66 = c->chi_1 + J_Teta_11 * t50 + J_Teta_21 * t51 + J_Teta_31 * t53 + J_Teta_41 * t43
-        + J_Teta_51 * t46;
-    const six_link_real V_eta_31 = t66 + J_Teta_61 * t49;
-    const six_link_real V_eta_32 = J_Teta_12 * t50 + J_Teta_22 * t51 + J_Teta_32 * t53 + J_Teta_42 * t43
-        + J_Teta_52 * t46 + J_Teta_62 * t49;
-    const six_link_real V_eta_33 = J_Teta_13 * t50 + J_Teta_23 * t51 + J_Teta_33 * t53;
-    const six_link_real t67 = t13 - t12;
-    const six_link_real t68 = t15 - t16;
-    const six_link_real t69 = t19 - t18;
-    const six_link_real V_eta_41 = J_Teta_11 * t67 + J_Teta_21 * t68 + J_Teta_31 * t69 + J_Teta_41 * t54
-        + J_Teta_51 * t55 + J_Teta_61 * t56;
-    const six_link_real V_eta_42 = J_Teta_12 * t67 + J_Teta_22 * t68 + J_Teta_32 * t69 + J_Teta_42 * t54
-        + J_Teta_52 * t55 + J_Teta_62 * t56;
-    const six_link_real V_eta_43 = J_Teta_13 * t67 + J_Teta_23 * t68 + J_Teta_33 * t69;
-    const six_link_real t70 = t28 - t27;
-    const six_link_real t71 = t30 - t31;
-    const six_link_real t72 = t34 - t33;
-    const six_link_real t73 = c->sigma_y1 + J_Teta_11 * t70 + J_Teta_21 * t71 + J_Teta_31 * t72 + J_Teta_41 * t57
-        + J_Teta_51 * t58;
-    const six_link_real V_eta_51 = t73 + J_Teta_61 * t59;
-    const six_link_real V_eta_52 = J_Teta_12 * t70 + J_Teta_22 * t71 + J_Teta_32 * t72 + J_Teta_42 * t57
-        + J_Teta_52 * t58 + J_Teta_62 * t59;
-    const six_link_real V_eta_53 = J_Teta_13 * t70 + J_Teta_23 * t71 + J_Teta_33 * t72;
-    const six_link_real t74 = t42 - t41;
-    const six_link_real t75 = t44 - t45;
-    const six_link_real t76 = t48 - t47;
-    const six_link_real V_eta_61 = J_Teta_11 * t74 + J_Teta_21 * t75 + J_Teta_31 * t76 + J_Teta_41 * t60
-        + J_Teta_51 * t61 + J_Teta_61 * t62;
-    const six_link_real t77 = c->sigma_y1 + J_Teta_12 * t74 + J_Teta_22 * t75 + J_Teta_32 * t76 + J_Teta_42 * t60
-        + J_Teta_52 * t61;
-    const six_link_real V_eta_62 = t77 + J_Teta_62 * t62;
-    const six_link_real V_eta_63 = J_Teta_13 * t74 + J_Teta_23 * t75 + J_Teta_33 * t76;
+    const six_link_real t71 = J_Teta_11 * t29 - link->M_D[0] + J_Teta_21 * t30 + J_Teta_31 * t32
+        + J_Teta_41 * t22 + J_Teta_51 * t25;
+    const six_link_real V_eta_11 = t71 + J_Teta_61 * t28;
+    const six_link_real t72 = J_Teta_12 * t29 - link->M_D[1] + J_Teta_22 * t30 + J_Teta_32 * t32
+        + J_Teta_42 * t22 + J_Teta_52 * t25;
+    const six_link_real V_eta_12 = t72 + J_Teta_62 * t28;
+    const six_link_real t73 = link->M_D[2] + J_Teta_13 * t29 + J_Teta_23 * t30 + J_Teta_33 * t32
+        + J_Teta_43 * t22 + J_Teta_53 * t25;
+    const six_link_real V_eta_13 = t73 + J_Teta_63 * t28;
+    const six_link_real t74 = link->M_D[3] + J_Teta_14 * t29 + J_Teta_24 * t30 + J_Teta_34 * t32
+        + J_Teta_44 * t22 + J_Teta_54 * t25;
+    const six_link_real V_eta_14 = t74 + J_Teta_64 * t28;
+    const six_link_real V_eta_15 = c->sigma_t_5 + J_Teta_15 * t29 + J_Teta_25 * t30 + J_Teta_35 * t32;
+    const six_link_real V_eta_21 = J_Teta_11 * t44 + J_Teta_21 * t45 + J_Teta_31 * t47 + J_Teta_41 * t37
+        + J_Teta_51 * t40 + J_Teta_61 * t43;
+    const six_link_real V_eta_22 = J_Teta_12 * t44 + J_Teta_22 * t45 + J_Teta_32 * t47 + J_Teta_42 * t37
+        + J_Teta_52 * t40 + J_Teta_62 * t43;
+    const six_link_real t75 = J_Teta_13 * t44 - c->chi_1 + J_Teta_23 * t45 + J_Teta_33 * t47 + J_Teta_43 * t37
+        + J_Teta_53 * t40;
+    const six_link_real V_eta_23 = t75 + J_Teta_63 * t43;
+    const six_link_real t76 = J_Teta_14 * t44 - c->chi_2 + J_Teta_24 * t45 + J_Teta_34 * t47 + J_Teta_44 * t37
+        + J_Teta_54 * t40;
+    const six_link_real V_eta_24 = t76 + J_Teta_64 * t43;
+    const six_link_real V_eta_25 = J_Teta_15 * t44 + J_Teta_25 * t45 + J_Teta_35 * t47;
+    const six_link_real t77 = c->chi_1 + J_Teta_11 * t58 + J_Teta_21 * t59 + J_Teta_31 * t61 + J_Teta_41 * t51
+        + J_Teta_51 * t54;
+    const six_link_real V_eta_31 = t77 + J_Teta_61 * t57;
+    const six_link_real t78 = c->chi_2 + J_Teta_12 * t58 + J_Teta_22 * t59 + J_Teta_32 * t61 + J_Teta_42 * t51
+        + J_Teta_52 * t54;
+    const six_link_real V_eta_32 = t78 + J_Teta_62 * t57;
+    const six_link_real V_eta_33 = J_Teta_13 * t58 + J_Teta_23 * t59 + J_Teta_33 * t61 + J_Teta_43 * t51
+        + J_Teta_53 * t54 + J_Teta_63 * t57;
+    const six_link_real V_eta_34 = J_Teta_14 * t58 + J_Teta_24 * t59 + J_Teta_34 * t61 + J_Teta_44 * t51
+        + J_Teta_54 * t54 + J_Teta_64 * t57;
+    const six_link_real V_eta_35 = J_Teta_15 * t58 + J_Teta_25 * t59 + J_Teta_35 * t61;
+    const six_link_real t79 = t21 - t20;
+    const six_link_real t80 = t23 - t24;
+    const six_link_real t81 = t27 - t26;
+    const six_link_real V_eta_41 = J_Teta_11 * t79 + J_Teta_21 * t80 + J_Teta_31 * t81 + J_Teta_41 * t62
+        + J_Teta_51 * t63 + J_Teta_61 * t64;
+    const six_link_real V_eta_42 = J_Teta_12 * t79 + J_Teta_22 * t80 + J_Teta_32 * t81 + J_Teta_42 * t62
+        + J_Teta_52 * t63 + J_Teta_62 * t64;
+    const six_link_real V_eta_43 = J_Teta_13 * t79 + J_Teta_23 * t80 + J_Teta_33 * t81 + J_Teta_43 * t62
+        + J_Teta_53 * t63 + J_Teta_63 * t64;
+    const six_link_real V_eta_44 = J_Teta_14 * t79 + J_Teta_24 * t80 + J_Teta_34 * t81 + J_Teta_44 * t62
+        + J_Teta_54 * t63 + J_Teta_64 * t64;
+    const six_link_real V_eta_45 = J_Teta_15 * t79 + J_Teta_25 * t80 + J_Teta_35 * t81;
+    const six_link_real t82 = t36 - t35;
+    const six_link_real t83 = t38 - t39;
+    const six_link_real t84 = t42 - t41;
+    const six_link_real t85 = c->sigma_y1 + J_Teta_11 * t82 + J_Teta_21 * t83 + J_Teta_31 * t84 + J_Teta_41 * t65
+        + J_Teta_51 * t66;
+    const six_link_real V_eta_51 = t85 + J_Teta_61 * t67;
+    const six_link_real t86 = c->sigma_y2 + J_Teta_12 * t82 + J_Teta_22 * t83 + J_Teta_32 * t84 + J_Teta_42 * t65
+        + J_Teta_52 * t66;
+    const six_link_real V_eta_52 = t86 + J_Teta_62 * t67;
+    const six_link_real V_eta_53 = J_Teta_13 * t82 + J_Teta_23 * t83 + J_Teta_33 * t84 + J_Teta_43 * t65
+        + J_Teta_53 * t66 + J_Teta_63 * t67;
+    const six_link_real V_eta_54 = J_Teta_14 * t82 + J_Teta_24 * t83 + J_Teta_34 * t84 + J_Teta_44 * t65
+        + J_Teta_54 * t66 + J_Teta_64 * t67;
+    const six_link_real V_eta_55 = J_Teta_15 * t82 + J_Teta_25 * t83 + J_Teta_35 * t84;
+    const six_link_real t87 = t50 - t49;
+    const six_link_real t88 = t52 - t53;
+    const six_link_real t89 = t56 - t55;
+    const six_link_real V_eta_61 = J_Teta_11 * t87 + J_Teta_21 * t88 + J_Teta_31 * t89 + J_Teta_41 * t68
+        + J_Teta_51 * t69 + J_Teta_61 * t70;
+    const six_link_real V_eta_62 = J_Teta_12 * t87 + J_Teta_22 * t88 + J_Teta_32 * t89 + J_Teta_42 * t68
+        + J_Teta_52 * t69 + J_Teta_62 * t70;
+    const six_link_real t90 = c->sigma_y1 + J_Teta_13 * t87 + J_Teta_23 * t88 + J_Teta_33 * t89 + J_Teta_43 * t68
+        + J_Teta_53 * t69;
+    const six_link_real V_eta_63 = t90 + J_Teta_63 * t70;
+    const six_link_real t91 = c->sigma_y2 + J_Teta_14 * t87 + J_Teta_24 * t88 + J_Teta_34 * t89 + J_Teta_44 * t68
+        + J_Teta_54 * t69;
+    const six_link_real V_eta_64 = t91 + J_Teta_64 * t70;
+    const six_link_real V_eta_65 = J_Teta_15 * t87 + J_Teta_25 * t88 + J_Teta_35 * t89;
 
     /* eta_eta: modal rows, modal columns (100) */
-    const six_link_real t78 = J_Teta_11 * c->I_T_xx - J_Teta_21 * c->J_T_xy - J_Teta_31 * c->J_T_xz
+    const six_link_real t92 = J_Teta_11 * c->I_T_xx - J_Teta_21 * c->J_T_xy - J_Teta_31 * c->J_T_xz
         - J_Teta_51 * c->S_T_z + J_Teta_61 * c->S_T_y;
-    const six_link_real t79 = J_Teta_21 * c->I_T_yy - J_Teta_11 * c->J_T_xy - J_Teta_31 * c->J_T_yz
+    const six_link_real t93 = J_Teta_21 * c->I_T_yy - J_Teta_11 * c->J_T_xy - J_Teta_31 * c->J_T_yz
         + J_Teta_41 * c->S_T_z - J_Teta_61 * c->S_T_x;
-    const six_link_real t80 = J_Teta_31 * c->I_T_zz - (J_Teta_11 * c->J_T_xz + J_Teta_21 * c->J_T_yz)
+    const six_link_real t94 = J_Teta_31 * c->I_T_zz - (J_Teta_11 * c->J_T_xz + J_Teta_21 * c->J_T_yz)
         - J_Teta_41 * c->S_T_y + J_Teta_51 * c->S_T_x;
-    const six_link_real t81 = J_Teta_21 * c->S_T_z - J_Teta_31 * c->S_T_y + J_Teta_41 * c->body0_mass;
-    const six_link_real t82 = J_Teta_31 * c->S_T_x - J_Teta_11 * c->S_T_z + J_Teta_51 * c->body0_mass;
-    const six_link_real t83 = m_eta[0] + J_Teta_11 * t78 + J_Teta_21 * t79 + J_Teta_31 * t80 + J_Teta_41 * t81
-        + J_Teta_51 * t82;
-    const six_link_real t84 = J_Teta_11 * c->S_T_y - J_Teta_21 * c->S_T_x + J_Teta_61 * c->body0_mass;
-    const six_link_real eta_eta_11 = t83 + J_Teta_61 * t84;
-    const six_link_real eta_eta_12 = J_Teta_12 * t78 + J_Teta_22 * t79 + J_Teta_32 * t80 + J_Teta_42 * t81
-        + J_Teta_52 * t82 + J_Teta_62 * t84;
-    const six_link_real eta_eta_13 = J_Teta_13 * t78 + J_Teta_23 * t79 + J_Teta_33 * t80;
-    const six_link_real t85 = J_Teta_12 * c->I_T_xx - J_Teta_22 * c->J_T_xy - J_Teta_32 * c->J_T_xz
+    const six_link_real t95 = J_Teta_21 * c->S_T_z - J_Teta_31 * c->S_T_y + J_Teta_41 * c->body0_mass;
+    const six_link_real t96 = J_Teta_31 * c->S_T_x - J_Teta_11 * c->S_T_z + J_Teta_51 * c->body0_mass;
+    const six_link_real t97 = m_eta[0] + J_Teta_11 * t92 + J_Teta_21 * t93 + J_Teta_31 * t94 + J_Teta_41 * t95
+        + J_Teta_51 * t96;
+    const six_link_real t98 = J_Teta_11 * c->S_T_y - J_Teta_21 * c->S_T_x + J_Teta_61 * c->body0_mass;
+    const six_link_real eta_eta_11 = t97 + J_Teta_61 * t98;
+    const six_link_real eta_eta_12 = J_Teta_12 * t92 + J_Teta_22 * t93 + J_Teta_32 * t94 + J_Teta_42 * t95
+        + J_Teta_52 * t96 + J_Teta_62 * t98;
+    const six_link_real eta_eta_13 = J_Teta_13 * t92 + J_Teta_23 * t93 + J_Teta_33 * t94 + J_Teta_43 * t95
+        + J_Teta_53 * t96 + J_Teta_63 * t98;
+    const six_link_real eta_eta_14 = J_Teta_14 * t92 + J_Teta_24 * t93 + J_Teta_34 * t94 + J_Teta_44 * t95
+        + J_Teta_54 * t96 + J_Teta_64 * t98;
+    const six_link_real eta_eta_15 = J_Teta_15 * t92 + J_Teta_25 * t93 + J_Teta_35 * t94;
+    const six_link_real t99 = J_Teta_12 * c->I_T_xx - J_Teta_22 * c->J_T_xy - J_Teta_32 * c->J_T_xz
         - J_Teta_52 * c->S_T_z + J_Teta_62 * c->S_T_y;
-    const six_link_real t86 = J_Teta_22 * c->I_T_yy - J_Teta_12 * c->J_T_xy - J_Teta_32 * c->J_T_yz
+    const six_link_real t100 = J_Teta_22 * c->I_T_yy - J_Teta_12 * c->J_T_xy - J_Teta_32 * c->J_T_yz
         + J_Teta_42 * c->S_T_z - J_Teta_62 * c->S_T_x;
-    const six_link_real t87 = J_Teta_32 * c->I_T_zz - (J_Teta_12 * c->J_T_xz + J_Teta_22 * c->J_T_yz)
+    const six_link_real t101 = J_Teta_32 * c->I_T_zz - (J_Teta_12 * c->J_T_xz + J_Teta_22 * c->J_T_yz)
         - J_Teta_42 * c->S_T_y + J_Teta_52 * c->S_T_x;
-    const six_link_real t88 = m_eta[1] + J_Teta_12 * t85 + J_Teta_22 * t86 + J_Teta_32 * t87
-        + J_Teta_42 * (J_Teta_22 * c->S_T_z - J_Teta_32 * c->S_T_y + J_Teta_42 * c->body0_mass);
-    const six_link_real eta_eta_22 = t88
-        + J_Teta_52 * (J_Teta_32 * c->S_T_x - J_Teta_12 * c->S_T_z + J_Teta_52 * c->body0_mass)
-        + J_Teta_62 * (J_Teta_12 * c->S_T_y - J_Teta_22 * c->S_T_x + J_Teta_62 * c->body0_mass);
-    const six_link_real eta_eta_23 = J_Teta_13 * t85 + J_Teta_23 * t86 + J_Teta_33 * t87;
-    const six_link_real t89 = m_eta[2]
-        + J_Teta_13 * (J_Teta_13 * c->I_T_xx - J_Teta_23 * c->J_T_xy - J_Teta_33 * c->J_T_xz)
-        + J_Teta_23 * (J_Teta_23 * c->I_T_yy - J_Teta_13 * c->J_T_xy - J_Teta_33 * c->J_T_yz);
-    const six_link_real eta_eta_33 = t89
-        + J_Teta_33 * (J_Teta_33 * c->I_T_zz - (J_Teta_13 * c->J_T_xz + J_Teta_23 * c->J_T_yz));
+    const six_link_real t102 = J_Teta_22 * c->S_T_z - J_Teta_32 * c->S_T_y + J_Teta_42 * c->body0_mass;
+    const six_link_real t103 = J_Teta_32 * c->S_T_x - J_Teta_12 * c->S_T_z + J_Teta_52 * c->body0_mass;
+    const six_link_real t104 = m_eta[1] + J_Teta_12 * t99 + J_Teta_22 * t100 + J_Teta_32 * t101
+        + J_Teta_42 * t102 + J_Teta_52 * t103;
+    const six_link_real t105 = J_Teta_12 * c->S_T_y - J_Teta_22 * c->S_T_x + J_Teta_62 * c->body0_mass;
+    const six_link_real eta_eta_22 = t104 + J_Teta_62 * t105;
+    const six_link_real eta_eta_23 = J_Teta_13 * t99 + J_Teta_23 * t100 + J_Teta_33 * t101 + J_Teta_43 * t102
+        + J_Teta_53 * t103 + J_Teta_63 * t105;
+    const six_link_real eta_eta_24 = J_Teta_14 * t99 + J_Teta_24 * t100 + J_Teta_34 * t101 + J_Teta_44 * t102
+        + J_Teta_54 * t103 + J_Teta_64 * t105;
+    const six_link_real eta_eta_25 = J_Teta_15 * t99 + J_Teta_25 * t100 + J_Teta_35 * t101;
+    const six_link_real t106 = J_Teta_13 * c->I_T_xx - J_Teta_23 * c->J_T_xy - J_Teta_33 * c->J_T_xz
+        - J_Teta_53 * c->S_T_z + J_Teta_63 * c->S_T_y;
+    const six_link_real t107 = J_Teta_23 * c->I_T_yy - J_Teta_13 * c->J_T_xy - J_Teta_33 * c->J_T_yz
+        + J_Teta_43 * c->S_T_z - J_Teta_63 * c->S_T_x;
+    const six_link_real t108 = J_Teta_33 * c->I_T_zz - (J_Teta_13 * c->J_T_xz + J_Teta_23 * c->J_T_yz)
+        - J_Teta_43 * c->S_T_y + J_Teta_53 * c->S_T_x;
+    const six_link_real t109 = J_Teta_23 * c->S_T_z - J_Teta_33 * c->S_T_y + J_Teta_43 * c->body0_mass;
+    const six_link_real t110 = J_Teta_33 * c->S_T_x - J_Teta_13 * c->S_T_z + J_Teta_53 * c->body0_mass;
+    const six_link_real t111 = m_eta[2] + J_Teta_13 * t106 + J_Teta_23 * t107 + J_Teta_33 * t108
+        + J_Teta_43 * t109 + J_Teta_53 * t110;
+    const six_link_real t112 = J_Teta_13 * c->S_T_y - J_Teta_23 * c->S_T_x + J_Teta_63 * c->body0_mass;
+    const six_link_real eta_eta_33 = t111 + J_Teta_63 * t112;
+    const six_link_real eta_eta_34 = J_Teta_14 * t106 + J_Teta_24 * t107 + J_Teta_34 * t108 + J_Teta_44 * t109
+        + J_Teta_54 * t110 + J_Teta_64 * t112;
+    const six_link_real eta_eta_35 = J_Teta_15 * t106 + J_Teta_25 * t107 + J_Teta_35 * t108;
+    const six_link_real t113 = J_Teta_14 * c->I_T_xx - J_Teta_24 * c->J_T_xy - J_Teta_34 * c->J_T_xz
+        - J_Teta_54 * c->S_T_z + J_Teta_64 * c->S_T_y;
+    const six_link_real t114 = J_Teta_24 * c->I_T_yy - J_Teta_14 * c->J_T_xy - J_Teta_34 * c->J_T_yz
+        + J_Teta_44 * c->S_T_z - J_Teta_64 * c->S_T_x;
+    const six_link_real t115 = J_Teta_34 * c->I_T_zz - (J_Teta_14 * c->J_T_xz + J_Teta_24 * c->J_T_yz)
+        - J_Teta_44 * c->S_T_y + J_Teta_54 * c->S_T_x;
+    const six_link_real t116 = m_eta[3] + J_Teta_14 * t113 + J_Teta_24 * t114 + J_Teta_34 * t115
+        + J_Teta_44 * (J_Teta_24 * c->S_T_z - J_Teta_34 * c->S_T_y + J_Teta_44 * c->body0_mass);
+    const six_link_real eta_eta_44 = t116
+        + J_Teta_54 * (J_Teta_34 * c->S_T_x - J_Teta_14 * c->S_T_z + J_Teta_54 * c->body0_mass)
+        + J_Teta_64 * (J_Teta_14 * c->S_T_y - J_Teta_24 * c->S_T_x + J_Teta_64 * c->body0_mass);
+    const six_link_real eta_eta_45 = J_Teta_15 * t113 + J_Teta_25 * t114 + J_Teta_35 * t115;
+    const six_link_real t117 = m_eta[4]
+        + J_Teta_15 * (J_Teta_15 * c->I_T_xx - J_Teta_25 * c->J_T_xy - J_Teta_35 * c->J_T_xz)
+        + J_Teta_25 * (J_Teta_25 * c->I_T_yy - J_Teta_15 * c->J_T_xy - J_Teta_35 * c->J_T_yz);
+    const six_link_real eta_eta_55 = t117
+        + J_Teta_35 * (J_Teta_35 * c->I_T_zz - (J_Teta_15 * c->J_T_xz + J_Teta_25 * c->J_T_yz));
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
     const six_link_real V_next_11 = link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1]
@@ -8227,45 +9567,45 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + link->R_T[2] * tip->X[8];
     const six_link_real V_next_13 = link->R_T[0] * tip->X[12] + link->R_T[1] * tip->X[13]
         + link->R_T[2] * tip->X[14];
-    const six_link_real t90 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22] + J_TV_61 * tip->X[23]
+    const six_link_real t118 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22] + J_TV_61 * tip->X[23]
         + link->R_T[0] * tip->X[18] + link->R_T[1] * tip->X[19];
-    const six_link_real V_next_14 = t90 + link->R_T[2] * tip->X[20];
-    const six_link_real t91 = J_TV_41 * tip->X[27] + J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29]
+    const six_link_real V_next_14 = t118 + link->R_T[2] * tip->X[20];
+    const six_link_real t119 = J_TV_41 * tip->X[27] + J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29]
         + link->R_T[0] * tip->X[24] + link->R_T[1] * tip->X[25];
-    const six_link_real V_next_15 = t91 + link->R_T[2] * tip->X[26];
-    const six_link_real t92 = J_TV_41 * tip->X[33] + J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35]
+    const six_link_real V_next_15 = t119 + link->R_T[2] * tip->X[26];
+    const six_link_real t120 = J_TV_41 * tip->X[33] + J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35]
         + link->R_T[0] * tip->X[30] + link->R_T[1] * tip->X[31];
-    const six_link_real V_next_16 = t92 + link->R_T[2] * tip->X[32];
+    const six_link_real V_next_16 = t120 + link->R_T[2] * tip->X[32];
     const six_link_real V_next_21 = link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1]
         + link->R_T[5] * tip->X[2];
     const six_link_real V_next_22 = link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7]
         + link->R_T[5] * tip->X[8];
     const six_link_real V_next_23 = link->R_T[3] * tip->X[12] + link->R_T[4] * tip->X[13]
         + link->R_T[5] * tip->X[14];
-    const six_link_real t93 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
+    const six_link_real t121 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
         + link->R_T[3] * tip->X[18] + link->R_T[4] * tip->X[19];
-    const six_link_real V_next_24 = t93 + link->R_T[5] * tip->X[20];
-    const six_link_real t94 = J_TV_42 * tip->X[27] + J_TV_52 * tip->X[28] + J_TV_62 * tip->X[29]
+    const six_link_real V_next_24 = t121 + link->R_T[5] * tip->X[20];
+    const six_link_real t122 = J_TV_42 * tip->X[27] + J_TV_52 * tip->X[28] + J_TV_62 * tip->X[29]
         + link->R_T[3] * tip->X[24] + link->R_T[4] * tip->X[25];
-    const six_link_real V_next_25 = t94 + link->R_T[5] * tip->X[26];
-    const six_link_real t95 = J_TV_42 * tip->X[33] + J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
+    const six_link_real V_next_25 = t122 + link->R_T[5] * tip->X[26];
+    const six_link_real t123 = J_TV_42 * tip->X[33] + J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
         + link->R_T[3] * tip->X[30] + link->R_T[4] * tip->X[31];
-    const six_link_real V_next_26 = t95 + link->R_T[5] * tip->X[32];
+    const six_link_real V_next_26 = t123 + link->R_T[5] * tip->X[32];
     const six_link_real V_next_31 = link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1]
         + link->R_T[8] * tip->X[2];
     const six_link_real V_next_32 = link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7]
         + link->R_T[8] * tip->X[8];
     const six_link_real V_next_33 = link->R_T[6] * tip->X[12] + link->R_T[7] * tip->X[13]
         + link->R_T[8] * tip->X[14];
-    const six_link_real t96 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
+    const six_link_real t124 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
         + link->R_T[6] * tip->X[18] + link->R_T[7] * tip->X[19];
-    const six_link_real V_next_34 = t96 + link->R_T[8] * tip->X[20];
-    const six_link_real t97 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29]
+    const six_link_real V_next_34 = t124 + link->R_T[8] * tip->X[20];
+    const six_link_real t125 = J_TV_43 * tip->X[27] + J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29]
         + link->R_T[6] * tip->X[24] + link->R_T[7] * tip->X[25];
-    const six_link_real V_next_35 = t97 + link->R_T[8] * tip->X[26];
-    const six_link_real t98 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
+    const six_link_real V_next_35 = t125 + link->R_T[8] * tip->X[26];
+    const six_link_real t126 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
         + link->R_T[6] * tip->X[30] + link->R_T[7] * tip->X[31];
-    const six_link_real V_next_36 = t98 + link->R_T[8] * tip->X[32];
+    const six_link_real V_next_36 = t126 + link->R_T[8] * tip->X[32];
     const six_link_real V_next_44 = link->R_T[0] * tip->X[21] + link->R_T[1] * tip->X[22]
         + link->R_T[2] * tip->X[23];
     const six_link_real V_next_45 = link->R_T[0] * tip->X[27] + link->R_T[1] * tip->X[28]
@@ -8289,198 +9629,264 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real eta_next_11 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1] + J_Teta_31 * tip->X[2];
     const six_link_real eta_next_12 = J_Teta_11 * tip->X[6] + J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8];
     const six_link_real eta_next_13 = J_Teta_11 * tip->X[12] + J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14];
-    const six_link_real t99 = J_Teta_11 * tip->X[18] + J_Teta_21 * tip->X[19] + J_Teta_31 * tip->X[20]
+    const six_link_real t127 = J_Teta_11 * tip->X[18] + J_Teta_21 * tip->X[19] + J_Teta_31 * tip->X[20]
         + J_Teta_41 * tip->X[21];
-    const six_link_real eta_next_14 = t99 + J_Teta_51 * tip->X[22] + J_Teta_61 * tip->X[23];
-    const six_link_real t100 = J_Teta_11 * tip->X[24] + J_Teta_21 * tip->X[25] + J_Teta_31 * tip->X[26]
+    const six_link_real eta_next_14 = t127 + J_Teta_51 * tip->X[22] + J_Teta_61 * tip->X[23];
+    const six_link_real t128 = J_Teta_11 * tip->X[24] + J_Teta_21 * tip->X[25] + J_Teta_31 * tip->X[26]
         + J_Teta_41 * tip->X[27];
-    const six_link_real eta_next_15 = t100 + J_Teta_51 * tip->X[28] + J_Teta_61 * tip->X[29];
-    const six_link_real t101 = J_Teta_11 * tip->X[30] + J_Teta_21 * tip->X[31] + J_Teta_31 * tip->X[32]
+    const six_link_real eta_next_15 = t128 + J_Teta_51 * tip->X[28] + J_Teta_61 * tip->X[29];
+    const six_link_real t129 = J_Teta_11 * tip->X[30] + J_Teta_21 * tip->X[31] + J_Teta_31 * tip->X[32]
         + J_Teta_41 * tip->X[33];
-    const six_link_real eta_next_16 = t101 + J_Teta_51 * tip->X[34] + J_Teta_61 * tip->X[35];
+    const six_link_real eta_next_16 = t129 + J_Teta_51 * tip->X[34] + J_Teta_61 * tip->X[35];
     const six_link_real eta_next_21 = J_Teta_12 * tip->X[0] + J_Teta_22 * tip->X[1] + J_Teta_32 * tip->X[2];
     const six_link_real eta_next_22 = J_Teta_12 * tip->X[6] + J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8];
     const six_link_real eta_next_23 = J_Teta_12 * tip->X[12] + J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14];
-    const six_link_real t102 = J_Teta_12 * tip->X[18] + J_Teta_22 * tip->X[19] + J_Teta_32 * tip->X[20]
+    const six_link_real t130 = J_Teta_12 * tip->X[18] + J_Teta_22 * tip->X[19] + J_Teta_32 * tip->X[20]
         + J_Teta_42 * tip->X[21];
-    const six_link_real eta_next_24 = t102 + J_Teta_52 * tip->X[22] + J_Teta_62 * tip->X[23];
-    const six_link_real t103 = J_Teta_12 * tip->X[24] + J_Teta_22 * tip->X[25] + J_Teta_32 * tip->X[26]
+    const six_link_real eta_next_24 = t130 + J_Teta_52 * tip->X[22] + J_Teta_62 * tip->X[23];
+    const six_link_real t131 = J_Teta_12 * tip->X[24] + J_Teta_22 * tip->X[25] + J_Teta_32 * tip->X[26]
         + J_Teta_42 * tip->X[27];
-    const six_link_real eta_next_25 = t103 + J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
-    const six_link_real t104 = J_Teta_12 * tip->X[30] + J_Teta_22 * tip->X[31] + J_Teta_32 * tip->X[32]
+    const six_link_real eta_next_25 = t131 + J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
+    const six_link_real t132 = J_Teta_12 * tip->X[30] + J_Teta_22 * tip->X[31] + J_Teta_32 * tip->X[32]
         + J_Teta_42 * tip->X[33];
-    const six_link_real eta_next_26 = t104 + J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
+    const six_link_real eta_next_26 = t132 + J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
     const six_link_real eta_next_31 = J_Teta_13 * tip->X[0] + J_Teta_23 * tip->X[1] + J_Teta_33 * tip->X[2];
     const six_link_real eta_next_32 = J_Teta_13 * tip->X[6] + J_Teta_23 * tip->X[7] + J_Teta_33 * tip->X[8];
     const six_link_real eta_next_33 = J_Teta_13 * tip->X[12] + J_Teta_23 * tip->X[13] + J_Teta_33 * tip->X[14];
-    const six_link_real eta_next_34 = J_Teta_13 * tip->X[18] + J_Teta_23 * tip->X[19] + J_Teta_33 * tip->X[20];
-    const six_link_real eta_next_35 = J_Teta_13 * tip->X[24] + J_Teta_23 * tip->X[25] + J_Teta_33 * tip->X[26];
-    const six_link_real eta_next_36 = J_Teta_13 * tip->X[30] + J_Teta_23 * tip->X[31] + J_Teta_33 * tip->X[32];
+    const six_link_real t133 = J_Teta_13 * tip->X[18] + J_Teta_23 * tip->X[19] + J_Teta_33 * tip->X[20]
+        + J_Teta_43 * tip->X[21];
+    const six_link_real eta_next_34 = t133 + J_Teta_53 * tip->X[22] + J_Teta_63 * tip->X[23];
+    const six_link_real t134 = J_Teta_13 * tip->X[24] + J_Teta_23 * tip->X[25] + J_Teta_33 * tip->X[26]
+        + J_Teta_43 * tip->X[27];
+    const six_link_real eta_next_35 = t134 + J_Teta_53 * tip->X[28] + J_Teta_63 * tip->X[29];
+    const six_link_real t135 = J_Teta_13 * tip->X[30] + J_Teta_23 * tip->X[31] + J_Teta_33 * tip->X[32]
+        + J_Teta_43 * tip->X[33];
+    const six_link_real eta_next_36 = t135 + J_Teta_53 * tip->X[34] + J_Teta_63 * tip->X[35];
+    const six_link_real eta_next_41 = J_Teta_14 * tip->X[0] + J_Teta_24 * tip->X[1] + J_Teta_34 * tip->X[2];
+    const six_link_real eta_next_42 = J_Teta_14 * tip->X[6] + J_Teta_24 * tip->X[7] + J_Teta_34 * tip->X[8];
+    const six_link_real eta_next_43 = J_Teta_14 * tip->X[12] + J_Teta_24 * tip->X[13] + J_Teta_34 * tip->X[14];
+    const six_link_real t136 = J_Teta_14 * tip->X[18] + J_Teta_24 * tip->X[19] + J_Teta_34 * tip->X[20]
+        + J_Teta_44 * tip->X[21];
+    const six_link_real eta_next_44 = t136 + J_Teta_54 * tip->X[22] + J_Teta_64 * tip->X[23];
+    const six_link_real t137 = J_Teta_14 * tip->X[24] + J_Teta_24 * tip->X[25] + J_Teta_34 * tip->X[26]
+        + J_Teta_44 * tip->X[27];
+    const six_link_real eta_next_45 = t137 + J_Teta_54 * tip->X[28] + J_Teta_64 * tip->X[29];
+    const six_link_real t138 = J_Teta_14 * tip->X[30] + J_Teta_24 * tip->X[31] + J_Teta_34 * tip->X[32]
+        + J_Teta_44 * tip->X[33];
+    const six_link_real eta_next_46 = t138 + J_Teta_54 * tip->X[34] + J_Teta_64 * tip->X[35];
+    const six_link_real eta_next_51 = J_Teta_15 * tip->X[0] + J_Teta_25 * tip->X[1] + J_Teta_35 * tip->X[2];
+    const six_link_real eta_next_52 = J_Teta_15 * tip->X[6] + J_Teta_25 * tip->X[7] + J_Teta_35 * tip->X[8];
+    const six_link_real eta_next_53 = J_Teta_15 * tip->X[12] + J_Teta_25 * tip->X[13] + J_Teta_35 * tip->X[14];
+    const six_link_real eta_next_54 = J_Teta_15 * tip->X[18] + J_Teta_25 * tip->X[19] + J_Teta_35 * tip->X[20];
+    const six_link_real eta_next_55 = J_Teta_15 * tip->X[24] + J_Teta_25 * tip->X[25] + J_Teta_35 * tip->X[26];
+    const six_link_real eta_next_56 = J_Teta_15 * tip->X[30] + J_Teta_25 * tip->X[31] + J_Teta_35 * tip->X[32];
 
     /* next_V: next joint's rows, twist columns (100) */
     const six_link_real minus_next_V_11 = tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1]
         + tip->PX[2] * link->R_T[2];
-    const six_link_real t105 = -minus_next_V_11;
+    const six_link_real t139 = -minus_next_V_11;
     const six_link_real minus_next_V_12 = tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4]
         + tip->PX[2] * link->R_T[5];
-    const six_link_real t106 = -minus_next_V_12;
+    const six_link_real t140 = -minus_next_V_12;
     const six_link_real minus_next_V_13 = tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7]
         + tip->PX[2] * link->R_T[8];
-    const six_link_real t107 = -minus_next_V_13;
+    const six_link_real t141 = -minus_next_V_13;
     const six_link_real minus_next_V_21 = tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1]
         + tip->PX[8] * link->R_T[2];
-    const six_link_real t108 = -minus_next_V_21;
+    const six_link_real t142 = -minus_next_V_21;
     const six_link_real minus_next_V_22 = tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4]
         + tip->PX[8] * link->R_T[5];
-    const six_link_real t109 = -minus_next_V_22;
+    const six_link_real t143 = -minus_next_V_22;
     const six_link_real minus_next_V_23 = tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7]
         + tip->PX[8] * link->R_T[8];
-    const six_link_real t110 = -minus_next_V_23;
+    const six_link_real t144 = -minus_next_V_23;
     const six_link_real minus_next_V_31 = tip->PX[12] * link->R_T[0] + tip->PX[13] * link->R_T[1]
         + tip->PX[14] * link->R_T[2];
-    const six_link_real t111 = -minus_next_V_31;
+    const six_link_real t145 = -minus_next_V_31;
     const six_link_real minus_next_V_32 = tip->PX[12] * link->R_T[3] + tip->PX[13] * link->R_T[4]
         + tip->PX[14] * link->R_T[5];
-    const six_link_real t112 = -minus_next_V_32;
+    const six_link_real t146 = -minus_next_V_32;
     const six_link_real minus_next_V_33 = tip->PX[12] * link->R_T[6] + tip->PX[13] * link->R_T[7]
         + tip->PX[14] * link->R_T[8];
-    const six_link_real t113 = -minus_next_V_33;
-    const six_link_real t114 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22] + J_TV_61 * tip->PX[23]
+    const six_link_real t147 = -minus_next_V_33;
+    const six_link_real t148 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22] + J_TV_61 * tip->PX[23]
         + tip->PX[18] * link->R_T[0];
-    const six_link_real minus_next_V_41 = t114 + tip->PX[19] * link->R_T[1] + tip->PX[20] * link->R_T[2];
-    const six_link_real t115 = -minus_next_V_41;
-    const six_link_real t116 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22] + J_TV_62 * tip->PX[23]
+    const six_link_real minus_next_V_41 = t148 + tip->PX[19] * link->R_T[1] + tip->PX[20] * link->R_T[2];
+    const six_link_real t149 = -minus_next_V_41;
+    const six_link_real t150 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22] + J_TV_62 * tip->PX[23]
         + tip->PX[18] * link->R_T[3];
-    const six_link_real minus_next_V_42 = t116 + tip->PX[19] * link->R_T[4] + tip->PX[20] * link->R_T[5];
-    const six_link_real t117 = -minus_next_V_42;
-    const six_link_real t118 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22] + J_TV_63 * tip->PX[23]
+    const six_link_real minus_next_V_42 = t150 + tip->PX[19] * link->R_T[4] + tip->PX[20] * link->R_T[5];
+    const six_link_real t151 = -minus_next_V_42;
+    const six_link_real t152 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22] + J_TV_63 * tip->PX[23]
         + tip->PX[18] * link->R_T[6];
-    const six_link_real minus_next_V_43 = t118 + tip->PX[19] * link->R_T[7] + tip->PX[20] * link->R_T[8];
-    const six_link_real t119 = -minus_next_V_43;
+    const six_link_real minus_next_V_43 = t152 + tip->PX[19] * link->R_T[7] + tip->PX[20] * link->R_T[8];
+    const six_link_real t153 = -minus_next_V_43;
     const six_link_real minus_next_V_44 = tip->PX[21] * link->R_T[0] + tip->PX[22] * link->R_T[1]
         + tip->PX[23] * link->R_T[2];
-    const six_link_real t120 = -minus_next_V_44;
+    const six_link_real t154 = -minus_next_V_44;
     const six_link_real minus_next_V_45 = tip->PX[21] * link->R_T[3] + tip->PX[22] * link->R_T[4]
         + tip->PX[23] * link->R_T[5];
-    const six_link_real t121 = -minus_next_V_45;
+    const six_link_real t155 = -minus_next_V_45;
     const six_link_real minus_next_V_46 = tip->PX[21] * link->R_T[6] + tip->PX[22] * link->R_T[7]
         + tip->PX[23] * link->R_T[8];
-    const six_link_real t122 = -minus_next_V_46;
-    const six_link_real t123 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29]
+    const six_link_real t156 = -minus_next_V_46;
+    const six_link_real t157 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29]
         + tip->PX[24] * link->R_T[0];
-    const six_link_real minus_next_V_51 = t123 + tip->PX[25] * link->R_T[1] + tip->PX[26] * link->R_T[2];
-    const six_link_real t124 = -minus_next_V_51;
-    const six_link_real t125 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28] + J_TV_62 * tip->PX[29]
+    const six_link_real minus_next_V_51 = t157 + tip->PX[25] * link->R_T[1] + tip->PX[26] * link->R_T[2];
+    const six_link_real t158 = -minus_next_V_51;
+    const six_link_real t159 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28] + J_TV_62 * tip->PX[29]
         + tip->PX[24] * link->R_T[3];
-    const six_link_real minus_next_V_52 = t125 + tip->PX[25] * link->R_T[4] + tip->PX[26] * link->R_T[5];
-    const six_link_real t126 = -minus_next_V_52;
-    const six_link_real t127 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29]
+    const six_link_real minus_next_V_52 = t159 + tip->PX[25] * link->R_T[4] + tip->PX[26] * link->R_T[5];
+    const six_link_real t160 = -minus_next_V_52;
+    const six_link_real t161 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29]
         + tip->PX[24] * link->R_T[6];
-    const six_link_real minus_next_V_53 = t127 + tip->PX[25] * link->R_T[7] + tip->PX[26] * link->R_T[8];
-    const six_link_real t128 = -minus_next_V_53;
+    const six_link_real minus_next_V_53 = t161 + tip->PX[25] * link->R_T[7] + tip->PX[26] * link->R_T[8];
+    const six_link_real t162 = -minus_next_V_53;
     const six_link_real minus_next_V_54 = tip->PX[27] * link->R_T[0] + tip->PX[28] * link->R_T[1]
         + tip->PX[29] * link->R_T[2];
-    const six_link_real t129 = -minus_next_V_54;
+    const six_link_real t163 = -minus_next_V_54;
     const six_link_real minus_next_V_55 = tip->PX[27] * link->R_T[3] + tip->PX[28] * link->R_T[4]
         + tip->PX[29] * link->R_T[5];
-    const six_link_real t130 = -minus_next_V_55;
+    const six_link_real t164 = -minus_next_V_55;
     const six_link_real minus_next_V_56 = tip->PX[27] * link->R_T[6] + tip->PX[28] * link->R_T[7]
         + tip->PX[29] * link->R_T[8];
-    const six_link_real t131 = -minus_next_V_56;
-    const six_link_real t132 = J_TV_41 * tip->PX[33] + J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35]
+    const six_link_real t165 = -minus_next_V_56;
+    const six_link_real t166 = J_TV_41 * tip->PX[33] + J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35]
         + tip->PX[30] * link->R_T[0];
-    const six_link_real minus_next_V_61 = t132 + tip->PX[31] * link->R_T[1] + tip->PX[32] * link->R_T[2];
-    const six_link_real t133 = -minus_next_V_61;
-    const six_link_real t134 = J_TV_42 * tip->PX[33] + J_TV_52 * tip->PX[34] + J_TV_62 * tip->PX[35]
+    const six_link_real minus_next_V_61 = t166 + tip->PX[31] * link->R_T[1] + tip->PX[32] * link->R_T[2];
+    const six_link_real t167 = -minus_next_V_61;
+    const six_link_real t168 = J_TV_42 * tip->PX[33] + J_TV_52 * tip->PX[34] + J_TV_62 * tip->PX[35]
         + tip->PX[30] * link->R_T[3];
-    const six_link_real minus_next_V_62 = t134 + tip->PX[31] * link->R_T[4] + tip->PX[32] * link->R_T[5];
-    const six_link_real t135 = -minus_next_V_62;
-    const six_link_real t136 = J_TV_43 * tip->PX[33] + J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35]
+    const six_link_real minus_next_V_62 = t168 + tip->PX[31] * link->R_T[4] + tip->PX[32] * link->R_T[5];
+    const six_link_real t169 = -minus_next_V_62;
+    const six_link_real t170 = J_TV_43 * tip->PX[33] + J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35]
         + tip->PX[30] * link->R_T[6];
-    const six_link_real minus_next_V_63 = t136 + tip->PX[31] * link->R_T[7] + tip->PX[32] * link->R_T[8];
-    const six_link_real t137 = -minus_next_V_63;
+    const six_link_real minus_next_V_63 = t170 + tip->PX[31] * link->R_T[7] + tip->PX[32] * link->R_T[8];
+    const six_link_real t171 = -minus_next_V_63;
     const six_link_real minus_next_V_64 = tip->PX[33] * link->R_T[0] + tip->PX[34] * link->R_T[1]
         + tip->PX[35] * link->R_T[2];
-    const six_link_real t138 = -minus_next_V_64;
+    const six_link_real t172 = -minus_next_V_64;
     const six_link_real minus_next_V_65 = tip->PX[33] * link->R_T[3] + tip->PX[34] * link->R_T[4]
         + tip->PX[35] * link->R_T[5];
-    const six_link_real t139 = -minus_next_V_65;
+    const six_link_real t173 = -minus_next_V_65;
     const six_link_real minus_next_V_66 = tip->PX[33] * link->R_T[6] + tip->PX[34] * link->R_T[7]
         + tip->PX[35] * link->R_T[8];
-    const six_link_real t140 = -minus_next_V_66;
+    const six_link_real t174 = -minus_next_V_66;
 
     /* next_eta: next joint's rows, modal columns (100) */
     const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1]
         + J_Teta_31 * tip->PX[2];
-    const six_link_real t141 = -minus_next_eta_11;
+    const six_link_real t175 = -minus_next_eta_11;
     const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1]
         + J_Teta_32 * tip->PX[2];
-    const six_link_real t142 = -minus_next_eta_12;
+    const six_link_real t176 = -minus_next_eta_12;
     const six_link_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1]
         + J_Teta_33 * tip->PX[2];
-    const six_link_real t143 = -minus_next_eta_13;
+    const six_link_real t177 = -minus_next_eta_13;
+    const six_link_real minus_next_eta_14 = J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1]
+        + J_Teta_34 * tip->PX[2];
+    const six_link_real t178 = -minus_next_eta_14;
+    const six_link_real minus_next_eta_15 = J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1]
+        + J_Teta_35 * tip->PX[2];
+    const six_link_real t179 = -minus_next_eta_15;
     const six_link_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7]
         + J_Teta_31 * tip->PX[8];
-    const six_link_real t144 = -minus_next_eta_21;
+    const six_link_real t180 = -minus_next_eta_21;
     const six_link_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7]
         + J_Teta_32 * tip->PX[8];
-    const six_link_real t145 = -minus_next_eta_22;
+    const six_link_real t181 = -minus_next_eta_22;
     const six_link_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7]
         + J_Teta_33 * tip->PX[8];
-    const six_link_real t146 = -minus_next_eta_23;
+    const six_link_real t182 = -minus_next_eta_23;
+    const six_link_real minus_next_eta_24 = J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7]
+        + J_Teta_34 * tip->PX[8];
+    const six_link_real t183 = -minus_next_eta_24;
+    const six_link_real minus_next_eta_25 = J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7]
+        + J_Teta_35 * tip->PX[8];
+    const six_link_real t184 = -minus_next_eta_25;
     const six_link_real minus_next_eta_31 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13]
         + J_Teta_31 * tip->PX[14];
-    const six_link_real t147 = -minus_next_eta_31;
+    const six_link_real t185 = -minus_next_eta_31;
     const six_link_real minus_next_eta_32 = J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13]
         + J_Teta_32 * tip->PX[14];
-    const six_link_real t148 = -minus_next_eta_32;
+    const six_link_real t186 = -minus_next_eta_32;
     const six_link_real minus_next_eta_33 = J_Teta_13 * tip->PX[12] + J_Teta_23 * tip->PX[13]
         + J_Teta_33 * tip->PX[14];
-    const six_link_real t149 = -minus_next_eta_33;
-    const six_link_real t150 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
+    const six_link_real t187 = -minus_next_eta_33;
+    const six_link_real minus_next_eta_34 = J_Teta_14 * tip->PX[12] + J_Teta_24 * tip->PX[13]
+        + J_Teta_34 * tip->PX[14];
+    const six_link_real t188 = -minus_next_eta_34;
+    const six_link_real minus_next_eta_35 = J_Teta_15 * tip->PX[12] + J_Teta_25 * tip->PX[13]
+        + J_Teta_35 * tip->PX[14];
+    const six_link_real t189 = -minus_next_eta_35;
+    const six_link_real t190 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
         + J_Teta_41 * tip->PX[21];
-    const six_link_real minus_next_eta_41 = t150 + J_Teta_51 * tip->PX[22] + J_Teta_61 * tip->PX[23];
-    const six_link_real t151 = -minus_next_eta_41;
-    const six_link_real t152 = J_Teta_12 * tip->PX[18] + J_Teta_22 * tip->PX[19] + J_Teta_32 * tip->PX[20]
+    const six_link_real minus_next_eta_41 = t190 + J_Teta_51 * tip->PX[22] + J_Teta_61 * tip->PX[23];
+    const six_link_real t191 = -minus_next_eta_41;
+    const six_link_real t192 = J_Teta_12 * tip->PX[18] + J_Teta_22 * tip->PX[19] + J_Teta_32 * tip->PX[20]
         + J_Teta_42 * tip->PX[21];
-    const six_link_real minus_next_eta_42 = t152 + J_Teta_52 * tip->PX[22] + J_Teta_62 * tip->PX[23];
-    const six_link_real t153 = -minus_next_eta_42;
-    const six_link_real minus_next_eta_43 = J_Teta_13 * tip->PX[18] + J_Teta_23 * tip->PX[19]
-        + J_Teta_33 * tip->PX[20];
-    const six_link_real t154 = -minus_next_eta_43;
-    const six_link_real t155 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
+    const six_link_real minus_next_eta_42 = t192 + J_Teta_52 * tip->PX[22] + J_Teta_62 * tip->PX[23];
+    const six_link_real t193 = -minus_next_eta_42;
+    const six_link_real t194 = J_Teta_13 * tip->PX[18] + J_Teta_23 * tip->PX[19] + J_Teta_33 * tip->PX[20]
+        + J_Teta_43 * tip->PX[21];
+    const six_link_real minus_next_eta_43 = t194 + J_Teta_53 * tip->PX[22] + J_Teta_63 * tip->PX[23];
+    const six_link_real t195 = -minus_next_eta_43;
+    const six_link_real t196 = J_Teta_14 * tip->PX[18] + J_Teta_24 * tip->PX[19] + J_Teta_34 * tip->PX[20]
+        + J_Teta_44 * tip->PX[21];
+    const six_link_real minus_next_eta_44 = t196 + J_Teta_54 * tip->PX[22] + J_Teta_64 * tip->PX[23];
+    const six_link_real t197 = -minus_next_eta_44;
+    const six_link_real minus_next_eta_45 = J_Teta_15 * tip->PX[18] + J_Teta_25 * tip->PX[19]
+        + J_Teta_35 * tip->PX[20];
+    const six_link_real t198 = -minus_next_eta_45;
+    const six_link_real t199 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
         + J_Teta_41 * tip->PX[27];
-    const six_link_real minus_next_eta_51 = t155 + J_Teta_51 * tip->PX[28] + J_Teta_61 * tip->PX[29];
-    const six_link_real t156 = -minus_next_eta_51;
-    const six_link_real t157 = J_Teta_12 * tip->PX[24] + J_Teta_22 * tip->PX[25] + J_Teta_32 * tip->PX[26]
+    const six_link_real minus_next_eta_51 = t199 + J_Teta_51 * tip->PX[28] + J_Teta_61 * tip->PX[29];
+    const six_link_real t200 = -minus_next_eta_51;
+    const six_link_real t201 = J_Teta_12 * tip->PX[24] + J_Teta_22 * tip->PX[25] + J_Teta_32 * tip->PX[26]
         + J_Teta_42 * tip->PX[27];
-    const six_link_real minus_next_eta_52 = t157 + J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
-    const six_link_real t158 = -minus_next_eta_52;
-    const six_link_real minus_next_eta_53 = J_Teta_13 * tip->PX[24] + J_Teta_23 * tip->PX[25]
-        + J_Teta_33 * tip->PX[26];
-    const six_link_real t159 = -minus_next_eta_53;
-    const six_link_real t160 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
+    const six_link_real minus_next_eta_52 = t201 + J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
+    const six_link_real t202 = -minus_next_eta_52;
+    const six_link_real t203 = J_Teta_13 * tip->PX[24] + J_Teta_23 * tip->PX[25] + J_Teta_33 * tip->PX[26]
+        + J_Teta_43 * tip->PX[27];
+    const six_link_real minus_next_eta_53 = t203 + J_Teta_53 * tip->PX[28] + J_Teta_63 * tip->PX[29];
+    const six_link_real t204 = -minus_next_eta_53;
+    const six_link_real t205 = J_Teta_14 * tip->PX[24] + J_Teta_24 * tip->PX[25] + J_Teta_34 * tip->PX[26]
+        + J_Teta_44 * tip->PX[27];
+    const six_link_real minus_next_eta_54 = t205 + J_Teta_54 * tip->PX[28] + J_Teta_64 * tip->PX[29];
+    const six_link_real t206 = -minus_next_eta_54;
+    const six_link_real minus_next_eta_55 = J_Teta_15 * tip->PX[24] + J_Teta_25 * tip->PX[25]
+        + J_Teta_35 * tip->PX[26];
+    const six_link_real t207 = -minus_next_eta_55;
+    const six_link_real t208 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
         + J_Teta_41 * tip->PX[33];
-    const six_link_real minus_next_eta_61 = t160 + J_Teta_51 * tip->PX[34] + J_Teta_61 * tip->PX[35];
-    const six_link_real t161 = -minus_next_eta_61;
-    const six_link_real t162 = J_Teta_12 * tip->PX[30] + J_Teta_22 * tip->PX[31] + J_Teta_32 * tip->PX[32]
+    const six_link_real minus_next_eta_61 = t208 + J_Teta_51 * tip->PX[34] + J_Teta_61 * tip->PX[35];
+    const six_link_real t209 = -minus_next_eta_61;
+    const six_link_real t210 = J_Teta_12 * tip->PX[30] + J_Teta_22 * tip->PX[31] + J_Teta_32 * tip->PX[32]
         + J_Teta_42 * tip->PX[33];
-    const six_link_real minus_next_eta_62 = t162 + J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
-    const six_link_real t163 = -minus_next_eta_62;
-    const six_link_real minus_next_eta_63 = J_Teta_13 * tip->PX[30] + J_Teta_23 * tip->PX[31]
-        + J_Teta_33 * tip->PX[32];
-    const six_link_real t164 = -minus_next_eta_63;
+    const six_link_real minus_next_eta_62 = t210 + J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
+    const six_link_real t211 = -minus_next_eta_62;
+    const six_link_real t212 = J_Teta_13 * tip->PX[30] + J_Teta_23 * tip->PX[31] + J_Teta_33 * tip->PX[32]
+        + J_Teta_43 * tip->PX[33];
+    const six_link_real minus_next_eta_63 = t212 + J_Teta_53 * tip->PX[34] + J_Teta_63 * tip->PX[35];
+    const six_link_real t213 = -minus_next_eta_63;
+    const six_link_real t214 = J_Teta_14 * tip->PX[30] + J_Teta_24 * tip->PX[31] + J_Teta_34 * tip->PX[32]
+        + J_Teta_44 * tip->PX[33];
+    const six_link_real minus_next_eta_64 = t214 + J_Teta_54 * tip->PX[34] + J_Teta_64 * tip->PX[35];
+    const six_link_real t215 = -minus_next_eta_64;
+    const six_link_real minus_next_eta_65 = J_Teta_15 * tip->PX[30] + J_Teta_25 * tip->PX[31]
+        + J_Teta_35 * tip->PX[32];
+    const six_link_real t216 = -minus_next_eta_65;
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
-    const six_link_real t165 = link->h_T[0] + c->I_T_xx * link->b_T[0] - c->J_T_xy * link->b_T[1]
+    const six_link_real t217 = link->h_T[0] + c->I_T_xx * link->b_T[0] - c->J_T_xy * link->b_T[1]
         - c->J_T_xz * link->b_T[2] - c->S_T_z * link->b_T[4];
-    const six_link_real h_carried_1 = t165 + c->S_T_y * link->b_T[5];
-    const six_link_real t166 = link->h_T[1] - c->J_T_xy * link->b_T[0] + c->I_T_yy * link->b_T[1]
+    const six_link_real h_carried_1 = t217 + c->S_T_y * link->b_T[5];
+    const six_link_real t218 = link->h_T[1] - c->J_T_xy * link->b_T[0] + c->I_T_yy * link->b_T[1]
         - c->J_T_yz * link->b_T[2] + c->S_T_z * link->b_T[3];
-    const six_link_real h_carried_2 = t166 - c->S_T_x * link->b_T[5];
-    const six_link_real t167 = link->h_T[2] - c->J_T_xz * link->b_T[0] - c->J_T_yz * link->b_T[1]
+    const six_link_real h_carried_2 = t218 - c->S_T_x * link->b_T[5];
+    const six_link_real t219 = link->h_T[2] - c->J_T_xz * link->b_T[0] - c->J_T_yz * link->b_T[1]
         + c->I_T_zz * link->b_T[2] - c->S_T_y * link->b_T[3];
-    const six_link_real h_carried_3 = t167 + c->S_T_x * link->b_T[4];
+    const six_link_real h_carried_3 = t219 + c->S_T_x * link->b_T[4];
     const six_link_real h_carried_4 = link->h_T[3] + c->S_T_z * link->b_T[1] - c->S_T_y * link->b_T[2]
         + c->body0_mass * link->b_T[3];
     const six_link_real h_carried_5 = link->h_T[4] - c->S_T_z * link->b_T[0] + c->S_T_x * link->b_T[2]
@@ -8489,15 +9895,15 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const six_link_real t168 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
+    const six_link_real t220 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
         + J_TV_61 * h_carried_6 + link->R_T[0] * h_carried_1;
-    const six_link_real V_H_1 = t168 + link->R_T[1] * h_carried_2 + link->R_T[2] * h_carried_3;
-    const six_link_real t169 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5
+    const six_link_real V_H_1 = t220 + link->R_T[1] * h_carried_2 + link->R_T[2] * h_carried_3;
+    const six_link_real t221 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5
         + J_TV_62 * h_carried_6 + link->R_T[3] * h_carried_1;
-    const six_link_real V_H_2 = t169 + link->R_T[4] * h_carried_2 + link->R_T[5] * h_carried_3;
-    const six_link_real t170 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5
+    const six_link_real V_H_2 = t221 + link->R_T[4] * h_carried_2 + link->R_T[5] * h_carried_3;
+    const six_link_real t222 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5
         + J_TV_63 * h_carried_6 + link->R_T[6] * h_carried_1;
-    const six_link_real V_H_3 = t170 + link->R_T[7] * h_carried_2 + link->R_T[8] * h_carried_3;
+    const six_link_real V_H_3 = t222 + link->R_T[7] * h_carried_2 + link->R_T[8] * h_carried_3;
     const six_link_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
         + link->R_T[2] * h_carried_6;
     const six_link_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
@@ -8506,216 +9912,292 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + link->R_T[8] * h_carried_6;
 
     /* eta_H: bias of the modal rows (100) */
-    const six_link_real t171 = t1 + J_Teta_11 * h_carried_1 + J_Teta_21 * h_carried_2 + J_Teta_31 * h_carried_3
+    const six_link_real t223 = t1 + J_Teta_11 * h_carried_1 + J_Teta_21 * h_carried_2 + J_Teta_31 * h_carried_3
         + J_Teta_41 * h_carried_4;
-    const six_link_real eta_H_1 = t171 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
-    const six_link_real t172 = t2 + J_Teta_12 * h_carried_1 + J_Teta_22 * h_carried_2 + J_Teta_32 * h_carried_3
+    const six_link_real eta_H_1 = t223 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
+    const six_link_real t224 = t2 + J_Teta_12 * h_carried_1 + J_Teta_22 * h_carried_2 + J_Teta_32 * h_carried_3
         + J_Teta_42 * h_carried_4;
-    const six_link_real eta_H_2 = t172 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
-    const six_link_real eta_H_3 = f_eta[2] + J_Teta_13 * h_carried_1 + J_Teta_23 * h_carried_2
-        + J_Teta_33 * h_carried_3;
+    const six_link_real eta_H_2 = t224 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
+    const six_link_real t225 = t3 + J_Teta_13 * h_carried_1 + J_Teta_23 * h_carried_2 + J_Teta_33 * h_carried_3
+        + J_Teta_43 * h_carried_4;
+    const six_link_real eta_H_3 = t225 + J_Teta_53 * h_carried_5 + J_Teta_63 * h_carried_6;
+    const six_link_real t226 = t4 + J_Teta_14 * h_carried_1 + J_Teta_24 * h_carried_2 + J_Teta_34 * h_carried_3
+        + J_Teta_44 * h_carried_4;
+    const six_link_real eta_H_4 = t226 + J_Teta_54 * h_carried_5 + J_Teta_64 * h_carried_6;
+    const six_link_real eta_H_5 = f_eta[4] + J_Teta_15 * h_carried_1 + J_Teta_25 * h_carried_2
+        + J_Teta_35 * h_carried_3;
 
     /* V_W: external wrench in the twist rows (100) */
-    const six_link_real t173 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5]
+    const six_link_real t227 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5]
         + link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1];
-    const six_link_real V_W_1 = t173 + link->R_T[2] * w_ext[2];
-    const six_link_real t174 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
+    const six_link_real V_W_1 = t227 + link->R_T[2] * w_ext[2];
+    const six_link_real t228 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
         + link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1];
-    const six_link_real V_W_2 = t174 + link->R_T[5] * w_ext[2];
-    const six_link_real t175 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
+    const six_link_real V_W_2 = t228 + link->R_T[5] * w_ext[2];
+    const six_link_real t229 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
         + link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1];
-    const six_link_real V_W_3 = t175 + link->R_T[8] * w_ext[2];
+    const six_link_real V_W_3 = t229 + link->R_T[8] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
     const six_link_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const six_link_real t176 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+    const six_link_real t230 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
         + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
-    const six_link_real eta_W_1 = t176 + J_Teta_61 * w_ext[5];
-    const six_link_real t177 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+    const six_link_real eta_W_1 = t230 + J_Teta_61 * w_ext[5];
+    const six_link_real t231 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
         + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const six_link_real eta_W_2 = t177 + J_Teta_62 * w_ext[5];
-    const six_link_real eta_W_3 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2];
+    const six_link_real eta_W_2 = t231 + J_Teta_62 * w_ext[5];
+    const six_link_real t232 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
+        + J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const six_link_real eta_W_3 = t232 + J_Teta_63 * w_ext[5];
+    const six_link_real t233 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
+        + J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const six_link_real eta_W_4 = t233 + J_Teta_64 * w_ext[5];
+    const six_link_real eta_W_5 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2];
 
     /* outputs */
-    M[place[7]] = t105;
-    M[place[8]] = t106;
-    M[place[9]] = t107;
-    M[place[10]] = t108;
-    M[place[11]] = t109;
-    M[place[12]] = t110;
-    M[place[13]] = t111;
-    M[place[14]] = t112;
-    M[place[15]] = t113;
-    M[place[16]] = t115;
-    M[place[17]] = t117;
-    M[place[18]] = t119;
-    M[place[19]] = t120;
-    M[place[20]] = t121;
-    M[place[21]] = t122;
-    M[place[22]] = t124;
-    M[place[23]] = t126;
-    M[place[24]] = t128;
-    M[place[25]] = t129;
-    M[place[26]] = t130;
-    M[place[27]] = t131;
-    M[place[28]] = t133;
-    M[place[29]] = t135;
-    M[place[30]] = t137;
-    M[place[31]] = t138;
-    M[place[32]] = t139;
-    M[place[33]] = t140;
-    M[place[34]] = t141;
-    M[place[35]] = t142;
-    M[place[36]] = t143;
-    M[place[37]] = t144;
-    M[place[38]] = t145;
-    M[place[39]] = t146;
-    M[place[40]] = t147;
-    M[place[41]] = t148;
-    M[place[42]] = t149;
-    M[place[43]] = t151;
-    M[place[44]] = t153;
-    M[place[45]] = t154;
-    M[place[46]] = t156;
-    M[place[47]] = t158;
-    M[place[48]] = t159;
-    M[place[49]] = t161;
-    M[place[50]] = t163;
-    M[place[51]] = t164;
-    M[place[52]] = -1;
-    M[place[53]] = -1;
-    M[place[54]] = -1;
-    M[place[55]] = -1;
-    M[place[56]] = -1;
-    M[place[57]] = -1;
-    M[place[58]] = V_V_11;
-    M[place[59]] = V_V_12;
-    M[place[60]] = V_V_13;
-    M[place[61]] = V_V_14;
-    M[place[62]] = V_V_15;
-    M[place[63]] = V_V_16;
-    M[place[64]] = V_V_12;
-    M[place[65]] = V_V_22;
-    M[place[66]] = V_V_23;
-    M[place[67]] = V_V_24;
-    M[place[68]] = V_V_25;
-    M[place[69]] = V_V_26;
-    M[place[70]] = V_V_13;
-    M[place[71]] = V_V_23;
-    M[place[72]] = V_V_33;
-    M[place[73]] = V_V_34;
-    M[place[74]] = V_V_35;
-    M[place[75]] = V_V_36;
-    M[place[76]] = V_V_14;
-    M[place[77]] = V_V_24;
-    M[place[78]] = V_V_34;
-    M[place[79]] = V_V_44;
-    M[place[80]] = V_V_45;
-    M[place[81]] = V_V_46;
-    M[place[82]] = V_V_15;
-    M[place[83]] = V_V_25;
-    M[place[84]] = V_V_35;
-    M[place[85]] = V_V_45;
-    M[place[86]] = V_V_55;
-    M[place[87]] = V_V_56;
-    M[place[88]] = V_V_16;
-    M[place[89]] = V_V_26;
-    M[place[90]] = V_V_36;
-    M[place[91]] = V_V_46;
-    M[place[92]] = V_V_56;
-    M[place[93]] = V_V_66;
-    M[place[94]] = V_eta_11;
-    M[place[95]] = V_eta_12;
-    M[place[96]] = V_eta_13;
-    M[place[97]] = V_eta_21;
-    M[place[98]] = V_eta_22;
-    M[place[99]] = V_eta_23;
-    M[place[100]] = V_eta_31;
-    M[place[101]] = V_eta_32;
-    M[place[102]] = V_eta_33;
-    M[place[103]] = V_eta_41;
-    M[place[104]] = V_eta_42;
-    M[place[105]] = V_eta_43;
-    M[place[106]] = V_eta_51;
-    M[place[107]] = V_eta_52;
-    M[place[108]] = V_eta_53;
-    M[place[109]] = V_eta_61;
-    M[place[110]] = V_eta_62;
-    M[place[111]] = V_eta_63;
-    M[place[112]] = V_next_11;
-    M[place[113]] = V_next_12;
-    M[place[114]] = V_next_13;
-    M[place[115]] = V_next_14;
-    M[place[116]] = V_next_15;
-    M[place[117]] = V_next_16;
-    M[place[118]] = V_next_21;
-    M[place[119]] = V_next_22;
-    M[place[120]] = V_next_23;
-    M[place[121]] = V_next_24;
-    M[place[122]] = V_next_25;
-    M[place[123]] = V_next_26;
-    M[place[124]] = V_next_31;
-    M[place[125]] = V_next_32;
-    M[place[126]] = V_next_33;
-    M[place[127]] = V_next_34;
-    M[place[128]] = V_next_35;
-    M[place[129]] = V_next_36;
-    M[place[130]] = V_next_44;
-    M[place[131]] = V_next_45;
-    M[place[132]] = V_next_46;
-    M[place[133]] = V_next_54;
-    M[place[134]] = V_next_55;
-    M[place[135]] = V_next_56;
-    M[place[136]] = V_next_64;
-    M[place[137]] = V_next_65;
-    M[place[138]] = V_next_66;
-    M[place[139]] = V_eta_11;
-    M[place[140]] = V_eta_21;
-    M[place[141]] = V_eta_31;
-    M[place[142]] = V_eta_41;
-    M[place[143]] = V_eta_51;
-    M[place[144]] = V_eta_61;
-    M[place[145]] = V_eta_12;
-    M[place[146]] = V_eta_22;
-    M[place[147]] = V_eta_32;
-    M[place[148]] = V_eta_42;
-    M[place[149]] = V_eta_52;
-    M[place[150]] = V_eta_62;
-    M[place[151]] = V_eta_13;
-    M[place[152]] = V_eta_23;
-    M[place[153]] = V_eta_33;
-    M[place[154]] = V_eta_43;
-    M[place[155]] = V_eta_53;
-    M[place[156]] = V_eta_63;
-    M[place[157]] = eta_eta_11;
-    M[place[158]] = eta_eta_12;
-    M[place[159]] = eta_eta_13;
-    M[place[160]] = eta_eta_12;
-    M[place[161]] = eta_eta_22;
-    M[place[162]] = eta_eta_23;
-    M[place[163]] = eta_eta_13;
-    M[place[164]] = eta_eta_23;
-    M[place[165]] = eta_eta_33;
-    M[place[166]] = eta_next_11;
-    M[place[167]] = eta_next_12;
-    M[place[168]] = eta_next_13;
-    M[place[169]] = eta_next_14;
-    M[place[170]] = eta_next_15;
-    M[place[171]] = eta_next_16;
-    M[place[172]] = eta_next_21;
-    M[place[173]] = eta_next_22;
-    M[place[174]] = eta_next_23;
-    M[place[175]] = eta_next_24;
-    M[place[176]] = eta_next_25;
-    M[place[177]] = eta_next_26;
-    M[place[178]] = eta_next_31;
-    M[place[179]] = eta_next_32;
-    M[place[180]] = eta_next_33;
-    M[place[181]] = eta_next_34;
-    M[place[182]] = eta_next_35;
-    M[place[183]] = eta_next_36;
+    M[place[7]] = t139;
+    M[place[8]] = t140;
+    M[place[9]] = t141;
+    M[place[10]] = t142;
+    M[place[11]] = t143;
+    M[place[12]] = t144;
+    M[place[13]] = t145;
+    M[place[14]] = t146;
+    M[place[15]] = t147;
+    M[place[16]] = t149;
+    M[place[17]] = t151;
+    M[place[18]] = t153;
+    M[place[19]] = t154;
+    M[place[20]] = t155;
+    M[place[21]] = t156;
+    M[place[22]] = t158;
+    M[place[23]] = t160;
+    M[place[24]] = t162;
+    M[place[25]] = t163;
+    M[place[26]] = t164;
+    M[place[27]] = t165;
+    M[place[28]] = t167;
+    M[place[29]] = t169;
+    M[place[30]] = t171;
+    M[place[31]] = t172;
+    M[place[32]] = t173;
+    M[place[33]] = t174;
+    M[place[34]] = t175;
+    M[place[35]] = t176;
+    M[place[36]] = t177;
+    M[place[37]] = t178;
+    M[place[38]] = t179;
+    M[place[39]] = t180;
+    M[place[40]] = t181;
+    M[place[41]] = t182;
+    M[place[42]] = t183;
+    M[place[43]] = t184;
+    M[place[44]] = t185;
+    M[place[45]] = t186;
+    M[place[46]] = t187;
+    M[place[47]] = t188;
+    M[place[48]] = t189;
+    M[place[49]] = t191;
+    M[place[50]] = t193;
+    M[place[51]] = t195;
+    M[place[52]] = t197;
+    M[place[53]] = t198;
+    M[place[54]] = t200;
+    M[place[55]] = t202;
+    M[place[56]] = t204;
+    M[place[57]] = t206;
+    M[place[58]] = t207;
+    M[place[59]] = t209;
+    M[place[60]] = t211;
+    M[place[61]] = t213;
+    M[place[62]] = t215;
+    M[place[63]] = t216;
+    M[place[64]] = -1;
+    M[place[65]] = -1;
+    M[place[66]] = -1;
+    M[place[67]] = -1;
+    M[place[68]] = -1;
+    M[place[69]] = -1;
+    M[place[70]] = V_V_11;
+    M[place[71]] = V_V_12;
+    M[place[72]] = V_V_13;
+    M[place[73]] = V_V_14;
+    M[place[74]] = V_V_15;
+    M[place[75]] = V_V_16;
+    M[place[76]] = V_V_12;
+    M[place[77]] = V_V_22;
+    M[place[78]] = V_V_23;
+    M[place[79]] = V_V_24;
+    M[place[80]] = V_V_25;
+    M[place[81]] = V_V_26;
+    M[place[82]] = V_V_13;
+    M[place[83]] = V_V_23;
+    M[place[84]] = V_V_33;
+    M[place[85]] = V_V_34;
+    M[place[86]] = V_V_35;
+    M[place[87]] = V_V_36;
+    M[place[88]] = V_V_14;
+    M[place[89]] = V_V_24;
+    M[place[90]] = V_V_34;
+    M[place[91]] = V_V_44;
+    M[place[92]] = V_V_45;
+    M[place[93]] = V_V_46;
+    M[place[94]] = V_V_15;
+    M[place[95]] = V_V_25;
+    M[place[96]] = V_V_35;
+    M[place[97]] = V_V_45;
+    M[place[98]] = V_V_55;
+    M[place[99]] = V_V_56;
+    M[place[100]] = V_V_16;
+    M[place[101]] = V_V_26;
+    M[place[102]] = V_V_36;
+    M[place[103]] = V_V_46;
+    M[place[104]] = V_V_56;
+    M[place[105]] = V_V_66;
+    M[place[106]] = V_eta_11;
+    M[place[107]] = V_eta_12;
+    M[place[108]] = V_eta_13;
+    M[place[109]] = V_eta_14;
+    M[place[110]] = V_eta_15;
+    M[place[111]] = V_eta_21;
+    M[place[112]] = V_eta_22;
+    M[place[113]] = V_eta_23;
+    M[place[114]] = V_eta_24;
+    M[place[115]] = V_eta_25;
+    M[place[116]] = V_eta_31;
+    M[place[117]] = V_eta_32;
+    M[place[118]] = V_eta_33;
+    M[place[119]] = V_eta_34;
+    M[place[120]] = V_eta_35;
+    M[place[121]] = V_eta_41;
+    M[place[122]] = V_eta_42;
+    M[place[123]] = V_eta_43;
+    M[place[124]] = V_eta_44;
+    M[place[125]] = V_eta_45;
+    M[place[126]] = V_eta_51;
+    M[place[127]] = V_eta_52;
+    M[place[128]] = V_eta_53;
+    M[place[129]] = V_eta_54;
+    M[place[130]] = V_eta_55;
+    M[place[131]] = V_eta_61;
+    M[place[132]] = V_eta_62;
+    M[place[133]] = V_eta_63;
+    M[place[134]] = V_eta_64;
+    M[place[135]] = V_eta_65;
+    M[place[136]] = V_next_11;
+    M[place[137]] = V_next_12;
+    M[place[138]] = V_next_13;
+    M[place[139]] = V_next_14;
+    M[place[140]] = V_next_15;
+    M[place[141]] = V_next_16;
+    M[place[142]] = V_next_21;
+    M[place[143]] = V_next_22;
+    M[place[144]] = V_next_23;
+    M[place[145]] = V_next_24;
+    M[place[146]] = V_next_25;
+    M[place[147]] = V_next_26;
+    M[place[148]] = V_next_31;
+    M[place[149]] = V_next_32;
+    M[place[150]] = V_next_33;
+    M[place[151]] = V_next_34;
+    M[place[152]] = V_next_35;
+    M[place[153]] = V_next_36;
+    M[place[154]] = V_next_44;
+    M[place[155]] = V_next_45;
+    M[place[156]] = V_next_46;
+    M[place[157]] = V_next_54;
+    M[place[158]] = V_next_55;
+    M[place[159]] = V_next_56;
+    M[place[160]] = V_next_64;
+    M[place[161]] = V_next_65;
+    M[place[162]] = V_next_66;
+    M[place[163]] = V_eta_11;
+    M[place[164]] = V_eta_21;
+    M[place[165]] = V_eta_31;
+    M[place[166]] = V_eta_41;
+    M[place[167]] = V_eta_51;
+    M[place[168]] = V_eta_61;
+    M[place[169]] = V_eta_12;
+    M[place[170]] = V_eta_22;
+    M[place[171]] = V_eta_32;
+    M[place[172]] = V_eta_42;
+    M[place[173]] = V_eta_52;
+    M[place[174]] = V_eta_62;
+    M[place[175]] = V_eta_13;
+    M[place[176]] = V_eta_23;
+    M[place[177]] = V_eta_33;
+    M[place[178]] = V_eta_43;
+    M[place[179]] = V_eta_53;
+    M[place[180]] = V_eta_63;
+    M[place[181]] = V_eta_14;
+    M[place[182]] = V_eta_24;
+    M[place[183]] = V_eta_34;
+    M[place[184]] = V_eta_44;
+    M[place[185]] = V_eta_54;
+    M[place[186]] = V_eta_64;
+    M[place[187]] = V_eta_15;
+    M[place[188]] = V_eta_25;
+    M[place[189]] = V_eta_35;
+    M[place[190]] = V_eta_45;
+    M[place[191]] = V_eta_55;
+    M[place[192]] = V_eta_65;
+    M[place[193]] = eta_eta_11;
+    M[place[194]] = eta_eta_12;
+    M[place[195]] = eta_eta_13;
+    M[place[196]] = eta_eta_14;
+    M[place[197]] = eta_eta_15;
+    M[place[198]] = eta_eta_12;
+    M[place[199]] = eta_eta_22;
+    M[place[200]] = eta_eta_23;
+    M[place[201]] = eta_eta_24;
+    M[place[202]] = eta_eta_25;
+    M[place[203]] = eta_eta_13;
+    M[place[204]] = eta_eta_23;
+    M[place[205]] = eta_eta_33;
+    M[place[206]] = eta_eta_34;
+    M[place[207]] = eta_eta_35;
+    M[place[208]] = eta_eta_14;
+    M[place[209]] = eta_eta_24;
+    M[place[210]] = eta_eta_34;
+    M[place[211]] = eta_eta_44;
+    M[place[212]] = eta_eta_45;
+    M[place[213]] = eta_eta_15;
+    M[place[214]] = eta_eta_25;
+    M[place[215]] = eta_eta_35;
+    M[place[216]] = eta_eta_45;
+    M[place[217]] = eta_eta_55;
+    M[place[218]] = eta_next_11;
+    M[place[219]] = eta_next_12;
+    M[place[220]] = eta_next_13;
+    M[place[221]] = eta_next_14;
+    M[place[222]] = eta_next_15;
+    M[place[223]] = eta_next_16;
+    M[place[224]] = eta_next_21;
+    M[place[225]] = eta_next_22;
+    M[place[226]] = eta_next_23;
+    M[place[227]] = eta_next_24;
+    M[place[228]] = eta_next_25;
+    M[place[229]] = eta_next_26;
+    M[place[230]] = eta_next_31;
+    M[place[231]] = eta_next_32;
+    M[place[232]] = eta_next_33;
+    M[place[233]] = eta_next_34;
+    M[place[234]] = eta_next_35;
+    M[place[235]] = eta_next_36;
+    M[place[236]] = eta_next_41;
+    M[place[237]] = eta_next_42;
+    M[place[238]] = eta_next_43;
+    M[place[239]] = eta_next_44;
+    M[place[240]] = eta_next_45;
+    M[place[241]] = eta_next_46;
+    M[place[242]] = eta_next_51;
+    M[place[243]] = eta_next_52;
+    M[place[244]] = eta_next_53;
+    M[place[245]] = eta_next_54;
+    M[place[246]] = eta_next_55;
+    M[place[247]] = eta_next_56;
     H[6] = V_H_1;
     H[7] = V_H_2;
     H[8] = V_H_3;
@@ -8725,6 +10207,8 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
     eta_H[2] = eta_H_3;
+    eta_H[3] = eta_H_4;
+    eta_H[4] = eta_H_5;
     W[6] = V_W_1;
     W[7] = V_W_2;
     W[8] = V_W_3;
@@ -8734,13 +10218,15 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
     eta_W[2] = eta_W_3;
+    eta_W[3] = eta_W_4;
+    eta_W[4] = eta_W_5;
     return SIX_LINK_OK;
 }
 
-/* link rows, links like forearm: 338 operations */
+/* link rows, links like forearm: 467 operations */
 SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real m_eta[2], const six_link_real f_eta[2], const six_link_real w_ext[6],
-    six_link_real eta_H[2], six_link_real eta_W[2], const int *place, six_link_real *M,
+    const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real w_ext[6],
+    six_link_real eta_H[4], six_link_real eta_W[4], const int *place, six_link_real *M,
     six_link_real H[12], six_link_real W[12])
 {
     const six_link_real t1 = -link->M_V[1];
@@ -8750,54 +10236,75 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
     const six_link_real t5 = -c->S_0_x;
     const six_link_real t6 = -link->M_V[4];
     const six_link_real t7 = -link->M_D[0];
-    const six_link_real t8 = -c->chi_1;
+    const six_link_real t8 = -link->M_D[1];
+    const six_link_real t9 = -c->chi_1;
+    const six_link_real t10 = -c->chi_2;
     const six_link_real eta_H_1 = link->h_eta[0] + f_eta[0];
     const six_link_real eta_H_2 = link->h_eta[1] + f_eta[1];
+    const six_link_real eta_H_3 = link->h_eta[2] + f_eta[2];
+    const six_link_real eta_H_4 = link->h_eta[3] + f_eta[3];
 
     /* J_TV: twist of the tip section from that of F_i (46) */
-    const six_link_real t9 = link->R_T[2] * link->r_T[0];
-    const six_link_real t10 = link->R_T[1] * link->r_T[1];
-    const six_link_real minus_J_TV_41 = t9 + t10;
+    const six_link_real t11 = link->R_T[2] * link->r_T[0];
+    const six_link_real t12 = link->R_T[1] * link->r_T[1];
+    const six_link_real minus_J_TV_41 = t11 + t12;
     const six_link_real J_TV_42 = link->R_T[0] * link->r_T[1] + link->R_T[2] * c->length;
     const six_link_real J_TV_43 = link->R_T[1] * c->length - link->R_T[0] * link->r_T[0];
     const six_link_real J_TV_51 = link->R_T[4] * link->r_T[0] - link->R_T[3] * link->r_T[1];
-    const six_link_real t11 = link->R_T[4] * c->length;
-    const six_link_real minus_J_TV_52 = t10 + t11;
+    const six_link_real t13 = link->R_T[4] * c->length;
+    const six_link_real minus_J_TV_52 = t12 + t13;
     const six_link_real J_TV_53 = link->R_T[3] * c->length + link->R_T[1] * link->r_T[0];
     const six_link_real J_TV_61 = link->R_T[5] * link->r_T[0] - link->R_T[4] * link->r_T[1];
     const six_link_real J_TV_62 = link->R_T[2] * link->r_T[1] - link->R_T[5] * c->length;
-    const six_link_real J_TV_63 = t11 - t9;
+    const six_link_real J_TV_63 = t13 - t11;
 
     /* J_Teta: twist of the tip section from the modal rates (46) */
-    const six_link_real t12 = link->J_l[2] * c->Psi_c_z1;
-    const six_link_real t13 = link->J_l[4] * c->Psi_c_z1;
-    const six_link_real t14 = link->J_l[5] * c->Psi_c_z1;
-    const six_link_real J_Teta_11 = link->R_T[0] * t12 + link->R_T[1] * t13 - link->R_T[2] * t14;
-    const six_link_real t15 = link->J_l[1] * c->Psi_c_y2;
-    const six_link_real t16 = link->J_l[3] * c->Psi_c_y2;
-    const six_link_real t17 = link->J_l[4] * c->Psi_c_y2;
-    const six_link_real J_Teta_12 = link->R_T[1] * t16 - link->R_T[0] * t15 - link->R_T[2] * t17;
-    const six_link_real J_Teta_21 = link->R_T[3] * t13 - link->R_T[1] * t12 + link->R_T[4] * t14;
-    const six_link_real J_Teta_22 = link->R_T[1] * t15 + link->R_T[3] * t16 + link->R_T[4] * t17;
-    const six_link_real J_Teta_31 = link->R_T[2] * t12 + link->R_T[4] * t13 + link->R_T[5] * t14;
-    const six_link_real J_Teta_32 = link->R_T[4] * t16 - link->R_T[2] * t15 + link->R_T[5] * t17;
-    const six_link_real J_Teta_41 = link->R_T[1] * REAL(2.23606797749979);
-    const six_link_real minus_J_Teta_42 = link->R_T[2] * REAL(2.23606797749979);
-    const six_link_real J_Teta_51 = link->R_T[3] * REAL(2.23606797749979);
-    const six_link_real J_Teta_52 = link->R_T[4] * REAL(2.23606797749979);
-    const six_link_real J_Teta_62 = link->R_T[5] * REAL(2.23606797749979);
+    const six_link_real t14 = link->J_l[2] * c->Psi_c_z1;
+    const six_link_real t15 = link->J_l[4] * c->Psi_c_z1;
+    const six_link_real t16 = link->J_l[5] * c->Psi_c_z1;
+    const six_link_real J_Teta_11 = link->R_T[0] * t14 + link->R_T[1] * t15 - link->R_T[2] * t16;
+    const six_link_real t17 = link->J_l[2] * c->Psi_c_z2;
+    const six_link_real t18 = link->J_l[4] * c->Psi_c_z2;
+    const six_link_real t19 = link->J_l[5] * c->Psi_c_z2;
+    const six_link_real J_Teta_12 = link->R_T[0] * t17 + link->R_T[1] * t18 - link->R_T[2] * t19;
+    const six_link_real t20 = link->J_l[1] * c->Psi_c_y3;
+    const six_link_real t21 = link->J_l[3] * c->Psi_c_y3;
+    const six_link_real t22 = link->J_l[4] * c->Psi_c_y3;
+    const six_link_real J_Teta_13 = link->R_T[1] * t21 - link->R_T[0] * t20 - link->R_T[2] * t22;
+    const six_link_real t23 = link->J_l[1] * c->Psi_c_y4;
+    const six_link_real t24 = link->J_l[3] * c->Psi_c_y4;
+    const six_link_real t25 = link->J_l[4] * c->Psi_c_y4;
+    const six_link_real J_Teta_14 = link->R_T[1] * t24 - link->R_T[0] * t23 - link->R_T[2] * t25;
+    const six_link_real J_Teta_21 = link->R_T[3] * t15 - link->R_T[1] * t14 + link->R_T[4] * t16;
+    const six_link_real J_Teta_22 = link->R_T[3] * t18 - link->R_T[1] * t17 + link->R_T[4] * t19;
+    const six_link_real J_Teta_23 = link->R_T[1] * t20 + link->R_T[3] * t21 + link->R_T[4] * t22;
+    const six_link_real J_Teta_24 = link->R_T[1] * t23 + link->R_T[3] * t24 + link->R_T[4] * t25;
+    const six_link_real J_Teta_31 = link->R_T[2] * t14 + link->R_T[4] * t15 + link->R_T[5] * t16;
+    const six_link_real J_Teta_32 = link->R_T[2] * t17 + link->R_T[4] * t18 + link->R_T[5] * t19;
+    const six_link_real J_Teta_33 = link->R_T[4] * t21 - link->R_T[2] * t20 + link->R_T[5] * t22;
+    const six_link_real J_Teta_34 = link->R_T[4] * t24 - link->R_T[2] * t23 + link->R_T[5] * t25;
+    const six_link_real J_Teta_41 = link->R_T[1] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_42 = link->R_T[1] * REAL(2.8145226674626453);
+    const six_link_real minus_J_Teta_43 = link->R_T[2] * REAL(2.0195202782688155);
+    const six_link_real minus_J_Teta_44 = link->R_T[2] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_51 = link->R_T[3] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_52 = link->R_T[3] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_53 = link->R_T[4] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_54 = link->R_T[4] * REAL(2.8145226674626453);
+    const six_link_real J_Teta_63 = link->R_T[5] * REAL(2.0195202782688155);
+    const six_link_real J_Teta_64 = link->R_T[5] * REAL(2.8145226674626453);
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
     const six_link_real V_next_12 = link->R_T[2] * tip->X[8] - link->R_T[1] * tip->X[7];
     const six_link_real V_next_13 = link->R_T[2] * tip->X[14] - link->R_T[1] * tip->X[13];
-    const six_link_real t18 = -minus_J_TV_41;
+    const six_link_real t26 = -minus_J_TV_41;
     const six_link_real V_next_15 = J_TV_51 * tip->X[28] + J_TV_61 * tip->X[29];
     const six_link_real V_next_16 = J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35];
     const six_link_real V_next_22 = link->R_T[3] * tip->X[7] + link->R_T[4] * tip->X[8];
     const six_link_real V_next_23 = link->R_T[3] * tip->X[13] + link->R_T[4] * tip->X[14];
     const six_link_real V_next_25 = J_TV_62 * tip->X[29] - minus_J_TV_52 * tip->X[28];
     const six_link_real V_next_26 = J_TV_62 * tip->X[35] - minus_J_TV_52 * tip->X[34];
-    const six_link_real t19 = -link->R_T[2];
+    const six_link_real t27 = -link->R_T[2];
     const six_link_real V_next_32 = link->R_T[4] * tip->X[7] + link->R_T[5] * tip->X[8];
     const six_link_real V_next_33 = link->R_T[4] * tip->X[13] + link->R_T[5] * tip->X[14];
     const six_link_real V_next_35 = J_TV_53 * tip->X[28] + J_TV_63 * tip->X[29];
@@ -8812,223 +10319,297 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
     /* eta_next: modal rows, columns of the next joint's wrench (100) */
     const six_link_real eta_next_12 = J_Teta_21 * tip->X[7] + J_Teta_31 * tip->X[8];
     const six_link_real eta_next_13 = J_Teta_21 * tip->X[13] + J_Teta_31 * tip->X[14];
-    const six_link_real eta_next_15 = J_Teta_51 * tip->X[28] + J_Teta_52 * tip->X[29];
-    const six_link_real eta_next_16 = J_Teta_51 * tip->X[34] + J_Teta_52 * tip->X[35];
+    const six_link_real eta_next_15 = J_Teta_51 * tip->X[28] + J_Teta_53 * tip->X[29];
+    const six_link_real eta_next_16 = J_Teta_51 * tip->X[34] + J_Teta_53 * tip->X[35];
     const six_link_real eta_next_22 = J_Teta_22 * tip->X[7] + J_Teta_32 * tip->X[8];
     const six_link_real eta_next_23 = J_Teta_22 * tip->X[13] + J_Teta_32 * tip->X[14];
-    const six_link_real t20 = -minus_J_Teta_42;
-    const six_link_real eta_next_25 = J_Teta_52 * tip->X[28] + J_Teta_62 * tip->X[29];
-    const six_link_real eta_next_26 = J_Teta_52 * tip->X[34] + J_Teta_62 * tip->X[35];
+    const six_link_real eta_next_25 = J_Teta_52 * tip->X[28] + J_Teta_54 * tip->X[29];
+    const six_link_real eta_next_26 = J_Teta_52 * tip->X[34] + J_Teta_54 * tip->X[35];
+    const six_link_real eta_next_32 = J_Teta_23 * tip->X[7] + J_Teta_33 * tip->X[8];
+    const six_link_real eta_next_33 = J_Teta_23 * tip->X[13] + J_Teta_33 * tip->X[14];
+    const six_link_real t28 = -minus_J_Teta_43;
+    const six_link_real eta_next_35 = J_Teta_53 * tip->X[28] + J_Teta_63 * tip->X[29];
+    const six_link_real eta_next_36 = J_Teta_53 * tip->X[34] + J_Teta_63 * tip->X[35];
+    const six_link_real eta_next_42 = J_Teta_24 * tip->X[7] + J_Teta_34 * tip->X[8];
+    const six_link_real eta_next_43 = J_Teta_24 * tip->X[13] + J_Teta_34 * tip->X[14];
+    const six_link_real t29 = -minus_J_Teta_44;
+    const six_link_real eta_next_45 = J_Teta_54 * tip->X[28] + J_Teta_64 * tip->X[29];
+    const six_link_real eta_next_46 = J_Teta_54 * tip->X[34] + J_Teta_64 * tip->X[35];
 
     /* next_V: next joint's rows, twist columns (100) */
     const six_link_real minus_next_V_11 = tip->PX[0] * link->R_T[0];
-    const six_link_real t21 = -minus_next_V_11;
+    const six_link_real t30 = -minus_next_V_11;
     const six_link_real minus_next_V_12 = tip->PX[0] * link->R_T[1];
-    const six_link_real t22 = -minus_next_V_12;
+    const six_link_real t31 = -minus_next_V_12;
     const six_link_real next_V_13 = tip->PX[0] * link->R_T[2];
     const six_link_real next_V_21 = tip->PX[7] * link->R_T[1] - tip->PX[8] * link->R_T[2];
     const six_link_real minus_next_V_22 = tip->PX[7] * link->R_T[3] + tip->PX[8] * link->R_T[4];
-    const six_link_real t23 = -minus_next_V_22;
+    const six_link_real t32 = -minus_next_V_22;
     const six_link_real minus_next_V_23 = tip->PX[7] * link->R_T[4] + tip->PX[8] * link->R_T[5];
-    const six_link_real t24 = -minus_next_V_23;
+    const six_link_real t33 = -minus_next_V_23;
     const six_link_real next_V_31 = tip->PX[13] * link->R_T[1] - tip->PX[14] * link->R_T[2];
     const six_link_real minus_next_V_32 = tip->PX[13] * link->R_T[3] + tip->PX[14] * link->R_T[4];
-    const six_link_real t25 = -minus_next_V_32;
+    const six_link_real t34 = -minus_next_V_32;
     const six_link_real minus_next_V_33 = tip->PX[13] * link->R_T[4] + tip->PX[14] * link->R_T[5];
-    const six_link_real t26 = -minus_next_V_33;
-    const six_link_real t27 = -J_TV_42;
-    const six_link_real t28 = -J_TV_43;
-    const six_link_real t29 = -link->R_T[0];
-    const six_link_real t30 = -link->R_T[1];
+    const six_link_real t35 = -minus_next_V_33;
+    const six_link_real t36 = -J_TV_42;
+    const six_link_real t37 = -J_TV_43;
+    const six_link_real t38 = -link->R_T[0];
+    const six_link_real t39 = -link->R_T[1];
     const six_link_real minus_next_V_51 = J_TV_51 * tip->PX[28] + J_TV_61 * tip->PX[29];
-    const six_link_real t31 = -minus_next_V_51;
+    const six_link_real t40 = -minus_next_V_51;
     const six_link_real next_V_52 = minus_J_TV_52 * tip->PX[28] - J_TV_62 * tip->PX[29];
     const six_link_real minus_next_V_53 = J_TV_53 * tip->PX[28] + J_TV_63 * tip->PX[29];
-    const six_link_real t32 = -minus_next_V_53;
+    const six_link_real t41 = -minus_next_V_53;
     const six_link_real next_V_54 = tip->PX[28] * link->R_T[1] - tip->PX[29] * link->R_T[2];
     const six_link_real minus_next_V_55 = tip->PX[28] * link->R_T[3] + tip->PX[29] * link->R_T[4];
-    const six_link_real t33 = -minus_next_V_55;
+    const six_link_real t42 = -minus_next_V_55;
     const six_link_real minus_next_V_56 = tip->PX[28] * link->R_T[4] + tip->PX[29] * link->R_T[5];
-    const six_link_real t34 = -minus_next_V_56;
+    const six_link_real t43 = -minus_next_V_56;
     const six_link_real minus_next_V_61 = J_TV_51 * tip->PX[34] + J_TV_61 * tip->PX[35];
-    const six_link_real t35 = -minus_next_V_61;
+    const six_link_real t44 = -minus_next_V_61;
     const six_link_real next_V_62 = minus_J_TV_52 * tip->PX[34] - J_TV_62 * tip->PX[35];
     const six_link_real minus_next_V_63 = J_TV_53 * tip->PX[34] + J_TV_63 * tip->PX[35];
-    const six_link_real t36 = -minus_next_V_63;
+    const six_link_real t45 = -minus_next_V_63;
     const six_link_real next_V_64 = tip->PX[34] * link->R_T[1] - tip->PX[35] * link->R_T[2];
     const six_link_real minus_next_V_65 = tip->PX[34] * link->R_T[3] + tip->PX[35] * link->R_T[4];
-    const six_link_real t37 = -minus_next_V_65;
+    const six_link_real t46 = -minus_next_V_65;
     const six_link_real minus_next_V_66 = tip->PX[34] * link->R_T[4] + tip->PX[35] * link->R_T[5];
-    const six_link_real t38 = -minus_next_V_66;
+    const six_link_real t47 = -minus_next_V_66;
 
     /* next_eta: next joint's rows, modal columns (100) */
     const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0];
-    const six_link_real t39 = -minus_next_eta_11;
+    const six_link_real t48 = -minus_next_eta_11;
     const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0];
-    const six_link_real t40 = -minus_next_eta_12;
+    const six_link_real t49 = -minus_next_eta_12;
+    const six_link_real minus_next_eta_13 = J_Teta_13 * tip->PX[0];
+    const six_link_real t50 = -minus_next_eta_13;
+    const six_link_real minus_next_eta_14 = J_Teta_14 * tip->PX[0];
+    const six_link_real t51 = -minus_next_eta_14;
     const six_link_real minus_next_eta_21 = J_Teta_21 * tip->PX[7] + J_Teta_31 * tip->PX[8];
-    const six_link_real t41 = -minus_next_eta_21;
+    const six_link_real t52 = -minus_next_eta_21;
     const six_link_real minus_next_eta_22 = J_Teta_22 * tip->PX[7] + J_Teta_32 * tip->PX[8];
-    const six_link_real t42 = -minus_next_eta_22;
+    const six_link_real t53 = -minus_next_eta_22;
+    const six_link_real minus_next_eta_23 = J_Teta_23 * tip->PX[7] + J_Teta_33 * tip->PX[8];
+    const six_link_real t54 = -minus_next_eta_23;
+    const six_link_real minus_next_eta_24 = J_Teta_24 * tip->PX[7] + J_Teta_34 * tip->PX[8];
+    const six_link_real t55 = -minus_next_eta_24;
     const six_link_real minus_next_eta_31 = J_Teta_21 * tip->PX[13] + J_Teta_31 * tip->PX[14];
-    const six_link_real t43 = -minus_next_eta_31;
+    const six_link_real t56 = -minus_next_eta_31;
     const six_link_real minus_next_eta_32 = J_Teta_22 * tip->PX[13] + J_Teta_32 * tip->PX[14];
-    const six_link_real t44 = -minus_next_eta_32;
-    const six_link_real t45 = -J_Teta_41;
-    const six_link_real minus_next_eta_51 = J_Teta_51 * tip->PX[28] + J_Teta_52 * tip->PX[29];
-    const six_link_real t46 = -minus_next_eta_51;
-    const six_link_real minus_next_eta_52 = J_Teta_52 * tip->PX[28] + J_Teta_62 * tip->PX[29];
-    const six_link_real t47 = -minus_next_eta_52;
-    const six_link_real minus_next_eta_61 = J_Teta_51 * tip->PX[34] + J_Teta_52 * tip->PX[35];
-    const six_link_real t48 = -minus_next_eta_61;
-    const six_link_real minus_next_eta_62 = J_Teta_52 * tip->PX[34] + J_Teta_62 * tip->PX[35];
-    const six_link_real t49 = -minus_next_eta_62;
+    const six_link_real t57 = -minus_next_eta_32;
+    const six_link_real minus_next_eta_33 = J_Teta_23 * tip->PX[13] + J_Teta_33 * tip->PX[14];
+    const six_link_real t58 = -minus_next_eta_33;
+    const six_link_real minus_next_eta_34 = J_Teta_24 * tip->PX[13] + J_Teta_34 * tip->PX[14];
+    const six_link_real t59 = -minus_next_eta_34;
+    const six_link_real t60 = -J_Teta_41;
+    const six_link_real t61 = -J_Teta_42;
+    const six_link_real minus_next_eta_51 = J_Teta_51 * tip->PX[28] + J_Teta_53 * tip->PX[29];
+    const six_link_real t62 = -minus_next_eta_51;
+    const six_link_real minus_next_eta_52 = J_Teta_52 * tip->PX[28] + J_Teta_54 * tip->PX[29];
+    const six_link_real t63 = -minus_next_eta_52;
+    const six_link_real minus_next_eta_53 = J_Teta_53 * tip->PX[28] + J_Teta_63 * tip->PX[29];
+    const six_link_real t64 = -minus_next_eta_53;
+    const six_link_real minus_next_eta_54 = J_Teta_54 * tip->PX[28] + J_Teta_64 * tip->PX[29];
+    const six_link_real t65 = -minus_next_eta_54;
+    const six_link_real minus_next_eta_61 = J_Teta_51 * tip->PX[34] + J_Teta_53 * tip->PX[35];
+    const six_link_real t66 = -minus_next_eta_61;
+    const six_link_real minus_next_eta_62 = J_Teta_52 * tip->PX[34] + J_Teta_54 * tip->PX[35];
+    const six_link_real t67 = -minus_next_eta_62;
+    const six_link_real minus_next_eta_63 = J_Teta_53 * tip->PX[34] + J_Teta_63 * tip->PX[35];
+    const six_link_real t68 = -minus_next_eta_63;
+    const six_link_real minus_next_eta_64 = J_Teta_54 * tip->PX[34] + J_Teta_64 * tip->PX[35];
+    const six_link_real t69 = -minus_next_eta_64;
 
     /* V_W: external wrench in the twist rows (100) */
-    const six_link_real t50 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
+    const six_link_real t70 = J_TV_51 * w_ext[4] - minus_J_TV_41 * w_ext[3] + J_TV_61 * w_ext[5]
         + link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1];
-    const six_link_real V_W_1 = t50 + link->R_T[2] * w_ext[2];
-    const six_link_real t51 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
+    const six_link_real V_W_1 = t70 + link->R_T[2] * w_ext[2];
+    const six_link_real t71 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
         + link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1];
-    const six_link_real V_W_2 = t51 + link->R_T[4] * w_ext[2];
-    const six_link_real t52 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
+    const six_link_real V_W_2 = t71 + link->R_T[4] * w_ext[2];
+    const six_link_real t72 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
         - link->R_T[2] * w_ext[0] + link->R_T[4] * w_ext[1];
-    const six_link_real V_W_3 = t52 + link->R_T[5] * w_ext[2];
+    const six_link_real V_W_3 = t72 + link->R_T[5] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5];
     const six_link_real V_W_6 = link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const six_link_real t53 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
+    const six_link_real t73 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
         + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
-    const six_link_real eta_W_1 = t53 + J_Teta_52 * w_ext[5];
-    const six_link_real t54 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
-        - minus_J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
-    const six_link_real eta_W_2 = t54 + J_Teta_62 * w_ext[5];
+    const six_link_real eta_W_1 = t73 + J_Teta_53 * w_ext[5];
+    const six_link_real t74 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
+        + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
+    const six_link_real eta_W_2 = t74 + J_Teta_54 * w_ext[5];
+    const six_link_real t75 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
+        - minus_J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const six_link_real eta_W_3 = t75 + J_Teta_63 * w_ext[5];
+    const six_link_real t76 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
+        - minus_J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const six_link_real eta_W_4 = t76 + J_Teta_64 * w_ext[5];
 
     /* outputs */
-    M[place[7]] = t21;
-    M[place[8]] = t22;
+    M[place[7]] = t30;
+    M[place[8]] = t31;
     M[place[9]] = next_V_13;
     M[place[10]] = next_V_21;
-    M[place[11]] = t23;
-    M[place[12]] = t24;
+    M[place[11]] = t32;
+    M[place[12]] = t33;
     M[place[13]] = next_V_31;
-    M[place[14]] = t25;
-    M[place[15]] = t26;
+    M[place[14]] = t34;
+    M[place[15]] = t35;
     M[place[16]] = minus_J_TV_41;
-    M[place[17]] = t27;
-    M[place[18]] = t28;
-    M[place[19]] = t29;
-    M[place[20]] = t30;
+    M[place[17]] = t36;
+    M[place[18]] = t37;
+    M[place[19]] = t38;
+    M[place[20]] = t39;
     M[place[21]] = link->R_T[2];
-    M[place[22]] = t31;
+    M[place[22]] = t40;
     M[place[23]] = next_V_52;
-    M[place[24]] = t32;
+    M[place[24]] = t41;
     M[place[25]] = next_V_54;
-    M[place[26]] = t33;
-    M[place[27]] = t34;
-    M[place[28]] = t35;
+    M[place[26]] = t42;
+    M[place[27]] = t43;
+    M[place[28]] = t44;
     M[place[29]] = next_V_62;
-    M[place[30]] = t36;
+    M[place[30]] = t45;
     M[place[31]] = next_V_64;
-    M[place[32]] = t37;
-    M[place[33]] = t38;
-    M[place[34]] = t39;
-    M[place[35]] = t40;
-    M[place[36]] = t41;
-    M[place[37]] = t42;
-    M[place[38]] = t43;
-    M[place[39]] = t44;
-    M[place[40]] = t45;
-    M[place[41]] = minus_J_Teta_42;
-    M[place[42]] = t46;
-    M[place[43]] = t47;
-    M[place[44]] = t48;
-    M[place[45]] = t49;
-    M[place[46]] = -1;
-    M[place[47]] = -1;
-    M[place[48]] = -1;
-    M[place[49]] = -1;
-    M[place[50]] = -1;
-    M[place[51]] = -1;
-    M[place[52]] = link->M_V[0];
-    M[place[53]] = t1;
-    M[place[54]] = t2;
-    M[place[55]] = t3;
-    M[place[56]] = link->M_V[4];
-    M[place[57]] = t1;
-    M[place[58]] = link->M_V[5];
-    M[place[59]] = t4;
-    M[place[60]] = link->M_V[3];
-    M[place[61]] = t5;
-    M[place[62]] = t2;
-    M[place[63]] = t4;
-    M[place[64]] = link->M_V[7];
-    M[place[65]] = t6;
-    M[place[66]] = c->S_0_x;
-    M[place[67]] = link->M_V[3];
-    M[place[68]] = t6;
-    M[place[69]] = c->m;
-    M[place[70]] = t3;
-    M[place[71]] = c->S_0_x;
-    M[place[72]] = c->m;
-    M[place[73]] = link->M_V[4];
-    M[place[74]] = t5;
-    M[place[75]] = c->m;
-    M[place[76]] = t7;
-    M[place[77]] = link->M_D[1];
-    M[place[78]] = t8;
-    M[place[79]] = c->chi_1;
-    M[place[80]] = c->sigma_y1;
-    M[place[81]] = c->sigma_y1;
-    M[place[82]] = link->R_T[0];
-    M[place[83]] = V_next_12;
-    M[place[84]] = V_next_13;
-    M[place[85]] = t18;
-    M[place[86]] = V_next_15;
-    M[place[87]] = V_next_16;
-    M[place[88]] = link->R_T[1];
-    M[place[89]] = V_next_22;
-    M[place[90]] = V_next_23;
-    M[place[91]] = J_TV_42;
-    M[place[92]] = V_next_25;
-    M[place[93]] = V_next_26;
-    M[place[94]] = t19;
-    M[place[95]] = V_next_32;
-    M[place[96]] = V_next_33;
-    M[place[97]] = J_TV_43;
-    M[place[98]] = V_next_35;
-    M[place[99]] = V_next_36;
+    M[place[32]] = t46;
+    M[place[33]] = t47;
+    M[place[34]] = t48;
+    M[place[35]] = t49;
+    M[place[36]] = t50;
+    M[place[37]] = t51;
+    M[place[38]] = t52;
+    M[place[39]] = t53;
+    M[place[40]] = t54;
+    M[place[41]] = t55;
+    M[place[42]] = t56;
+    M[place[43]] = t57;
+    M[place[44]] = t58;
+    M[place[45]] = t59;
+    M[place[46]] = t60;
+    M[place[47]] = t61;
+    M[place[48]] = minus_J_Teta_43;
+    M[place[49]] = minus_J_Teta_44;
+    M[place[50]] = t62;
+    M[place[51]] = t63;
+    M[place[52]] = t64;
+    M[place[53]] = t65;
+    M[place[54]] = t66;
+    M[place[55]] = t67;
+    M[place[56]] = t68;
+    M[place[57]] = t69;
+    M[place[58]] = -1;
+    M[place[59]] = -1;
+    M[place[60]] = -1;
+    M[place[61]] = -1;
+    M[place[62]] = -1;
+    M[place[63]] = -1;
+    M[place[64]] = link->M_V[0];
+    M[place[65]] = t1;
+    M[place[66]] = t2;
+    M[place[67]] = t3;
+    M[place[68]] = link->M_V[4];
+    M[place[69]] = t1;
+    M[place[70]] = link->M_V[5];
+    M[place[71]] = t4;
+    M[place[72]] = link->M_V[3];
+    M[place[73]] = t5;
+    M[place[74]] = t2;
+    M[place[75]] = t4;
+    M[place[76]] = link->M_V[7];
+    M[place[77]] = t6;
+    M[place[78]] = c->S_0_x;
+    M[place[79]] = link->M_V[3];
+    M[place[80]] = t6;
+    M[place[81]] = c->m;
+    M[place[82]] = t3;
+    M[place[83]] = c->S_0_x;
+    M[place[84]] = c->m;
+    M[place[85]] = link->M_V[4];
+    M[place[86]] = t5;
+    M[place[87]] = c->m;
+    M[place[88]] = t7;
+    M[place[89]] = t8;
+    M[place[90]] = link->M_D[2];
+    M[place[91]] = link->M_D[3];
+    M[place[92]] = t9;
+    M[place[93]] = t10;
+    M[place[94]] = c->chi_1;
+    M[place[95]] = c->chi_2;
+    M[place[96]] = c->sigma_y1;
+    M[place[97]] = c->sigma_y2;
+    M[place[98]] = c->sigma_y1;
+    M[place[99]] = c->sigma_y2;
     M[place[100]] = link->R_T[0];
-    M[place[101]] = V_next_45;
-    M[place[102]] = V_next_46;
-    M[place[103]] = link->R_T[1];
-    M[place[104]] = V_next_55;
-    M[place[105]] = V_next_56;
-    M[place[106]] = t19;
-    M[place[107]] = V_next_65;
-    M[place[108]] = V_next_66;
-    M[place[109]] = t7;
-    M[place[110]] = c->chi_1;
-    M[place[111]] = c->sigma_y1;
-    M[place[112]] = link->M_D[1];
-    M[place[113]] = t8;
-    M[place[114]] = c->sigma_y1;
-    M[place[115]] = m_eta[0];
-    M[place[116]] = m_eta[1];
-    M[place[117]] = J_Teta_11;
-    M[place[118]] = eta_next_12;
-    M[place[119]] = eta_next_13;
-    M[place[120]] = J_Teta_41;
-    M[place[121]] = eta_next_15;
-    M[place[122]] = eta_next_16;
-    M[place[123]] = J_Teta_12;
-    M[place[124]] = eta_next_22;
-    M[place[125]] = eta_next_23;
-    M[place[126]] = t20;
-    M[place[127]] = eta_next_25;
-    M[place[128]] = eta_next_26;
+    M[place[101]] = V_next_12;
+    M[place[102]] = V_next_13;
+    M[place[103]] = t26;
+    M[place[104]] = V_next_15;
+    M[place[105]] = V_next_16;
+    M[place[106]] = link->R_T[1];
+    M[place[107]] = V_next_22;
+    M[place[108]] = V_next_23;
+    M[place[109]] = J_TV_42;
+    M[place[110]] = V_next_25;
+    M[place[111]] = V_next_26;
+    M[place[112]] = t27;
+    M[place[113]] = V_next_32;
+    M[place[114]] = V_next_33;
+    M[place[115]] = J_TV_43;
+    M[place[116]] = V_next_35;
+    M[place[117]] = V_next_36;
+    M[place[118]] = link->R_T[0];
+    M[place[119]] = V_next_45;
+    M[place[120]] = V_next_46;
+    M[place[121]] = link->R_T[1];
+    M[place[122]] = V_next_55;
+    M[place[123]] = V_next_56;
+    M[place[124]] = t27;
+    M[place[125]] = V_next_65;
+    M[place[126]] = V_next_66;
+    M[place[127]] = t7;
+    M[place[128]] = c->chi_1;
+    M[place[129]] = c->sigma_y1;
+    M[place[130]] = t8;
+    M[place[131]] = c->chi_2;
+    M[place[132]] = c->sigma_y2;
+    M[place[133]] = link->M_D[2];
+    M[place[134]] = t9;
+    M[place[135]] = c->sigma_y1;
+    M[place[136]] = link->M_D[3];
+    M[place[137]] = t10;
+    M[place[138]] = c->sigma_y2;
+    M[place[139]] = m_eta[0];
+    M[place[140]] = m_eta[1];
+    M[place[141]] = m_eta[2];
+    M[place[142]] = m_eta[3];
+    M[place[143]] = J_Teta_11;
+    M[place[144]] = eta_next_12;
+    M[place[145]] = eta_next_13;
+    M[place[146]] = J_Teta_41;
+    M[place[147]] = eta_next_15;
+    M[place[148]] = eta_next_16;
+    M[place[149]] = J_Teta_12;
+    M[place[150]] = eta_next_22;
+    M[place[151]] = eta_next_23;
+    M[place[152]] = J_Teta_42;
+    M[place[153]] = eta_next_25;
+    M[place[154]] = eta_next_26;
+    M[place[155]] = J_Teta_13;
+    M[place[156]] = eta_next_32;
+    M[place[157]] = eta_next_33;
+    M[place[158]] = t28;
+    M[place[159]] = eta_next_35;
+    M[place[160]] = eta_next_36;
+    M[place[161]] = J_Teta_14;
+    M[place[162]] = eta_next_42;
+    M[place[163]] = eta_next_43;
+    M[place[164]] = t29;
+    M[place[165]] = eta_next_45;
+    M[place[166]] = eta_next_46;
     H[6] = link->h_V[0];
     H[7] = link->h_V[1];
     H[8] = link->h_V[2];
@@ -9037,6 +10618,8 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
     H[11] = link->h_V[5];
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
+    eta_H[2] = eta_H_3;
+    eta_H[3] = eta_H_4;
     W[6] = V_W_1;
     W[7] = V_W_2;
     W[8] = V_W_3;
@@ -9045,6 +10628,8 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
     W[11] = V_W_6;
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
+    eta_W[2] = eta_W_3;
+    eta_W[3] = eta_W_4;
     return SIX_LINK_OK;
 }
 
@@ -9341,17 +10926,17 @@ static SIX_LINK_TARGETS six_link_status dae_dynamics_eliminate(const six_link_co
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     case 1:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q, call->f_q + q);
     case 2:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q, call->qdot + q);
+        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q, call->f_q + q);
     case 3:
-        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     case 4:
-        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     default:
-        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->tau + q, call->qdot + q);
+        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     }
 }
 
@@ -9480,17 +11065,17 @@ static SIX_LINK_TARGETS six_link_status inverse_inverse_inward(const six_link_co
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     case 1:
-        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->qdot + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     case 2:
-        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->qdot + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     case 3:
-        return inverse_inward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     case 4:
-        return inverse_inward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     default:
-        return inverse_inward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->qdot + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
     }
 }
 
@@ -9543,17 +11128,83 @@ static SIX_LINK_TARGETS six_link_status inertia_inverse_inward(const six_link_co
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+        return inverse_inward_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
     case 1:
-        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q, call->force_eta + e, call->force + q);
     case 2:
-        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q, call->force_eta + e, call->force + q);
     case 3:
-        return inverse_inward_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+        return inverse_inward_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
     case 4:
-        return inverse_inward_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+        return inverse_inward_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
     default:
-        return inverse_inward_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->force + q);
+        return inverse_inward_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
+    }
+}
+
+static SIX_LINK_TARGETS six_link_status motion_of_velocities(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return velocities_shoulder(&c->links[i], &chain->nodes[i + 1], call->qdot + q);
+    case 1:
+        return velocities_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 2:
+        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+    case 3:
+        return velocities_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    default:
+        return velocities_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+    }
+}
+
+static SIX_LINK_TARGETS six_link_status motion_of_poses(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return poses_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+    case 1:
+        return poses_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+    case 2:
+        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+    case 3:
+        return poses_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+    default:
+        return poses_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+    }
+}
+
+static SIX_LINK_TARGETS six_link_status motion_of_tip_twist(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 1, 1, 1, 1 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return tip_twist_shoulder(&chain->nodes[i + 1], call->tip_twist + 6 * i);
+    default:
+        return tip_twist_upper_arm(&chain->nodes[i + 1], call->tip_twist + 6 * i);
+    }
+}
+
+static SIX_LINK_TARGETS six_link_status measuring_measure(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+{
+    static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 0, 0, 0 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return measure_shoulder(call->measures + 4 * i);
+    case 1:
+        return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
+    default:
+        return measure_forearm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
     }
 }
 
@@ -9608,7 +11259,7 @@ static void start(const six_link_call *call, six_link_chain *chain)
     }
 }
 
-SIX_LINK_TARGETS six_link_status six_link_dae_dynamics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_dae_motion(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -9620,6 +11271,13 @@ SIX_LINK_TARGETS six_link_status six_link_dae_dynamics(const six_link_constants 
             return status;
         }
     }
+    return SIX_LINK_OK;
+}
+
+SIX_LINK_TARGETS six_link_status six_link_dae_solution(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
     for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
         status = dae_dynamics_eliminate(c, call, chain, i);
         if (status != SIX_LINK_OK) {
@@ -9728,6 +11386,48 @@ SIX_LINK_TARGETS six_link_status six_link_inertia_column(const six_link_constant
     }
     for (i = SIX_LINK_NLINKS - 1; i >= 0; --i) {
         status = inertia_inverse_inward(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
+}
+
+SIX_LINK_TARGETS six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = motion_of_velocities(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = motion_of_poses(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = motion_of_tip_twist(c, call, chain, i);
+        if (status != SIX_LINK_OK) {
+            *fault = i;
+            return status;
+        }
+    }
+    return SIX_LINK_OK;
+}
+
+SIX_LINK_TARGETS six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+{
+    six_link_status status;
+    int i;
+    for (i = 0; i < SIX_LINK_NLINKS; ++i) {
+        status = measuring_measure(c, call, chain, i);
         if (status != SIX_LINK_OK) {
             *fault = i;
             return status;

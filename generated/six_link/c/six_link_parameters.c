@@ -103,7 +103,8 @@ void six_link_parameters_default(six_link_parameters *p)
 }
 
 /* links like shoulder; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c)
+static six_link_real constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c,
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
@@ -163,15 +164,19 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
     c->mu = mu;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
         + (c->J_T_xz + c->J_T_yz + c->S_0_x + c->S_T_x + c->S_T_y + c->S_T_z)
         + (c->armature_1 + c->body0_mass + c->joint_damping_1 + c->length + c->mount_xyz_x + c->mount_xyz_y)
-        + (c->mount_xyz_z + c->mu);
+        + (c->mount_xyz_z + c->mu + M_q[0] + K_q[0] + D_q[0]);
 }
 
 /* links like upper_arm; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[],
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
@@ -201,8 +206,10 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     const six_link_real J_0_xx = t5 * REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const six_link_real Psi_c_y2 = REAL(-2.7530109693450697) / p->length;
-    const six_link_real Psi_c_z1 = REAL(2.7530109693450697) / p->length;
+    const six_link_real Psi_c_y3 = REAL(-2.7818912044528052) / p->length;
+    const six_link_real Psi_c_y4 = REAL(-21.453696215957475) / p->length;
+    const six_link_real Psi_c_z1 = REAL(2.7818912044528052) / p->length;
+    const six_link_real Psi_c_z2 = REAL(21.453696215957475) / p->length;
 
     /* S_0: first moment, undeformed (27) */
     const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
@@ -213,27 +220,55 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
 
     /* chi: first moment of each mode shape */
-    const six_link_real chi_1 = t4 * REAL(0.5688257437099108) * p->rhoA;
+    const six_link_real chi_1 = t4 * REAL(0.5677375371714452) * p->rhoA;
+    const six_link_real minus_chi_2 = t4 * REAL(0.08760187718594785) * p->rhoA;
+    const six_link_real t6 = -minus_chi_2;
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
 
+    /* EI_ratio: bending stiffness, y over z */
+    const six_link_real EI_ratio = p->EIz / p->EIy;
+
+    /* EI_gap: how far the planes differ */
+    const six_link_real t7 = 1 - EI_ratio;
+    const six_link_real EI_gap = t7 * t7;
+
+    /* compliance: 1/EI of the softer plane */
+    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5)
+        + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+
+    /* per_acceleration: axial load by acceleration */
+    const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;
+
+    /* per_force: inverse buckling load */
+    const six_link_real per_force = compliance * 4 * t4 * REAL(0.10132118364233778);
+
+    /* per_turn: rotation by the square of the turn */
+    const six_link_real per_turn = compliance * (t5 * p->length) * p->rhoA;
+
     /* sigma_t: spin momentum of each torsion mode */
-    const six_link_real sigma_t_3 = p->length * REAL(0.9003163161571061) * p->rhoIp;
+    const six_link_real sigma_t_5 = p->length * REAL(0.8660254037844386) * p->rhoIp;
 
     /* sigma: momentum of each mode (B1) */
-    const six_link_real sigma_y1 = p->length * REAL(0.7829917560396258) * p->rhoA;
+    const six_link_real sigma_y1 = p->length * REAL(0.777935872096674) * p->rhoA;
+    const six_link_real minus_sigma_y2 = p->length * REAL(0.38054668426513355) * p->rhoA;
+    const six_link_real t8 = -minus_sigma_y2;
 
     /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const six_link_real K_full_11 = p->EIz * REAL(12.362363368326191) / t5;
-    const six_link_real K_full_22 = p->EIy * REAL(12.362363368326191) / t5;
-    const six_link_real K_full_33 = p->GJ * REAL(2.4674011002723395) / p->length;
+    const six_link_real K_full_11 = p->EIz * REAL(12.480192153753773) / t5;
+    const six_link_real K_full_22 = p->EIz * REAL(1211.5198078462463) / t5;
+    const six_link_real K_full_33 = p->EIy * REAL(12.480192153753773) / t5;
+    const six_link_real K_full_44 = p->EIy * REAL(1211.5198078462463) / t5;
+    const six_link_real K_full_55 = p->GJ * 3 / p->length;
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
-    const six_link_real t6 = p->damping_ratio * 2;
-    const six_link_real D_1 = t6 * six_link_sqrt(K_full_11 * mu);
-    const six_link_real D_2 = t6 * six_link_sqrt(K_full_22 * mu);
-    const six_link_real D_3 = t6 * six_link_sqrt(K_full_33 * I_s);
+    const six_link_real t9 = p->damping_ratio * 2;
+    const six_link_real D_1 = t9 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t9 * six_link_sqrt(K_full_22 * mu);
+    const six_link_real D_3 = t9 * six_link_sqrt(K_full_33 * mu);
+    const six_link_real D_4 = t9 * six_link_sqrt(K_full_44 * mu);
+    const six_link_real D_5 = t9 * six_link_sqrt(K_full_55 * I_s);
 
     /* outputs */
     c->I_T_xx = I_T_xx;
@@ -244,8 +279,10 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     c->J_T_xy = J_T_xy;
     c->J_T_xz = J_T_xz;
     c->J_T_yz = J_T_yz;
-    c->Psi_c_y2 = Psi_c_y2;
+    c->Psi_c_y3 = Psi_c_y3;
+    c->Psi_c_y4 = Psi_c_y4;
     c->Psi_c_z1 = Psi_c_z1;
+    c->Psi_c_z2 = Psi_c_z2;
     c->S_0_x = S_0_x;
     c->S_T_x = S_T_x;
     c->S_T_y = S_T_y;
@@ -253,34 +290,52 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     c->armature_1 = p->joint.armature[0];
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
+    c->chi_2 = t6;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mount_xyz_x = p->joint.mount_xyz[0];
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
     c->mu = mu;
-    c->sigma_t_3 = sigma_t_3;
+    c->per_acceleration = per_acceleration;
+    c->per_force = per_force;
+    c->per_turn = per_turn;
+    c->sigma_t_5 = sigma_t_5;
     c->sigma_y1 = sigma_y1;
+    c->sigma_y2 = t8;
     M_eta[0] = mu;
     M_eta[1] = mu;
-    M_eta[2] = I_s;
+    M_eta[2] = mu;
+    M_eta[3] = mu;
+    M_eta[4] = I_s;
     K[0] = K_full_11;
     K[1] = K_full_22;
     K[2] = K_full_33;
+    K[3] = K_full_44;
+    K[4] = K_full_55;
     D[0] = D_1;
     D[1] = D_2;
     D[2] = D_3;
+    D[3] = D_4;
+    D[4] = D_5;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
-        + (c->J_T_xz + c->J_T_yz + c->Psi_c_y2 + c->Psi_c_z1 + c->S_0_x + c->S_T_x)
-        + (c->S_T_y + c->S_T_z + c->armature_1 + c->body0_mass + c->chi_1 + c->joint_damping_1)
-        + (c->length + c->mount_xyz_x + c->mount_xyz_y + c->mount_xyz_z + c->mu + c->sigma_t_3)
-        + (c->sigma_y1 + M_eta[0] + M_eta[1] + M_eta[2] + K[0] + K[1])
-        + (K[2] + D[0] + D[1] + D[2]);
+        + (c->J_T_xz + c->J_T_yz + c->Psi_c_y3 + c->Psi_c_y4 + c->Psi_c_z1 + c->Psi_c_z2)
+        + (c->S_0_x + c->S_T_x + c->S_T_y + c->S_T_z + c->armature_1 + c->body0_mass)
+        + (c->chi_1 + c->chi_2 + c->joint_damping_1 + c->length + c->mount_xyz_x + c->mount_xyz_y)
+        + (c->mount_xyz_z + c->mu + c->per_acceleration + c->per_force + c->per_turn + c->sigma_t_5)
+        + (c->sigma_y1 + c->sigma_y2 + M_eta[0] + M_eta[1] + M_eta[2] + M_eta[3])
+        + (M_eta[4] + K[0] + K[1] + K[2] + K[3] + K[4])
+        + (D[0] + D[1] + D[2] + D[3] + D[4] + M_q[0])
+        + (K_q[0] + D_q[0]);
 }
 
 /* links like forearm; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[])
+static six_link_real constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[],
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
@@ -305,8 +360,10 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real J_0_xx = J_B_xx + t5 * REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const six_link_real Psi_c_y2 = REAL(-4.47213595499958) / p->length;
-    const six_link_real Psi_c_z1 = REAL(4.47213595499958) / p->length;
+    const six_link_real Psi_c_y3 = REAL(-2.7818912044528052) / p->length;
+    const six_link_real Psi_c_y4 = REAL(-21.453696215957475) / p->length;
+    const six_link_real Psi_c_z1 = REAL(2.7818912044528052) / p->length;
+    const six_link_real Psi_c_z2 = REAL(21.453696215957475) / p->length;
 
     /* R_m: rotation of the mount */
     const six_link_sincos turn = six_link_sine_cosine(p->joint.mount_rpy[1]);
@@ -335,7 +392,9 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real S_0_x = S_B_x + t4 * REAL(0.5) * p->rhoA;
 
     /* chi: first moment of each mode shape */
-    const six_link_real chi_1 = t4 * REAL(0.5590169943749475) * p->rhoA;
+    const six_link_real chi_1 = t4 * REAL(0.5677375371714452) * p->rhoA;
+    const six_link_real minus_chi_2 = t4 * REAL(0.08760187718594785) * p->rhoA;
+    const six_link_real t13 = -minus_chi_2;
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
@@ -343,17 +402,43 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     /* m: mass, base bodies included (27) */
     const six_link_real m = p->bodies[0].mass + mu;
 
+    /* EI_ratio: bending stiffness, y over z */
+    const six_link_real EI_ratio = p->EIz / p->EIy;
+
+    /* EI_gap: how far the planes differ */
+    const six_link_real t14 = 1 - EI_ratio;
+    const six_link_real EI_gap = t14 * t14;
+
+    /* compliance: 1/EI of the softer plane */
+    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5)
+        + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+
+    /* per_acceleration: axial load by acceleration */
+    const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;
+
+    /* per_force: inverse buckling load */
+    const six_link_real per_force = compliance * 4 * t4 * REAL(0.10132118364233778);
+
+    /* per_turn: rotation by the square of the turn */
+    const six_link_real per_turn = compliance * (t5 * p->length) * p->rhoA;
+
     /* sigma: momentum of each mode (B1) */
-    const six_link_real sigma_y1 = p->length * REAL(0.7453559924999299) * p->rhoA;
+    const six_link_real sigma_y1 = p->length * REAL(0.777935872096674) * p->rhoA;
+    const six_link_real minus_sigma_y2 = p->length * REAL(0.38054668426513355) * p->rhoA;
+    const six_link_real t15 = -minus_sigma_y2;
 
     /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const six_link_real K_full_11 = p->EIz * 20 / t5;
-    const six_link_real K_full_22 = p->EIy * 20 / t5;
+    const six_link_real K_full_11 = p->EIz * REAL(12.480192153753773) / t5;
+    const six_link_real K_full_22 = p->EIz * REAL(1211.5198078462463) / t5;
+    const six_link_real K_full_33 = p->EIy * REAL(12.480192153753773) / t5;
+    const six_link_real K_full_44 = p->EIy * REAL(1211.5198078462463) / t5;
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
-    const six_link_real t13 = p->damping_ratio * 2;
-    const six_link_real D_1 = t13 * six_link_sqrt(K_full_11 * mu);
-    const six_link_real D_2 = t13 * six_link_sqrt(K_full_22 * mu);
+    const six_link_real t16 = p->damping_ratio * 2;
+    const six_link_real D_1 = t16 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t16 * six_link_sqrt(K_full_22 * mu);
+    const six_link_real D_3 = t16 * six_link_sqrt(K_full_33 * mu);
+    const six_link_real D_4 = t16 * six_link_sqrt(K_full_44 * mu);
 
     /* outputs */
     c->I_s = I_s;
@@ -363,8 +448,10 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     c->J_B_yy = J_B_yy;
     c->J_B_yz = J_B_yz;
     c->J_B_zz = J_B_zz;
-    c->Psi_c_y2 = Psi_c_y2;
+    c->Psi_c_y3 = Psi_c_y3;
+    c->Psi_c_y4 = Psi_c_y4;
     c->Psi_c_z1 = Psi_c_z1;
+    c->Psi_c_z2 = Psi_c_z2;
     c->R_m_xx = R_m_xx;
     c->R_m_xy = R_m_xy;
     c->R_m_xz = R_m_xz;
@@ -379,6 +466,7 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     c->S_B_z = S_B_z;
     c->armature_1 = p->joint.armature[0];
     c->chi_1 = chi_1;
+    c->chi_2 = t13;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->m = m;
@@ -389,25 +477,42 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     c->mount_xyz_y = p->joint.mount_xyz[1];
     c->mount_xyz_z = p->joint.mount_xyz[2];
     c->mu = mu;
+    c->per_acceleration = per_acceleration;
+    c->per_force = per_force;
+    c->per_turn = per_turn;
     c->sigma_y1 = sigma_y1;
+    c->sigma_y2 = t15;
     M_eta[0] = mu;
     M_eta[1] = mu;
+    M_eta[2] = mu;
+    M_eta[3] = mu;
     K[0] = K_full_11;
     K[1] = K_full_22;
+    K[2] = K_full_33;
+    K[3] = K_full_44;
     D[0] = D_1;
     D[1] = D_2;
+    D[2] = D_3;
+    D[3] = D_4;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_s + c->J_0_xx + c->J_B_xy + c->J_B_xz + c->J_B_yy + c->J_B_yz)
-        + (c->J_B_zz + c->Psi_c_y2 + c->Psi_c_z1 + c->R_m_xx + c->R_m_xy + c->R_m_xz)
-        + (c->R_m_yx + c->R_m_yy + c->R_m_yz + c->R_m_zx + c->R_m_zy + c->R_m_zz)
-        + (c->S_0_x + c->S_B_y + c->S_B_z + c->armature_1 + c->chi_1 + c->joint_damping_1)
-        + (c->length + c->m + c->mount_rpy_x + c->mount_rpy_y + c->mount_rpy_z + c->mount_xyz_x)
-        + (c->mount_xyz_y + c->mount_xyz_z + c->mu + c->sigma_y1 + M_eta[0] + M_eta[1])
-        + (K[0] + K[1] + D[0] + D[1]);
+        + (c->J_B_zz + c->Psi_c_y3 + c->Psi_c_y4 + c->Psi_c_z1 + c->Psi_c_z2 + c->R_m_xx)
+        + (c->R_m_xy + c->R_m_xz + c->R_m_yx + c->R_m_yy + c->R_m_yz + c->R_m_zx)
+        + (c->R_m_zy + c->R_m_zz + c->S_0_x + c->S_B_y + c->S_B_z + c->armature_1)
+        + (c->chi_1 + c->chi_2 + c->joint_damping_1 + c->length + c->m + c->mount_rpy_x)
+        + (c->mount_rpy_y + c->mount_rpy_z + c->mount_xyz_x + c->mount_xyz_y + c->mount_xyz_z + c->mu)
+        + (c->per_acceleration + c->per_force + c->per_turn + c->sigma_y1 + c->sigma_y2 + M_eta[0])
+        + (M_eta[1] + M_eta[2] + M_eta[3] + K[0] + K[1] + K[2])
+        + (K[3] + D[0] + D[1] + D[2] + D[3] + M_q[0])
+        + (K_q[0] + D_q[0]);
 }
 
 /* links like wrist_roll; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_wrist_roll(const six_link_link_parameters *p, six_link_link_constants *c)
+static six_link_real constants_of_wrist_roll(const six_link_link_parameters *p, six_link_link_constants *c,
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
@@ -430,13 +535,17 @@ static six_link_real constants_of_wrist_roll(const six_link_link_parameters *p, 
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_s + c->J_0_xx + c->S_0_x + c->armature_1 + c->joint_damping_1 + c->length)
-        + (c->mu);
+        + (c->mu + M_q[0] + K_q[0] + D_q[0]);
 }
 
 /* links like wrist_pitch; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p, six_link_link_constants *c)
+static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p, six_link_link_constants *c,
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
@@ -459,13 +568,17 @@ static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p,
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_s + c->J_0_xx + c->S_0_x + c->armature_1 + c->joint_damping_1 + c->length)
-        + (c->mu);
+        + (c->mu + M_q[0] + K_q[0] + D_q[0]);
 }
 
 /* links like flange; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c)
+static six_link_real constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c,
+        six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
@@ -522,10 +635,14 @@ static six_link_real constants_of_flange(const six_link_link_parameters *p, six_
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mu = mu;
+    M_q[0] = p->joint.armature[0];
+    K_q[0] = 0;
+    D_q[0] = p->joint.damping[0];
 
     return (c->I_T_xx + c->I_T_yy + c->I_T_zz + c->I_s + c->J_0_xx + c->J_T_xy)
         + (c->J_T_xz + c->J_T_yz + c->S_0_x + c->S_T_x + c->S_T_y + c->S_T_z)
-        + (c->armature_1 + c->body0_mass + c->joint_damping_1 + c->length + c->mu);
+        + (c->armature_1 + c->body0_mass + c->joint_damping_1 + c->length + c->mu + M_q[0])
+        + (K_q[0] + D_q[0]);
 }
 
 six_link_status six_link_prepare(const six_link_parameters *p, six_link_constants *c)
@@ -552,13 +669,24 @@ six_link_status six_link_prepare(const six_link_parameters *p, six_link_constant
     for (i = 0; i < 3; ++i) {
         c->gravity[i] = p->gravity[i];
     }
-    sum += constants_of_shoulder(&p->links[0], &c->links[0]);
-    sum += constants_of_upper_arm(&p->links[1], &c->links[1], c->M_eta + 0, c->K + 0, c->D + 0);
-    sum += constants_of_forearm(&p->links[2], &c->links[2], c->M_eta + 3, c->K + 3, c->D + 3);
-    sum += constants_of_wrist_roll(&p->links[3], &c->links[3]);
-    sum += constants_of_wrist_pitch(&p->links[4], &c->links[4]);
-    sum += constants_of_flange(&p->links[5], &c->links[5]);
-    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        c->M_eta[k] = 0;
+        c->K[k] = 0;
+        c->D[k] = 0;
+    }
+    sum += constants_of_shoulder(&p->links[0], &c->links[0],
+        c->M_eta + 0, c->K + 0, c->D + 0);
+    sum += constants_of_upper_arm(&p->links[1], &c->links[1], c->M_eta + 6, c->K + 6, c->D + 6,
+        c->M_eta + 1, c->K + 1, c->D + 1);
+    sum += constants_of_forearm(&p->links[2], &c->links[2], c->M_eta + 11, c->K + 11, c->D + 11,
+        c->M_eta + 2, c->K + 2, c->D + 2);
+    sum += constants_of_wrist_roll(&p->links[3], &c->links[3],
+        c->M_eta + 3, c->K + 3, c->D + 3);
+    sum += constants_of_wrist_pitch(&p->links[4], &c->links[4],
+        c->M_eta + 4, c->K + 4, c->D + 4);
+    sum += constants_of_flange(&p->links[5], &c->links[5],
+        c->M_eta + 5, c->K + 5, c->D + 5);
+    for (k = SIX_LINK_NTAU; k < SIX_LINK_NV; ++k) {
         if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || !(c->D[k] >= 0)) {
             return SIX_LINK_BAD_ARGUMENT;
         }

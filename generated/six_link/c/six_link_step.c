@@ -1,20 +1,21 @@
 /* six_link_step.c: forward dynamics and the integrators of the joint form. */
 #include "six_link_links.h"
 
-/* Inertia and force of every mode; returns where the inertia is. Implicit over dt: m = M + dt D + dt^2 K and
- * f = K (eta + dt etadot) + D etadot, the modal force that the accelerations lead to dt after the state s.
+/* Inertia and force of every joint coordinate, of its motor, spring and damper, and of every mode; returns where the
+ * inertia is. Implicit over dt: m = M + dt D + dt^2 K and f = K (x + dt xdot) + D xdot, the force that the
+ * accelerations lead to dt after the state s.
  */
 static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt, six_link_work *work)
 {
-    const six_link_real *eta = s->q + SIX_LINK_NTAU, *etadot = s->v + SIX_LINK_NTAU;
+    const six_link_real *eta = s->q, *etadot = s->v;
     int k;
     if (!(dt > 0)) {
-        for (k = 0; k < SIX_LINK_NMODES; ++k) {
+        for (k = 0; k < SIX_LINK_NV; ++k) {
             work->f_eta[k] = c->K[k] * eta[k] + c->D[k] * etadot[k];
         }
         return c->M_eta;
     }
-    for (k = 0; k < SIX_LINK_NMODES; ++k) {
+    for (k = 0; k < SIX_LINK_NV; ++k) {
         work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
         work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
     }
@@ -26,7 +27,7 @@ static int sound(const six_link_state *s, const six_link_input *u, const six_lin
 {
     return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
         && six_link_moderate(s->v, SIX_LINK_NV) && six_link_finite(u->tau, SIX_LINK_NTAU)
-        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NMODES);
+        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NV);
 }
 
 /* vdot at s with the modal terms m_eta and work->f_eta, and what is wanted; numbers that are not finite may be left. */
@@ -51,19 +52,32 @@ static int wild(const six_link_input *u)
     return !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
-six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
-    six_link_work *work, six_link_output *output)
+/* All of output, and what else is wanted. */
+static six_link_status complete(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, int wanted, six_link_output *output)
 {
     six_link_status status;
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = evaluate(c, state, input, work, SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
+    status = evaluate(c, state, input, work, wanted | SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
     if (status == SIX_LINK_OK && (wild(input) || !six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
         || !six_link_finite(&output->tip_rotation[0][0], 9) || !six_link_finite(output->tip_position, 3))) {
         return SIX_LINK_NONFINITE;
     }
     return status;
+}
+
+six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, six_link_output *output)
+{
+    return complete(c, state, input, work, 0, output);
+}
+
+six_link_status six_link_watched_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+    six_link_work *work, six_link_output *output)
+{
+    return complete(c, state, input, work, SIX_LINK_MOTION, output);
 }
 
 six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state, const six_link_input *input,

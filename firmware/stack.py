@@ -115,4 +115,5 @@ def worst_stacks(build: Build, program: Path, entries: list[str]) -> dict[str, i
             raise FirmwareError(f"{f.names[0]} calls itself: its stack has no bound")
         return frame(f) + max((depth(c, (*path, place)) for c in f.calls if c in known), default=0)
 
-    return {entry: depth(places[entry]) for entry in entries}
+    # What carries the precision in its symbol has it in float builds alone.
+    return {entry: depth(places.get(entry) or places[f"{entry}_float"]) for entry in entries}

@@ -49,8 +49,8 @@ def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: st
         return
     print("\n".join(modes_table(found, more)) or NO_MODES[joints])
     if joints == "locked" and (sprung := sprung_joints(model)):
-        text = f"note: --joints locked also locks the springs of {', '.join(sprung)}; --joints free lets them act"
-        print(text, file=sys.stderr)
+        springs = f"the springs of {', '.join(sprung)}"
+        print(f"screwgen: note: --joints locked also locks {springs}; --joints free lets them act", file=sys.stderr)
 
 
 def modes_record(found: ModeShapes, more: Convergence) -> dict:

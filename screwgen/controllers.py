@@ -187,8 +187,8 @@ def _goal(data: dict[str, Any], n: int) -> dict[str, Any]:
 
 def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     """One number for each joint, of the unit and the range of a key."""
-    check = within("q" if key == "q_des" else key)
-    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS[key]}", check))
+    check = within("q" if key.startswith("q_") else key)
+    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, 'rad')}", check))
 
 
 def _toml(text: str, file: str) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import scipy.linalg
 from .arguments import Given, choice
 from .errors import SingularError
 from .linear import checked
-from .validity import Validity
+from .validity import Validity, Watch
 
 if TYPE_CHECKING:
     from .build import Model
@@ -56,7 +56,8 @@ def mode_shapes(
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:
-        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0)
+        nothing = Watch([link.name for link in model.robot.links]).validity()
+        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing)
     M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
     free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
     out = np.zeros((model.nq, len(held)))

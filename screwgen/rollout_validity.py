@@ -25,6 +25,8 @@ def watched(
     """
     watch = Watch([link.name for link in model.robot.links])
     count, samples, _ = q.shape
+    if not count or samples < 2:
+        return watch.validity()
     chosen = set(np.linspace(0, count * samples - 1, min(SPREAD, count * samples)).astype(int).tolist())
     chosen.add(int(np.argmax(np.abs(v[..., : model.n_joints]).sum(axis=2))))
     bending = [_bending(model, i, given["parameters"], q) for i in range(model.n_links)]

@@ -13,11 +13,12 @@ from . import loop
 from .arguments import MAX_STEPS, Given, choice, seconds, whole
 from .controllers import Controller
 from .dae import DaeStepper
-from .errors import UsageError
+from .errors import DivergedError, UsageError
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, check_integrator, left
 from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
 from .runs import FORMATS, Run, check_output
+from .validity import ModelLeftError
 
 if TYPE_CHECKING:
     from .build import Model
@@ -81,12 +82,17 @@ def simulate(
     law = started(controller, q0)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
+    diverged = False
     try:
         with stored(table, store):
             walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
             return table.run()
+    except DivergedError as error:
+        diverged = not isinstance(error, ModelLeftError)
+        raise
     finally:
-        table.watch.validity().warn()
+        if not diverged:  # a method that diverges says nothing about the model
+            table.watch.validity().warn()
 
 
 def _in_c(backend: str | None, form: str, model: Model) -> bool:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from conftest import require_tool
+from helpers import example_file
 
 from screwgen import Robot, load
 from screwgen.emit import latex
@@ -76,7 +77,7 @@ BUILT = {"strange": STRANGE, "measured": MEASURED}
 
 @cache
 def robot(name: str) -> Robot:
-    return Robot.model_validate(BUILT[name]) if name in BUILT else load(ROOT / "examples" / f"{name}.toml")
+    return Robot.model_validate(BUILT[name]) if name in BUILT else load(example_file(name))
 
 
 @cache

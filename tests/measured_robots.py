@@ -17,7 +17,8 @@ FOUND = {"axial": [900.0, 2500.0], "bending_y": [20.0, 131.0, 340.0], "bending_z
 
 def counted(frequencies: dict, **more) -> dict:
     """A `modes` table whose stiffness is all measured."""
-    return {d: len(f) for d, f in frequencies.items()} | {"frequencies": frequencies, **more}
+    counts = {d: len(f) for d, f in frequencies.items()}
+    return {"basis": "clamped_free", **counts, "frequencies": frequencies, **more}
 
 
 def rod(frequencies=FOUND, **more) -> dict:
@@ -36,7 +37,7 @@ def two_links() -> dict:
     }  # fmt: skip
     second = {
         "name": "second", "length": 0.5, "section": {"rhoA": 0.8, "EIy": 7.0, "rhoIp": 2e-3},
-        "modes": {"bending_y": 2, "bending_z": 2, "frequencies": {"bending_y": [5.0, 40.0]}},
+        "modes": {"basis": "clamped_free", "bending_y": 2, "bending_z": 2, "frequencies": {"bending_y": [5.0, 40.0]}},
         "damping": {"ratio": 0.1}, "joint": {"axes": ["z"]}, "bodies": [{"at": "tip", "mass": 0.4}],
     }  # fmt: skip
     return arm(first, second)

@@ -23,7 +23,8 @@ SOFT = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
 def beam(ratio=None, **more) -> dict:
     """One welded link with one bending mode."""
     damping = {"damping": {"ratio": ratio}} if ratio is not None else {}
-    return arm(link(axes=[], modes={"bending_y": 1}, section={"EIz": 50.0}, **damping, **more), gravity=(0, 0, 0))
+    modes = {"basis": "clamped_free", "bending_y": 1}
+    return arm(link(axes=[], modes=modes, section={"EIz": 50.0}, **damping, **more), gravity=(0, 0, 0))
 
 
 def single(ratio=None):

@@ -24,8 +24,8 @@ def test_samples_are_reproducible_and_small():
         assert np.array_equal(s.q, again[label].q) and not np.array_equal(s.q, other[label].q)
         assert np.abs(s.q[:6]).max() <= np.pi and np.abs(s.q[6:]).max() <= 0.05 * 1.2
     s = one["sample 1"]
-    straight = np.append(s.q[:6], np.zeros(5))
-    rigid = flat(model.casadi()["bias"](straight, np.zeros(11), np.zeros((6, 6)), model.parameter_values))
+    straight = np.append(s.q[:6], np.zeros(9))
+    rigid = flat(model.casadi()["bias"](straight, np.zeros(15), np.zeros((6, 6)), model.parameter_values))
     assert np.allclose(s.tau, rigid[:6], rtol=1e-10)
 
 
@@ -42,7 +42,7 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
     assert [s["label"] for s in data["states"]] == ["zero", "sample 1", "sample 2"]
     assert data["well_posed"] and data["step"] == 2e-4 and data["structure"]["labels"][:2] == ["w_1", "V_1"]
     names = {"label", "well_posed", "singular", "system", "projectors", "blocks", "acceleration", "motions", "limits"}
-    names |= {"turning"}
+    names |= {"turning", "measures"}
     assert all(set(s) == names for s in data["states"])
     borne = {x["method"]: x["borne"] for x in data["states"][0]["limits"]}
     assert borne["rk4"] and not borne["euler"] and list(borne) == list(METHODS)

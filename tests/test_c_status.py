@@ -119,10 +119,10 @@ def test_bad_parameters_are_refused():
     c, model = quick(example("ella")), example("ella")
     expected = c.forward_dynamics(*start(c, "joint"))[0]
     for name, value, message in (
-        ("forearm.rhoA", NAN, "non-finite"),
-        ("gravity[1]", INF, "non-finite"),
-        ("upper_arm.length", 0.0, "bad argument"),
-        ("forearm.rhoA", -1.0, "bad argument"),
+        ("forearm.rhoA", NAN, "not finite"),
+        ("gravity[1]", INF, "not finite"),
+        ("upper_arm.length", 0.0, "must be > 0"),
+        ("forearm.rhoA", -1.0, "must be > 0"),
     ):
         p = list(model.parameter_values)
         p[model.parameter_names.index(name)] = value

@@ -17,7 +17,7 @@ from screwgen.modes import stiffness
 from screwgen.simulation import stepper
 
 ELLA = {"nq": 9, "m": 3, "n": 2}
-SIX = {"nq": 11, "m": 6, "n": 6}
+SIX = {"nq": 15, "m": 6, "n": 6}
 NAMES = {
     "forward_dynamics": (["q", "v", "tau", "w_ext", "p"], ["vdot", "wrench"]),
     "inverse_dynamics": (["q", "v", "vdot", "w_ext", "p"], ["force"]),

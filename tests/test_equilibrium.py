@@ -163,7 +163,8 @@ def test_commands_say_what_springs_do(capsys, tmp_path):
     assert main(["modes", str(path)]) == 0
     said = capsys.readouterr()
     assert said.out == "no modes: every link is rigid, and --joints locked locks every joint\n"
-    assert said.err == "note: --joints locked also locks the springs of flap.joint[0]; --joints free lets them act\n"
+    springs = "the springs of flap.joint[0]"
+    assert said.err == f"screwgen: note: --joints locked also locks {springs}; --joints free lets them act\n"
 
 
 # -------- closed forms

@@ -17,6 +17,7 @@ from oracle_link import STIFFNESS_OF, line_properties
 from screwgen import Robot, ScrewgenError, derive, dump, load, natural_frequencies
 from screwgen.chain.chain import Chain
 from screwgen.emit import latex
+from screwgen.memory import pointer
 from screwgen.spec import Link, equivalent_stiffness, parameters
 
 # -------- frequencies are runtime parameters
@@ -73,7 +74,8 @@ def test_c_refuses_frequencies_that_are_none(value, message):
     compiled = quick(model)
     for name in ("axial_1", "bending_y_0", "bending_z_0", "torsion_0"):
         with pytest.raises(ScrewgenError, match=message):
-            compiled.prepare(changed(model, **{name: value}))
+            given = np.array(changed(model, **{name: value}))
+            compiled.check(compiled.library.shim_prepare(compiled.memory, pointer(given)))
     compiled.prepare(None)
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 import random_robots as rr
+from figures import collisions, laid_out, outside
 from helpers import arm, example, link, model_of
-from pictures import collisions, laid_out, outside
 
 from screwgen import UsageError
 from screwgen.cli import main

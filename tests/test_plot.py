@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from figures import collisions, covered, laid_out, outside
 from helpers import arm, example, link, model_of
-from pictures import collisions, covered, laid_out, outside
 
 from screwgen import PD, Run, plot
 from screwgen.look import canvas

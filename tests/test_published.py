@@ -51,7 +51,7 @@ def test_clamped_beam_with_a_tip_body(direction, mu, j, omega):
 def test_axial_and_torsional_rods():
     """A fixed-free rod: (2k - 1) pi / 2 times the wave's speed over the length."""
     section = {"rhoA": 1.3, "EA": 4e3, "GJ": 7.0, "rhoIp": 2e-3}
-    table = link(length=0.8, axes=[], modes={"axial": 2, "torsion": 2}, section=section)
+    table = link(length=0.8, axes=[], modes={"basis": "clamped_free", "axial": 2, "torsion": 2}, section=section)
     speeds = np.sqrt([4e3 / 1.3, 4e3 / 1.3, 7 / 2e-3, 7 / 2e-3])
     expected = speeds * np.array([1, 3, 1, 3]) / (4 * 0.8)
     assert np.allclose(frequencies(model_of(arm(table))), np.sort(expected), rtol=1e-12)
@@ -62,7 +62,7 @@ def test_axial_and_torsional_rods():
 )
 def test_static_deflection_of_clamped_free_modes(count, ratio):
     """Under a force at its tip the clamped-free series reaches these parts of F l^3 / 3 EI."""
-    model = model_of(arm(link(axes=[], modes={"bending_y": count}), gravity=[0, 0, 0]))
+    model = model_of(arm(link(axes=[], modes={"basis": "clamped_free", "bending_y": count}), gravity=[0, 0, 0]))
     assert np.isclose(3 * tip_under(model, [0, 0, 0, 0, 1e-9, 0])[1] / 1e-9, ratio, atol=5e-7)
 
 

@@ -24,11 +24,11 @@ def ella():
     return derive(load(os.path.join(EXAMPLES, "ella_paper.toml")))
 
 
-def soft_dict() -> dict:
+def soft_dict(basis="clamped_free") -> dict:
     """Two soft links in space, modes of a few Hz: every method resolves them."""
     links = [
         {"name": name, "length": 0.8, "section": {"rhoA": 1.0, "EIy": 40.0, "EIz": 60.0, "rhoIp": 2e-2},
-         "modes": {"bending_y": 1, "bending_z": 1}, "damping": {"ratio": 0.02},
+         "modes": {"basis": basis, "bending_y": 1, "bending_z": 1}, "damping": {"ratio": 0.02},
          "joint": {"axes": axes, "damping": [0.3] * len(axes)}, "bodies": [{"at": "tip", "mass": 1.0}]}
         for name, axes in (("upper", ["y", "z"]), ("fore", ["z"]))
     ]  # fmt: skip
@@ -246,13 +246,13 @@ def test_torques_that_hold_are_those_of_the_equilibrium():
     robot["links"][1]["joint"]["stiffness"] = [3.0] * len(robot["links"][1]["joint"]["axes"])
     model = derive(Robot.model_validate(robot))
     for q in ([0.0] * 3, [0.3, -0.5, 1.1]):
-        assert Holding(model)(q) == pytest.approx(equilibrium(model, q, hold=True).tau, rel=1e-9, abs=1e-9)
+        assert Holding(model)(q) == pytest.approx(equilibrium(model, q, hold="all").tau, rel=1e-9, abs=1e-9)
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_gravity_compensation_leaves_no_error_at_rest(backend):
     """PD alone sags under the weight; with the torques that hold the arm it rests at its set point."""
-    robot = soft_dict()
+    robot = soft_dict("polynomial")
     for link in robot["links"]:
         link["damping"] = {"ratio": 0.1}
     model, goal = derive(Robot.model_validate(robot)), (0.3, -0.2, 0.4)

@@ -89,7 +89,7 @@ six_link_status six_link_gravity(const six_link_constants *c, const six_link_sta
     status = six_link_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     for (round = 0; round < SIX_LINK_ROUNDS && status == SIX_LINK_OK; ++round) {
         for (k = 0; k < SIX_LINK_NMODES; ++k) {
-            posture.q[SIX_LINK_NTAU + k] -= force[SIX_LINK_NTAU + k] / c->K[k];
+            posture.q[SIX_LINK_NTAU + k] -= force[SIX_LINK_NTAU + k] / c->K[SIX_LINK_NTAU + k];
         }
         status = six_link_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     }

@@ -13,12 +13,12 @@ from pathlib import Path
 import casadi as ca
 
 from screwgen import Model
-from screwgen.chain import fuse
-from screwgen.emit import casadi as backend
-from screwgen.emit.c import CProject
+from screwgen.algorithms import fused as fuse
+from screwgen.backends.c.project import CProject
+from screwgen.backends.casadi import functions as backend
 from screwgen.errors import UsageError
-from screwgen.lower.program import Program
-from screwgen.lower.replay import run
+from screwgen.ir.program import Program
+from screwgen.ir.replay import run
 
 STATES = 8
 """As in contract.h."""
@@ -106,7 +106,7 @@ def ours(model: Model, name: str, title: str, library: Library, *defines: str, e
 
 
 def same_function(model: Model, constants: str) -> Program:
-    """The forward dynamics as the generated C computes it; ``constants`` as in :func:`screwgen.chain.fuse.fuse`."""
+    """The forward dynamics as the generated C computes it; ``constants`` as in :func:`screwgen.algorithms.fused.fuse`."""
     chain = model.chain
     inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
 

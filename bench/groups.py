@@ -26,7 +26,7 @@ from contenders import (
 )
 
 import screwgen
-from screwgen.emit.c import METHODS
+from screwgen.backends.c.project import METHODS
 
 PLAIN = ("-DBAKED", "-DPLAIN")
 TIME_STEP = 1e-3

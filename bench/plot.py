@@ -8,7 +8,7 @@ from pathlib import Path
 
 from table import Row, significant
 
-from screwgen.look import GREY, INK, PALE, PALETTE, SMALL, canvas, legend_above, png, styled
+from screwgen.plotting.look import GREY, INK, PALE, PALETTE, SMALL, canvas, legend_above, png, styled
 
 OURS, THEIRS, TARGET = PALETTE[0], PALE, PALETTE[3]
 

@@ -21,8 +21,8 @@ import robots  # noqa: E402
 from table import Row, printed, spread  # noqa: E402
 
 import screwgen  # noqa: E402
-from screwgen import library  # noqa: E402
-from screwgen.emit.c_shim import shims  # noqa: E402
+from screwgen.backends.c.shim import shims  # noqa: E402
+from screwgen.runtime import library  # noqa: E402
 
 FLAGS = ("-O2",)
 ROUNDS, CALLS, STEP = 41, 20_000, 1e-3

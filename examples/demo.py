@@ -12,12 +12,12 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from screwgen.simulation.simulate.controllers import PD
+from screwgen.simulation.simulate.simulate import FORMS, simulate
 
 import screwgen
-from screwgen import plot
-from screwgen.compiled import CompiledStepper
-from screwgen.controllers import PD
-from screwgen.simulation import FORMS, simulate
+from screwgen.plotting import plot
+from screwgen.runtime.compiled import CompiledStepper
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"

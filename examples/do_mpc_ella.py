@@ -18,7 +18,7 @@ import casadi as ca
 import numpy as np
 
 import screwgen
-from screwgen import look
+from screwgen.plotting import look
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # do-mpc says which of its optional packages are missing

@@ -14,14 +14,14 @@ from pathlib import Path
 
 import numpy as np
 from ella.sheet import Sheet
+from screwgen.simulation.simulate.integrate import JointStepper
 
 import screwgen
 from screwgen import PD, Model, Robot
-from screwgen.chain.gauges import gauges
-from screwgen.estimator import CompiledEstimator, Noise
-from screwgen.integrate import JointStepper
-from screwgen.look import INK, PALETTE, name_ends, styled
-from screwgen.motion import tip_deformation
+from screwgen.algorithms.gauges import gauges
+from screwgen.plotting.look import INK, PALETTE, name_ends, styled
+from screwgen.plotting.motion import tip_deformation
+from screwgen.runtime.estimator import CompiledEstimator, Noise
 
 ROOT = Path(__file__).resolve().parents[1]
 PLOT = ROOT / "build" / "ekf_ella.png"

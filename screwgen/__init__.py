@@ -6,23 +6,23 @@ One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 from . import sympy_cache  # noqa: F401
 
 # isort: split
-from .analysis import Analysis, analyse
-from .build import Model
-from .controllers import PD, Holding
-from .convergence import Convergence, convergence
-from .equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
-from .integrate import DivergedError
-from .linear import LinearModel
-from .modes import natural_frequencies
-from .rollout import Rollout, rollout
-from .runs import Run
-from .simulation import simulate
+from .model import Model
+from .runtime.rollout import Rollout, rollout
+from .simulation.controllers import PD, Holding
+from .simulation.integrate import DivergedError
+from .simulation.runs import Run
+from .simulation.simulate import simulate
 from .spec.frequencies import Frequencies
 from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
 from .spec.section import Section
+from .studies.analysis import Analysis, analyse
+from .studies.convergence import Convergence, convergence
+from .studies.equilibrium import Equilibrium, NoEquilibriumError, equilibrium
+from .studies.linear import LinearModel
+from .studies.modes import natural_frequencies
 from .validity import ModelLeftError, ModelValidityWarning, Validity
 from .version import __version__
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal, overload
 
-from .build import Model
-from .build import derive as consistent
 from .errors import UsageError
+from .model import Model
+from .model import derive as consistent
 from .spec.robot import Robot
 
 if TYPE_CHECKING:

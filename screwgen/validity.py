@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .derive.validity import BOUNDS as BOUND
-from .derive.validity import MEASURES
+from .bodies.validity import BOUNDS as BOUND
+from .bodies.validity import MEASURES
 from .errors import DivergedError
 
 FAR = 1.0

@@ -6,9 +6,9 @@ import numpy as np
 import random_robots as rr
 from helpers import arm, equal_links, example_dict, link, model_of
 
-from screwgen.batch import CompiledBatch
-from screwgen.compiled import Compiled
-from screwgen.emit.c import CProject
+from screwgen.backends.c.project import CProject
+from screwgen.runtime.batch import CompiledBatch
+from screwgen.runtime.compiled import Compiled
 
 STRICT = ("-O0", "-ffp-contract=off")
 WIDTHS = (0, 16, 32, 64)

@@ -12,7 +12,7 @@ import random_robots as rr
 from oracle import Oracle, part_error
 
 from screwgen import Model, Robot, derive, load
-from screwgen.compiled import Compiled
+from screwgen.runtime.compiled import Compiled
 
 ROOT = Path(__file__).resolve().parents[1]
 EPS, EPS32 = float(np.finfo(np.float64).eps), float(np.finfo(np.float32).eps)

@@ -12,7 +12,7 @@ from conftest import require_tool
 from helpers import example_file
 
 from screwgen import Robot, load
-from screwgen.emit import latex
+from screwgen.backends.latex import document as latex
 
 ROOT = Path(__file__).resolve().parents[1]
 NAMES = ("ella", "six_link", "strange", "measured")

@@ -19,7 +19,7 @@ import numpy as np
 from helpers import example, example_dict, model_of
 from test_conservation import FREE, REST, judge, violations
 
-from screwgen.compiled import Compiled
+from screwgen.runtime.compiled import Compiled
 
 STEP, METHOD, SAMPLES = 1e-3, "modal_midpoint", 100
 HANGING = np.array([np.pi / 2, *np.zeros(8)])

@@ -18,8 +18,8 @@ from beam_arms import random_arm, welded_corner, with_modes
 from beam_elements import LOWEST, frequencies
 from helpers import model_of
 
-from screwgen.emit.c import CProject
-from screwgen.modes import natural_frequencies
+from screwgen.backends.c.project import CProject
+from screwgen.studies.modes import natural_frequencies
 
 BASES, FEW = ("clamped_free", "polynomial"), 3
 HEAD = "| basis | n | 2 links | 3 links | 5 links | corner | operations: 2 links | 5 links |"

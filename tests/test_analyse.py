@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 import random_robots as rr
 from helpers import arm, equal_links, example, link, model_of, quick
+from screwgen.simulation.simulate.controllers import PD
+from screwgen.simulation.simulate.integrate import METHODS, Dynamics, Held
+from screwgen.simulation.simulate.state import State
 
 import screwgen
-from screwgen.analysis import sample_states
-from screwgen.analysis.regularity import regularity
-from screwgen.analysis.spectrum import Linearised, growth, jacobian, motions, step_map
-from screwgen.controllers import PD
-from screwgen.integrate import METHODS, Dynamics, Held
-from screwgen.state import State
+from screwgen.studies.analysis import sample_states
+from screwgen.studies.analysis.regularity import regularity
+from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, motions, step_map
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SOFT = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}

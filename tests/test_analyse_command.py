@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import equal_links, example, flat, model_of
+from screwgen.cli.main.main import main
+from screwgen.simulation.simulate.integrate import METHODS
 
 import screwgen
-from screwgen.analysis import sample_states
-from screwgen.analysis.regularity import structure
-from screwgen.analysis.structure_plot import png
-from screwgen.cli import main
-from screwgen.integrate import METHODS
+from screwgen.plotting.structure import png
+from screwgen.studies.analysis import sample_states
+from screwgen.studies.analysis.regularity import structure
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 

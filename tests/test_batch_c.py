@@ -19,15 +19,15 @@ from batch_c import (
 )
 from helpers import model_of
 
-from screwgen.batch import NONFINITE, OK, SINGULAR, CompiledBatch, _Batch
-from screwgen.chain import fuse
-from screwgen.compiled import Compiled
-from screwgen.emit import c_batch
-from screwgen.emit.c import METHODS
+from screwgen.algorithms import fused as fuse
+from screwgen.backends.c import batch as c_batch
+from screwgen.backends.c.project import METHODS
 from screwgen.errors import ScrewgenError, SingularError
-from screwgen.lower.replay import run
-from screwgen.lower.split import KEPT, split
-from screwgen.memory import pointer
+from screwgen.ir.replay import run
+from screwgen.ir.split import KEPT, split
+from screwgen.runtime.batch import NONFINITE, OK, SINGULAR, CompiledBatch, _Batch
+from screwgen.runtime.compiled import Compiled
+from screwgen.runtime.memory import pointer
 
 BAD_ARGUMENT = 3
 

@@ -10,10 +10,10 @@ import pytest
 import random_robots as rr
 from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool
+from screwgen.cli.main.commands import run_generate
 
-from screwgen.cli_commands import run_generate
-from screwgen.emit import c_batch
-from screwgen.emit.c import CProject
+from screwgen.backends.c import batch as c_batch
+from screwgen.backends.c.project import CProject
 from screwgen.errors import UsageError
 
 WARNINGS = "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"

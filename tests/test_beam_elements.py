@@ -13,7 +13,7 @@ from helpers import example, example_dict, model_of
 from oracle_robots import beam
 from scipy.spatial.transform import Rotation
 
-from screwgen.modes import natural_frequencies
+from screwgen.studies.modes import natural_frequencies
 
 ARMS, COUNTS = (2, 3, 5), (1, 2, 3, 4, 6)
 

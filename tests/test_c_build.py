@@ -8,8 +8,8 @@ import pytest
 from conftest import require_tool
 from helpers import arm, link, model_of
 
-from screwgen.emit.c import CProject
-from screwgen.emit.c_fields import index_type
+from screwgen.backends.c.fields import index_type
+from screwgen.backends.c.project import CProject
 
 BENDS = arm(link("a", 0.5, "z", modes={"bending_y": 1}), link("b", 0.4, "y"))
 

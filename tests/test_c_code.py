@@ -12,8 +12,8 @@ from conftest import require_tool
 from helpers import ROOT, arm, equal_links, example, example_file, link, model_of
 
 from screwgen import __version__
-from screwgen.emit.c import CProject
-from screwgen.lower.program import Program
+from screwgen.backends.c.project import CProject
+from screwgen.ir.program import Program
 
 WARNINGS = (
     "-std=c99",
@@ -242,7 +242,7 @@ DIGEST = """
 import hashlib, sys
 import screwgen
 from screwgen import __version__
-from screwgen.emit.c import CProject
+from screwgen.backends.c.project import CProject
 for path in sys.argv[1:]:
     model = screwgen.derive(screwgen.load(path))
     for layout in ("fused", "modular"):

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from helpers import arm, drawn, equal_links, example, link, model_of, quick, relative
 
-from screwgen.chain import algorithms as alg
-from screwgen.chain.chain import _traced, trace
-from screwgen.chain.modes import WAYS
-from screwgen.chain.structure import passages
-from screwgen.emit.c import FUSED_BEST, FUSED_MOST, CProject
+from screwgen.algorithms import functions as alg
+from screwgen.algorithms.modal_elimination import WAYS
+from screwgen.algorithms.structure import passages
+from screwgen.backends.c.project import FUSED_BEST, FUSED_MOST, CProject
 from screwgen.errors import UsageError
+from screwgen.topology.chain import _traced, trace
 
 SOFT = {"rhoA": 1.5, "EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0, "rhoIp": 0.02}
 

@@ -8,7 +8,7 @@ import pytest
 from c_robots import strange
 from helpers import Model, example, model_of, quick
 
-from screwgen.equilibrium import equilibrium
+from screwgen.studies.equilibrium import equilibrium
 
 MODELS = {"ella": lambda: example("ella"), "strange": lambda: model_of(strange())}
 

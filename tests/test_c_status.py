@@ -12,7 +12,7 @@ import pytest
 from conftest import require_tool
 from helpers import arm, example, link, model_of, quick
 
-from screwgen.emit.c import METHODS, CProject
+from screwgen.backends.c.project import METHODS, CProject
 from screwgen.errors import ScrewgenError, SingularError
 
 OK, NONFINITE, SINGULAR, BAD_ARGUMENT = range(4)

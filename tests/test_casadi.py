@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import arm, example, flat, link, model_of, relative
+from screwgen.simulation.simulate.simulate import stepper
 
 from screwgen import Robot, UsageError, derive
-from screwgen.emit import casadi as emit
-from screwgen.methods import METHODS
-from screwgen.modes import stiffness
-from screwgen.simulation import stepper
+from screwgen.backends.casadi import functions as emit
+from screwgen.integrators.methods import METHODS
+from screwgen.studies.modes import stiffness
 
 ELLA = {"nq": 9, "m": 3, "n": 2}
 SIX = {"nq": 15, "m": 6, "n": 6}

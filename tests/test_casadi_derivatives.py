@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from helpers import EPS, arm, drawn, example, flat, link, model_of, quick, relative
 
-from screwgen.emit.casadi import _saved, casadi_files
+from screwgen.backends.casadi.functions import _saved, casadi_files
 
 RIGID = arm(link("a", axes="zy"), link("b", axes="y"))
 ROBOTS = ("ella", "drawn", "rigid")

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 from conftest import require_tool
 from oracle import Oracle
+from screwgen.cli.main.commands import EVALUATIONS
+from screwgen.cli.main.main import main
+from screwgen.simulation.simulate.controllers import PD, Holding
+from screwgen.simulation.simulate.simulate import FORMS, simulate
 
 from screwgen import __version__, derive, load
-from screwgen.cli import main
-from screwgen.cli_commands import EVALUATIONS
-from screwgen.controllers import PD, Holding
-from screwgen.modes import natural_frequencies
-from screwgen.simulation import FORMS, simulate
+from screwgen.studies.modes import natural_frequencies
 
 ROOT = Path(__file__).resolve().parents[1]
 ELLA = str(ROOT / "examples" / "ella_paper.toml")

@@ -17,8 +17,9 @@ from conftest import require_tool
 from helpers import EPS32, arm, drawn, example, link, model_of, relative
 
 import screwgen
-from screwgen import ScrewgenError, SingularError, UsageError, library
-from screwgen.compiled import Compiled
+from screwgen import ScrewgenError, SingularError, UsageError
+from screwgen.runtime import library
+from screwgen.runtime.compiled import Compiled
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 

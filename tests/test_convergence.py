@@ -5,11 +5,11 @@ import json
 import numpy as np
 import pytest
 from helpers import arm, drawn, example, link, model_of
+from screwgen.cli.main.main import main
 
 from screwgen import derive, natural_frequencies
-from screwgen.cli import main
-from screwgen.convergence import convergence, enriched
 from screwgen.spec.advice import advice
+from screwgen.studies.convergence import convergence, enriched
 
 SECTION = {"EIy": 60.0, "EIz": 90.0, "GJ": 40.0, "rhoIp": 1e-3}
 TIP = [{"at": "tip", "mass": 0.5, "com": [0.02, 0.01, 0.03], "inertia": [2e-3, 3e-3, 3e-3, 0.0, 0.0, 0.0]}]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from screwgen.curves import MOST_POINTS, number, prefixed, scale, thin
+from screwgen.plotting.curves import MOST_POINTS, number, prefixed, scale, thin
 
 T = np.linspace(0.0, 2.0, 2001)
 

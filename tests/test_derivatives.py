@@ -12,12 +12,12 @@ from conftest import require_tool
 from helpers import EPS, EPS32, G, arm, drawn, equal_links, example, flat, link, model_of, quick, relative
 
 from screwgen import SingularError, UsageError
-from screwgen.emit.c import CProject
-from screwgen.emit.python import NAMESPACE
+from screwgen.backends.c.project import CProject
+from screwgen.backends.numpy.python import NAMESPACE
 from screwgen.errors import ScrewgenError
-from screwgen.lower.derivative import columns, tangents
-from screwgen.lower.program import Program, Tracer
-from screwgen.lower.replay import run
+from screwgen.ir.derivative import columns, tangents
+from screwgen.ir.program import Program, Tracer
+from screwgen.ir.replay import run
 
 SOFT = {"EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0}
 TIP = [{"at": "tip", "mass": 1.0, "com": [0.1, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0.001, 0.0, 0.0]}]
@@ -248,7 +248,7 @@ def test_tangents_of_every_operation():
 
 
 def precise():
-    from screwgen.chain.fuse import precise
+    from screwgen.algorithms.fused import precise
 
     return precise
 

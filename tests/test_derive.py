@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from screwgen.derive.block import Block
-from screwgen.derive.energy import energy_block
-from screwgen.derive.link import LinkBlock
-from screwgen.derive.link_class import BodyClass, LinkClass
+from screwgen.bodies.energy import energy_block
+from screwgen.bodies.link import LinkBlock
+from screwgen.ir.block import Block
+from screwgen.topology.link_class import BodyClass, LinkClass
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 

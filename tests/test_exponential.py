@@ -9,7 +9,7 @@ from helpers import example, flat, relative
 from oracle_link import hat
 from z_form_cases import series
 
-from screwgen.emit.casadi_z import rotation_vector
+from screwgen.paper.z_casadi import rotation_vector
 
 ANGLES = [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.0, 1.999, 2.001, np.pi - 1e-6, np.pi, np.pi + 1e-3, 5.0, 6.2, 6.283]
 

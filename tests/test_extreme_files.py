@@ -11,11 +11,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from screwgen.cli.main.main import main
 
-from screwgen import load, loop
-from screwgen.analysis import spectrum
-from screwgen.cli import main
+from screwgen import load
+from screwgen.simulation import loop
 from screwgen.spec.ranges import RANGES
+from screwgen.studies.analysis import spectrum
 
 SHORT = "simulate arm.toml --duration 2e-3 --step 1e-3 -o run.csv --state state.json"
 COMMANDS = (

@@ -13,15 +13,15 @@ from latex_documents import every_robot, page, robot, tex
 from screwgen import Robot
 from screwgen.algebra.notation import latex as formula
 from screwgen.algebra.notation import number, tilde
-from screwgen.chain.chain import Chain
-from screwgen.chain.scope import derived
-from screwgen.derive.block import Block
-from screwgen.emit import latex
-from screwgen.emit.latex_layout import PAGE, width
-from screwgen.emit.latex_scalars import scalars
-from screwgen.emit.latex_steps import block_view
-from screwgen.emit.latex_symbols import entries, written
-from screwgen.emit.latex_z import z_view
+from screwgen.algorithms.scope import derived
+from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.layout import PAGE, width
+from screwgen.backends.latex.scalars import scalars
+from screwgen.backends.latex.steps import block_view
+from screwgen.backends.latex.symbols import entries, written
+from screwgen.ir.block import Block
+from screwgen.paper.z_latex import z_view
+from screwgen.topology.chain import Chain
 
 # -------- LaTeX
 

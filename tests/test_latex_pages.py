@@ -14,9 +14,9 @@ from helpers import arm, link
 from latex_documents import every_robot, page, robot, tex, too_wide
 
 from screwgen import Robot, ScrewgenError
-from screwgen.emit import latex
-from screwgen.emit import latex_mathml as mathml
-from screwgen.emit.templates import folder, render
+from screwgen.backends.latex import document as latex
+from screwgen.backends.latex import mathml
+from screwgen.backends.templates import folder, render
 
 MATHML = "{http://www.w3.org/1998/Math/MathML}"
 ACCENTED = r"\tilde{\boldsymbol{\theta}}_c^{2} + \dot{\mathbf{r}}^{\top} + \ddot{\boldsymbol{\eta}}_i"

@@ -12,8 +12,8 @@ import pytest
 from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
 
 from screwgen import SingularError, UsageError, equilibrium, simulate
-from screwgen.modes import natural_frequencies, stiffness
-from screwgen.motion import displacements
+from screwgen.plotting.motion import displacements
+from screwgen.studies.modes import natural_frequencies, stiffness
 
 TIP = ("tip_position", "tip_velocity", "tip_acceleration")
 EVERYTHING = ("joint_angles", "joint_rates", "modes", "mode_rates", *TIP, "wrenches")

@@ -15,10 +15,10 @@ from measured_robots import BARE, FOUND, by_frequencies, clamped, counted, flat,
 from oracle_link import STIFFNESS_OF, line_properties
 
 from screwgen import Robot, ScrewgenError, derive, dump, load, natural_frequencies
-from screwgen.chain.chain import Chain
-from screwgen.emit import latex
-from screwgen.memory import pointer
+from screwgen.backends.latex import document as latex
+from screwgen.runtime.memory import pointer
 from screwgen.spec import Link, equivalent_stiffness, parameters
+from screwgen.topology.chain import Chain
 
 # -------- frequencies are runtime parameters
 

@@ -5,13 +5,13 @@ import pytest
 import random_robots as rr
 from figures import collisions, laid_out, outside
 from helpers import arm, example, link, model_of
+from screwgen.cli.main.main import main
 
 from screwgen import UsageError
-from screwgen.cli import main
-from screwgen.look import view
-from screwgen.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
-from screwgen.modes import mode_shapes, natural_frequencies
-from screwgen.motion import centrelines
+from screwgen.plotting.look import view
+from screwgen.plotting.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
+from screwgen.plotting.motion import centrelines
+from screwgen.studies.modes import mode_shapes, natural_frequencies
 
 SETPOINTS = [-0.4928, 0.6922, 0.4270]
 

@@ -8,8 +8,8 @@ from helpers import link as plain_link
 from oracle import Oracle
 
 from screwgen import Robot, SingularError, UsageError, derive
-from screwgen.convergence import convergence
-from screwgen.modes import natural_frequencies
+from screwgen.studies.convergence import convergence
+from screwgen.studies.modes import natural_frequencies
 
 SETPOINTS = [-0.4928, 0.6922, 0.4270]
 

@@ -6,7 +6,14 @@ from helpers import drawn, example
 from scipy.linalg import expm
 
 from screwgen import UsageError
-from screwgen.motion import amplitude_spectrum, displacements, modal_columns, screws, tip_deformation, tip_position
+from screwgen.plotting.motion import (
+    amplitude_spectrum,
+    displacements,
+    modal_columns,
+    screws,
+    tip_deformation,
+    tip_position,
+)
 
 
 def hat(a):

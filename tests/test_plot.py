@@ -7,8 +7,9 @@ import pytest
 from figures import collisions, covered, laid_out, outside
 from helpers import arm, example, link, model_of
 
-from screwgen import PD, Run, plot
-from screwgen.look import canvas
+from screwgen import PD, Run
+from screwgen.plotting import plot
+from screwgen.plotting.look import canvas
 
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0,) * 3, (28.0,) * 3, SET_POINTS, duration=1.5, tau_max=(90.0, 60.0, 30.0))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from helpers import drawn, example
 
-from screwgen.emit.c import CProject
-from screwgen.library import compiler_command
+from screwgen.backends.c.project import CProject
+from screwgen.runtime.library import compiler_command
 
 MARKED = "target_clones"
 

@@ -10,13 +10,13 @@ from helpers import example
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from screwgen.chain import algorithms as alg
-from screwgen.chain import fuse
-from screwgen.chain.chain import trace
-from screwgen.emit import casadi as sx
-from screwgen.emit.python import compiled
-from screwgen.lower.program import FUNCTIONS, Program, Tracer
-from screwgen.lower.replay import inline, run, specialise
+from screwgen.algorithms import functions as alg
+from screwgen.algorithms import fused as fuse
+from screwgen.backends.casadi import functions as sx
+from screwgen.backends.numpy.python import compiled
+from screwgen.ir.program import FUNCTIONS, Program, Tracer
+from screwgen.ir.replay import inline, run, specialise
+from screwgen.topology.chain import trace
 
 
 def traced(function, **sizes) -> Program:

@@ -10,7 +10,7 @@ from helpers import arm, example, link, model_of
 
 import screwgen
 from screwgen import ScrewgenError, UsageError, rollout
-from screwgen.batch import compiled_batch
+from screwgen.runtime.batch import compiled_batch
 
 STEP = 1e-3
 

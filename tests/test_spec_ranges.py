@@ -4,13 +4,13 @@ import re
 
 import pytest
 from bad_robot_files import GOOD, refusal
+from screwgen.simulation.simulate.controllers import read_pd
+from screwgen.simulation.simulate.state import state_of
 
 from screwgen import UsageError, derive
-from screwgen.controllers import read_pd
 from screwgen.errors import RobotFileError
 from screwgen.spec import Joint, load
 from screwgen.spec.ranges import RANGES
-from screwgen.state import state_of
 
 GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration"}
 """Not in a robot file."""

@@ -7,18 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from spec_parts import STIFFNESS_OF, reloaded, robot
 
-from screwgen.spec import (
-    Body,
-    Damping,
-    Frequencies,
-    Joint,
-    Link,
-    Modes,
-    Mount,
-    Section,
-    coordinate_names,
-    parameters,
-)
+from screwgen.spec import Body, Damping, Frequencies, Joint, Link, Modes, Mount, Section, coordinate_names, parameters
 
 numbers = st.floats(-1e6, 1e6)
 amounts = st.just(0.0) | st.floats(1e-12, 1e6)

@@ -5,12 +5,12 @@ from functools import cache
 import numpy as np
 import pytest
 from helpers import arm, example_dict, link, model_of, quick
+from screwgen.simulation.simulate.dae import DaeStepper
+from screwgen.simulation.simulate.integrate import JointStepper
 
 from screwgen import SingularError
-from screwgen.analysis.spectrum import growth, step_map
-from screwgen.compiled import Compiled
-from screwgen.dae import DaeStepper
-from screwgen.integrate import JointStepper
+from screwgen.runtime.compiled import Compiled
+from screwgen.studies.analysis.spectrum import growth, step_map
 
 DAMPING = {"upper_arm": (600.0, 600.0), "forearm": (150.0,)}
 START = np.array([-0.3, 0.4, 0.5, *6 * [0.0]]), np.array([1.0, -2.0, 1.5, *6 * [0.0]])

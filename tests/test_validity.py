@@ -9,14 +9,14 @@ from functools import cache
 
 import numpy as np
 import pytest
+from screwgen.cli.main.main import main
+from screwgen.simulation.simulate.integrate import METHODS
 
 import screwgen
 from docs.tools import limits
-from screwgen.cli import main
-from screwgen.derive.validity import MEASURES
-from screwgen.emit.c import CProject
-from screwgen.emit.c_links import RUNS
-from screwgen.integrate import METHODS
+from screwgen.backends.c.links import RUNS
+from screwgen.backends.c.project import CProject
+from screwgen.bodies.validity import MEASURES
 from screwgen.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
 
 ELLA = "examples/ella.toml"

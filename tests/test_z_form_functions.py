@@ -13,9 +13,9 @@ from latex_documents import robot as document_robot
 from screwgen.algebra.components import components
 from screwgen.algebra.expression import Symbol
 from screwgen.algebra.rate import rate
-from screwgen.chain.scope import common
-from screwgen.emit import latex
-from screwgen.emit.latex_layout import PAGE, width
+from screwgen.algorithms.scope import common
+from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.layout import PAGE, width
 
 NAMES = {
     "exponential": (["theta"], ["R", "J", "J_inverse"]),

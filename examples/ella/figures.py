@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from screwgen.curves import NOTHING
-from screwgen.look import GREY, PALETTE
-from screwgen.motion import modal_columns, screws, tip_deformation, tip_position
+from screwgen.plotting.curves import NOTHING
+from screwgen.plotting.look import GREY, PALETTE
+from screwgen.plotting.motion import modal_columns, screws, tip_deformation, tip_position
 
 from .figures_of_vibration import divergence, fields, spectra
 from .sheet import Sheet, xyz

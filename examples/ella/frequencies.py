@@ -9,8 +9,8 @@ import numpy as np
 
 import screwgen
 from screwgen import PD, Model, Robot, natural_frequencies
-from screwgen.analysis.spectrum import jacobian
-from screwgen.chain.dae_functions import unknown_size
+from screwgen.algorithms.dae_functions import unknown_size
+from screwgen.studies.analysis.spectrum import jacobian
 
 from .arm import SET_POINTS, Arm, bodies_beyond_the_joints, choose_gains, welded, with_modes
 from .growth import equilibrium

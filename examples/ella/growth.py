@@ -10,9 +10,9 @@ import numpy as np
 import scipy.linalg
 
 from screwgen import PD, Model
-from screwgen.analysis.spectrum import Linearised, growth, jacobian, step_map
-from screwgen.modes import stiffness
-from screwgen.motion import modal_columns
+from screwgen.plotting.motion import modal_columns
+from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, step_map
+from screwgen.studies.modes import stiffness
 
 from .arm import STEP, Arm, start
 from .motions import EULER, PRINTED, REFERENCE, Library, Way, follow

@@ -7,10 +7,10 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+from screwgen.simulation.simulate.simulate import FORMS, step_count
 
 from screwgen import Run, ScrewgenError, simulate
-from screwgen.compiled import Compiled, CompiledStepper
-from screwgen.simulation import FORMS, step_count
+from screwgen.runtime.compiled import Compiled, CompiledStepper
 
 from .arm import STEP, Arm
 

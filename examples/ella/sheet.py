@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from screwgen import look
-from screwgen.curves import over_time, scale, thin
-from screwgen.look import LIMITS, PALETTE, canvas, styled
+from screwgen.plotting import look
+from screwgen.plotting.curves import over_time, scale, thin
+from screwgen.plotting.look import LIMITS, PALETTE, canvas, styled
 
 PANEL = (4.3, 2.7)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from ella.sheet import Sheet
 
-from screwgen.look import GREY, LIMITS, PALETTE, styled
+from screwgen.plotting.look import GREY, LIMITS, PALETTE, styled
 
 from .arms import LIMIT, STEP
 from .ocp import Form

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 
-from screwgen.bases.clamped_free import clamped_free
-from screwgen.bases.polynomial import polynomial
-from screwgen.bases.shapes import Family, Shapes, products
+from .clamped_free import clamped_free
+from .polynomial import polynomial
+from .shapes import Family, Shapes, products
 
 __all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Family", "Shapes", "products", "shapes"]
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import mpmath
 from mpmath import mpc, mpf
 
-from screwgen.bases.functions import ClosedForm
-from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
-from screwgen.bases.sine import sine
+from .functions import ClosedForm
+from .shapes import Family, Shapes, latex_number, tabulate, working_digits
+from .sine import sine
 
 FAMILY = Family(
     name="clamped_free",

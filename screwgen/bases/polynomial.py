@@ -12,8 +12,8 @@ from math import comb
 import mpmath
 from mpmath import mpf
 
-from screwgen.bases.functions import ClosedForm, inner, polynomial_form
-from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
+from .functions import ClosedForm, inner, polynomial_form
+from .shapes import Family, Shapes, latex_number, tabulate, working_digits
 
 BEAM = Family(
     name="polynomial",

@@ -13,7 +13,7 @@ from functools import cache
 import mpmath
 from mpmath import mpf
 
-from screwgen.bases.functions import ClosedForm, inner
+from .functions import ClosedForm, inner
 
 Matrix = tuple[tuple[float, ...], ...]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import mpmath
 from mpmath import mpc, mpf
 
-from screwgen.bases.functions import ClosedForm
-from screwgen.bases.shapes import Family, Shapes, tabulate, working_digits
+from .functions import ClosedForm
+from .shapes import Family, Shapes, tabulate, working_digits
 
 FAMILY = Family(
     name="sine",

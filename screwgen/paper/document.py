@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 from ..algebra.expression import Block, Expression, Sum, is_zero
 from ..algebra.notation import latex, terms
-from ..emit import latex_text
-from ..emit.latex_content import Display, Document, Heading, Item, Paragraph, Section, Table
-from ..emit.latex_layout import PAGE, Formula, fill, width
-from ..emit.latex_layout import equation as broken
-from ..emit.templates import render
+from ..backends.latex import text as latex_text
+from ..backends.latex.content import Display, Document, Heading, Item, Paragraph, Section, Table
+from ..backends.latex.layout import PAGE, Formula, fill, width
+from ..backends.latex.layout import equation as broken
+from ..backends.templates import render
 from ..version import __version__
 from .equation import Equation, Relation
 from .equation import Formula as Statement

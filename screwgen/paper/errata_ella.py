@@ -88,8 +88,8 @@ def stiffness() -> tuple[Figure, ...]:
 @cache
 def model_frequencies(robot: Robot) -> np.ndarray:
     """Natural frequencies in Hz of the derived model of an arm, its joints locked."""
-    from ..build import derive
-    from ..modes import natural_frequencies
+    from ..model import derive
+    from ..studies.modes import natural_frequencies
 
     return natural_frequencies(derive(robot))
 

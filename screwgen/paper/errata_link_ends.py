@@ -74,7 +74,7 @@ def rank_of_inertia() -> tuple[Figure, ...]:
 
 def _spin_of_bar(density: float, radius: float, length: float) -> float:
     """What the joint of a derived model feels that turns a round bar about its centreline, kg·m²."""
-    from ..build import derive
+    from ..model import derive
     from ..spec.robot import Joint, Link, Robot
 
     area = np.pi * radius**2
@@ -85,7 +85,7 @@ def _spin_of_bar(density: float, radius: float, length: float) -> float:
 
 def bodies() -> tuple[Figure, ...]:
     """The arm of Section 7 at rest, held by its base: two beams, a motor, a payload."""
-    from ..build import derive
+    from ..model import derive
 
     model = derive(ella(0, axial=0, locked=True))
     _, wrenches = model.numpy().forward_dynamics([], [], [], np.zeros((2, 6)))

@@ -19,7 +19,7 @@ def frequencies_without_wrenches() -> tuple[float, ...]:
 
     One clamped-free mode per direction, as in the paper: for bare links these are exact.
     """
-    from ..build import derive
+    from ..model import derive
 
     model = derive(ella(locked=True, gravity=STILL, bodies_beyond=True))
     r, n, numeric = model.nq, model.n_links, model.numpy()
@@ -38,8 +38,8 @@ def frequencies_without_wrenches() -> tuple[float, ...]:
 @cache
 def derived_frequencies() -> tuple[float, ...]:
     """The natural frequencies, Hz, of the derived model with two polynomial modes per link and plane."""
-    from ..build import derive
-    from ..modes import natural_frequencies
+    from ..model import derive
+    from ..studies.modes import natural_frequencies
 
     return tuple(natural_frequencies(derive(ella(2, "polynomial", locked=True))).tolist())
 
@@ -50,7 +50,7 @@ def base_force_at_rest() -> tuple[float, float]:
 
     At rest ``h_Ms`` and ``h_MD`` are zero: without ``h_s`` the rows of the links have no bias at all.
     """
-    from ..build import derive
+    from ..model import derive
 
     model = derive(ella(0, axial=0, locked=True))
     numeric, nothing = model.numpy(), np.zeros(0)

@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
-from ..chain.chain import Chain
 from ..errors import SingularError, UsageError
-from ..integrate import DivergedError
-from ..runs import Run
+from ..simulation.integrate import DivergedError
+from ..simulation.runs import Run
 from ..spec.robot import Robot
+from ..topology.chain import Chain
 from .arm_state import ArmState
 from .printed_system import CORRECTIONS, System
 
@@ -47,7 +47,7 @@ class PrintedModel:
     """
 
     def __init__(self, robot: Robot, as_printed: Iterable[str] = tuple(PRINTED)):
-        from ..build import derive
+        from ..model import derive
 
         self.as_printed = tuple(as_printed)
         for label in self.as_printed:
@@ -104,7 +104,7 @@ class PrintedModel:
 
         Raises DivergedError, which names the time, when a number leaves what doubles hold.
         """
-        from ..simulation import coordinates, time_grid
+        from ..simulation.simulate import coordinates, time_grid
 
         times, numeric = time_grid(duration, step), self.model.numpy()
         q, v, rows = coordinates(q, "q", self.model), coordinates(v, "v", self.model), []

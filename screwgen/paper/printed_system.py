@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..algebra.expression import Block, Expression, Negative, hat
-from ..chain.chain import Chain
+from ..topology.chain import Chain
 from . import appendix_b, link, projection
 from .arm_state import ArmState, LinkState, View
 from .evaluate import evaluate

@@ -37,7 +37,7 @@ def found(label: str) -> Equation:
 
 @cache
 def model(section_rotation: bool = False):
-    from ..build import derive
+    from ..model import derive
 
     return derive(ella(section_rotation=section_rotation))
 
@@ -219,7 +219,7 @@ def own_axis() -> tuple[Figure, ...]:
 
 def zero_singular_values() -> tuple[Figure, ...]:
     """E17: M_sys with the projectors alone and with the motors' rows, of ELLA and of an arm of three joints."""
-    from ..analysis.regularity import regularity, with_projectors_alone
+    from ..studies.analysis.regularity import regularity, with_projectors_alone
 
     out = []
     for name, arm in (("ELLA", model(True)), ("an arm with joints about z, y z and x y z", mixed())):
@@ -236,7 +236,7 @@ def zero_singular_values() -> tuple[Figure, ...]:
 @cache
 def mixed():
     """Three flexible links behind joints of one, two and three axes."""
-    from ..build import derive
+    from ..model import derive
 
     modes = Modes(basis="clamped_free", bending_y=1, bending_z=1)
     links = [

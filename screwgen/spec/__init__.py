@@ -1,10 +1,10 @@
 """Robots as validated descriptions: classes, files, parameters."""
 
-from screwgen.spec.equivalent import equivalent_stiffness
-from screwgen.spec.frequencies import Frequencies
-from screwgen.spec.load import dump, load
-from screwgen.spec.parameters import Parameter, coordinate_names, parameters
-from screwgen.spec.robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot, Section
+from .equivalent import equivalent_stiffness
+from .frequencies import Frequencies
+from .load import dump, load
+from .parameters import Parameter, coordinate_names, parameters
+from .robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot, Section
 
 __all__ = [
     "DIRECTIONS",

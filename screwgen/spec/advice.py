@@ -1,6 +1,6 @@
 """What a robot states that is legal and seldom meant."""
 
-from screwgen.spec.robot import Robot
+from .robot import Robot
 
 SINGLE = (
     "a single polynomial bends as a parabola: the bare link's first frequency comes out 27 % high, a tip force bends it"

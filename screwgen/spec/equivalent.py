@@ -2,8 +2,8 @@
 
 import math
 
-from screwgen.bases import ORDER
-from screwgen.spec.robot import Link
+from ..bases import ORDER
+from .robot import Link
 
 
 def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:

@@ -4,9 +4,9 @@ from typing import Annotated, Any
 
 from pydantic import Field, PlainValidator
 
-from screwgen.spec.part import Part
-from screwgen.spec.ranges import within
-from screwgen.spec.values import array, refuse, shown
+from .part import Part
+from .ranges import within
+from .values import array, refuse, shown
 
 
 def ascending(value: Any) -> tuple[float, ...]:

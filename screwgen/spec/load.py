@@ -8,11 +8,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from screwgen.errors import RobotFileError
-from screwgen.files import NotRegularError, open_regular
-from screwgen.spec.messages import explain
-from screwgen.spec.physics import LETTERS
-from screwgen.spec.robot import Robot
+from ..errors import RobotFileError
+from ..files import NotRegularError, open_regular
+from .messages import explain
+from .physics import LETTERS
+from .robot import Robot
 
 MAX_BYTES = 4 * 2**20
 DEEP_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){32}""")  # tomllib takes quadratic memory

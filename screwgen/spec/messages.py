@@ -7,8 +7,8 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from screwgen.spec.names import IDENTIFIER, MAX_LENGTH
-from screwgen.spec.values import Path, quoted, shown
+from .names import IDENTIFIER, MAX_LENGTH
+from .values import Path, quoted, shown
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]{1,40}")
 

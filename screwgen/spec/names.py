@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from screwgen.spec.values import quoted, refuse, shown
+from .values import quoted, refuse, shown
 
 MAX_LENGTH = 40
 IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")

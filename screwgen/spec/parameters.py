@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import NamedTuple
 
-from screwgen.spec.robot import DIRECTIONS, Body, Joint, Link, Robot
+from .robot import DIRECTIONS, Body, Joint, Link, Robot
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None

@@ -4,8 +4,8 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from screwgen.errors import RobotFileError
-from screwgen.spec.messages import explain, sound
+from ..errors import RobotFileError
+from .messages import explain, sound
 
 
 class Part(BaseModel):

@@ -3,8 +3,8 @@
 import math
 from typing import Any
 
-from screwgen.spec.ranges import several
-from screwgen.spec.values import Path, array, numbers, refuse, shown
+from .ranges import several
+from .values import Path, array, numbers, refuse, shown
 
 Vector = tuple[float, float, float]
 

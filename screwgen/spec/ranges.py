@@ -8,7 +8,7 @@ number outside is a slip of the unit or of the exponent.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from screwgen.spec.values import Path, array, non_negative, number, numbers, positive, refuse, shown
+from .values import Path, array, non_negative, number, numbers, positive, refuse, shown
 
 
 class Range(NamedTuple):

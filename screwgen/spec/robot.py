@@ -10,15 +10,15 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from screwgen.bases import BASES, DEFAULT, NATURAL, Shapes, shapes
-from screwgen.errors import UsageError
-from screwgen.spec.frequencies import Frequencies
-from screwgen.spec.names import distinct, link_name, robot_name
-from screwgen.spec.part import Part
-from screwgen.spec.physics import axes, inertia
-from screwgen.spec.ranges import several, within
-from screwgen.spec.section import PRODUCTS, Section
-from screwgen.spec.values import boolean, choice, count, quoted, refuse
+from ..bases import BASES, DEFAULT, NATURAL, Shapes, shapes
+from ..errors import UsageError
+from .frequencies import Frequencies
+from .names import distinct, link_name, robot_name
+from .part import Part
+from .physics import axes, inertia
+from .ranges import several, within
+from .section import PRODUCTS, Section
+from .values import boolean, choice, count, quoted, refuse
 
 Vector = tuple[float, float, float]
 Position = Annotated[Vector, PlainValidator(several("position", 3))]

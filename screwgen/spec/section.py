@@ -4,9 +4,9 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, PlainValidator, model_validator
 
-from screwgen.spec.part import Part
-from screwgen.spec.ranges import within
-from screwgen.spec.values import quoted, refuse
+from .part import Part
+from .ranges import within
+from .values import quoted, refuse
 
 PRODUCTS = {  # line property: the two keys of the material spelling whose product it is
     "rhoA": ("density", "area"),

@@ -1,0 +1,242 @@
+"""The phases of the DAE form: twists are state, the joints hold by projection, M_sys can be assembled.
+
+State of a link: unit quaternion and position of F_i, eta, twist, etadot, and the joint coordinates as
+memory.  ``qdot = A^+ (omega_i - R_rel^T omega_T)``; the rest is the block elimination of the joint form.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..ir.program import Array, Tracer
+from . import matrices as mx
+from .phases import joint_motion, joint_point, mount, relative_posture, tip_motion
+from .scope import Scope
+
+
+def dae_kinematics(s: Scope) -> None:
+    """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
+    q, omega_R = s.read("q", s.key.joints), relative_posture(s, s.read("q", s.key.joints))
+    (A,) = s.lower("posture", {"q": q}, "A")
+    qdot = mx.multiply(pseudo_inverse(A, s.tracer), s.read("twist", 6)[:3] - omega_R)
+    s.write("qdot", qdot)
+    joint_motion(s, q, qdot, omega_R)
+    tip_motion(s)
+
+
+def pseudo_inverse(A: Array, tracer: Tracer) -> Array:
+    """``A^+ = (A^T A)^-1 A^T`` of the joint's axes; a singular posture fails the guard."""
+    L, inverse = mx.factorise(mx.congruence(A, mx.identity(3)), tracer, tracer.epsilon() * 64.0)
+    columns = mx.scale_rows(mx.forward(L, A.T), inverse)
+    return mx.backward(L, columns)
+
+
+def twist_rates(s: Scope) -> None:
+    """The rate of the link's twist in its own frame; the free fall that the elimination left out is added."""
+    R = quaternion_matrix(s.read("quaternion", 4))
+    fall = mx.multiply(R.T, s.read("gravity", 3))
+    alpha, twist = s.read("alpha", 6), s.read("twist", 6)
+    s.write("Vdot", np.concatenate([alpha[:3], alpha[3:] + fall - mx.cross(twist[:3], twist[3:])]))
+
+
+def pose_rates(s: Scope) -> None:
+    """``d/dt`` of the pose: quaternion ``Q omega / 2`` and position ``R v``."""
+    Q, twist = s.read("quaternion", 4), s.read("twist", 6)
+    s.write("quaternion_rate", 0.5 * quaternion_product(Q, np.concatenate([mx.zeros(1), twist[:3]])))
+    s.write("position_rate", mx.multiply(quaternion_matrix(Q), twist[3:]))
+
+
+# ------------------------------------------------------------------------------------------ projection
+
+
+def project(s: Scope) -> None:
+    """Base to tip: two Gauss-Newton corrections of q from the poses, then forward kinematics."""
+    q, twist, eta, etadot = s.read("q", s.key.joints), s.read("twist", 6), *_modal(s)
+    R_raw = quaternion_matrix(s.read("quaternion", 4))
+    measured = mx.multiply(s.read("base.R_m", 3, 3).T, R_raw)
+    for _ in range(2):
+        R, A = s.lower("posture", {"q": q}, "R_rel", "A")
+        q = q + mx.multiply(pseudo_inverse(A, s.tracer), _half_skew(mx.multiply(R.T, measured)))
+    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
+    qdot = mx.multiply(pseudo_inverse(A, s.tracer), twist[:3] - mx.multiply(R.T, s.read("base.omega_m", 3)))
+    s.write("new_q", q)
+    _measured_tip(s, R_raw, twist, eta, etadot)
+    _place(s, q, qdot, eta, etadot)
+
+
+def forward_kinematics(s: Scope) -> None:
+    """Base to tip: poses and twists of the DAE form from q and qdot."""
+    _place(s, s.read("q", s.key.joints), s.read("qdot", s.key.joints), *_modal(s))
+
+
+def _modal(s: Scope) -> tuple[Array, Array]:
+    return s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+
+
+def _half_skew(E: Array) -> Array:
+    """The axis times the sine of the angle of a rotation."""
+    return 0.5 * mx.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])
+
+
+def _measured_tip(s: Scope, R: Array, twist: Array, eta: Array, etadot: Array) -> None:
+    """Rotation and angular velocity of the tip as the unprojected state has them."""
+    state = {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
+    s.write("tip.omega_m", s.lower("tip", state, "omega_T")[0])
+    s.write("tip.R_m", mx.multiply(R, _tip_rotation(s, eta)))
+
+
+def _tip_rotation(s: Scope, eta: Array) -> Array:
+    return s.lower("tip_pose", {"eta": eta}, "R_T")[0] if s.key.section_rotation else mx.identity(3)
+
+
+def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
+    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
+    s.write("new_twist", np.concatenate([omega, v]))
+    R = mx.multiply(s.read("base.R", 3, 3), R_rel)
+    r = s.read("base.r", 3) + mx.multiply(s.read("base.R", 3, 3), mount(s)) - mx.multiply(R, joint_point(s))
+    Q = quaternion_product(s.read("base.Q", 4), _joint_quaternion(s, q))
+    s.write("new_quaternion", Q)
+    s.write("new_position", r)
+    state = {"omega": omega, "v": v, "eta": eta, "etadot": etadot}
+    r_T, omega_T, v_T = s.lower("tip", state, "r_T", "omega_T", "v_T")
+    s.write("tip.omega", omega_T)
+    s.write("tip.v", v_T)
+    s.write("tip.R", mx.multiply(R, _tip_rotation(s, eta)))
+    s.write("tip.r", r + mx.multiply(R, r_T))
+    s.write("tip.Q", quaternion_product(Q, _tip_quaternion(s, eta)))
+
+
+# ----------------------------------------------------------------------------------------- quaternions
+
+
+def quaternion_product(a: Array, b: Array) -> Array:
+    """The quaternion product, (w, x, y, z)."""
+    scalar = a[0] * b[0] - mx.dot(a[1:], b[1:])
+    return np.concatenate([mx.array([scalar]), a[0] * b[1:] + b[0] * a[1:] + mx.cross(a[1:], b[1:])])
+
+
+def quaternion_matrix(Q: Array) -> Array:
+    """The rotation of a quaternion of any length."""
+    scale = 2.0 / mx.dot(Q, Q)
+    w, u = Q[0], Q[1:]
+    square = mx.symmetric(3, lambda i, j: u[i] * u[j] - (mx.dot(u, u) if i == j else 0.0))
+    return mx.identity(3) + scale * (w * mx.hat(u) + square)
+
+
+def _axis_quaternion(s: Scope, axis, angle) -> Array:
+    half = 0.5 * angle
+    sine = s.tracer.call("sin", half)
+    return mx.array([s.tracer.call("cos", half), *(sine * a for a in axis)])
+
+
+def _joint_quaternion(s: Scope, q: Array) -> Array:
+    """The quaternion of ``R_rel``: the mount, then every axis."""
+    turns = []
+    if s.key.mount_rpy:
+        turns += [_axis_quaternion(s, mx.identity(3)[k], s.constant(f"mount_rpy_{'xyz'[k]}")) for k in (2, 1, 0)]
+    turns += [_axis_quaternion(s, axis, angle) for axis, angle in zip(s.key.axes, q, strict=True)]
+    total = mx.array([1.0, 0.0, 0.0, 0.0])
+    for turn in turns:
+        total = quaternion_product(total, turn)
+    return total
+
+
+def _tip_quaternion(s: Scope, eta: Array) -> Array:
+    """The quaternion of ``R_T``."""
+    if not s.key.section_rotation:
+        return mx.array([1.0, 0.0, 0.0, 0.0])
+    return turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
+
+
+def turn_quaternion(s: Scope, theta: Array) -> Array:
+    """``exp(theta)`` as a quaternion: ``[c_0(x/4), c_1(x/4) theta / 2]``, regular at rest."""
+    quarter = 0.25 * mx.dot(theta, theta)
+    c2 = 0.5 - quarter * s.tracer.call("c4", quarter)
+    c3 = 1.0 / 6.0 - quarter * s.tracer.call("c5", quarter)
+    return np.concatenate([mx.array([1.0 - quarter * c2]), (0.5 * (1.0 - quarter * c3)) * theta])
+
+
+# ------------------------------------------------------------------------------------------- assembly
+
+
+JOINT_ROWS = ("joint_w", "joint_V", "joint_H", "joint_W")
+LINK_ROWS = (
+    "next_V",
+    "next_eta",
+    "V_w",
+    "V_V",
+    "V_eta",
+    "V_next",
+    "eta_V",
+    "eta_eta",
+    "eta_next",
+    "V_H",
+    "eta_H",
+    "V_W",
+    "eta_W",
+)
+
+
+def joint_rows(s: Scope) -> None:
+    """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
+    twist, q = s.read("twist", 6), s.read("q", s.key.joints)
+    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
+    A_plus = pseudo_inverse(A, s.tracer)
+    qdot = mx.multiply(A_plus, twist[:3] - mx.multiply(R.T, parent["omega_P"]))
+    beta = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "beta_omega", "beta_v")
+    _free_terms(s, twist)
+    given = {
+        "R_rel": R,
+        "A": A,
+        "A_plus": A_plus,
+        "beta": np.concatenate(beta),
+        "b_P": s.read("base.b", 6),
+        "tau": s.read("tau", s.key.joints),
+        "qdot": qdot,
+        "q": q,
+    }
+    for name, value in zip(JOINT_ROWS, s.lower("joint_rows", given, *JOINT_ROWS), strict=True):
+        s.write(name, value)
+    X, PX = s.lower("joint_rows", given, "X", "PX")
+    s.write("base.X", X)
+    s.write("base.PX", PX)
+    s.write("tip.b", s.kept("b_T"))
+
+
+def _free_terms(s: Scope, twist: Array) -> None:
+    """Store inertia and bias of the link, of its tip section and of the bodies there, weight included."""
+    g = mx.multiply(quaternion_matrix(s.read("quaternion", 4)).T, s.read("gravity", 3))
+    state = {"omega": twist[:3], "v": twist[3:], "g": g}
+    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
+    s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
+    s.keep("M_D", M_D)
+    s.keep("h_V", h_V)
+    s.keep("h_eta", h_eta)
+    names = ["r_T", "omega_T", "v_T", "b_omega", "b_v", "Phi_c"]
+    turned = ["R_T", "J_l", "Psi_c"] if s.key.section_rotation else []
+    values = dict(zip(names + turned, s.lower("tip", state, *names, *turned), strict=True))
+    for name, absent in (("R_T", mx.identity(3)), ("J_l", mx.identity(3)), ("Psi_c", mx.zeros(3, s.key.modes))):
+        s.keep(name, values.get(name, absent))
+    s.keep("r_T", values["r_T"])
+    s.keep("Phi_c", values["Phi_c"])
+    s.keep("b_T", np.concatenate([values["b_omega"], values["b_v"]]))
+    s.write("tip.omega", values["omega_T"])
+    s.write("tip.v", values["v_T"])
+    state = {"omega_T": values["omega_T"], "v_T": values["v_T"], "g_T": mx.multiply(s.kept("R_T").T, g)}
+    m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
+    s.keep("M_T", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
+    s.keep("h_T", np.concatenate([tau, F]))
+
+
+def link_rows(s: Scope) -> None:
+    """Tip to base: the link's six rows and its modal rows, and its columns in the next joint's rows."""
+    r = s.key.modes
+    given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
+    given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
+    given |= {"m_eta": s.read("m_eta", r), "h_phi": s.kept("h_eta") + s.read("f_eta", r), "w_ext": s.read("w_ext", 6)}
+    given |= {"X": s.read("tip.X", 6, 6), "PX": s.read("tip.PX", 6, 6)}
+    for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):
+        s.write(name, value)

@@ -1,0 +1,173 @@
+"""The functions of the DAE form: its state, its rates, its projection, and the assembled system.
+
+State ``x = [pose_1; ...; pose_n; eta; V_1; ...; V_n; etadot; q]`` with poses ``(w, x, y, z, px, py, pz)``,
+(109); unknowns ``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..ir.program import Value
+from ..spec.parameters import coordinate_names
+from ..topology.chain import Algorithm, Chain
+from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, Functions
+
+POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
+TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
+WRENCH = ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z")
+
+RATES = {
+    "quaternion": "quaternion_rate",
+    "position": "position_rate",
+    "eta": "etadot",
+    "twist": "Vdot",
+    "etadot": "etaddot",
+    "q": "qdot",
+}
+"""Under which name the rate of each part of the state is found."""
+
+PLACED = {"quaternion": "new_quaternion", "position": "new_position", "twist": "new_twist"}
+"""Under which name forward kinematics leaves a part of the state."""
+
+Entries = dict[tuple[int, int], Value]
+
+
+def state_size(chain: Chain) -> int:
+    """The length of x."""
+    return 13 * chain.n + 2 * chain.n_modes + chain.n_joints
+
+
+def unknown_size(chain: Chain) -> int:
+    """The length of z, which is the number of rows of M_sys."""
+    return 12 * chain.n + chain.n_modes
+
+
+def dae_names(chain: Chain) -> dict[str, list[str]]:
+    """The names of the entries of ``x`` and ``z``."""
+    links, names = [link.name for link in chain.robot.links], coordinate_names(chain.robot)
+    modal = list(names.q[chain.n_joints :])
+    rates = list(names.v[chain.n_joints :])
+    poses = [f"{link}.{p}" for link in links for p in POSE]
+    twists = [f"{link}.{t}" for link in links for t in TWIST]
+    unknowns = [f"{link}.{u}" for link in links for u in (*WRENCH, *(f"{t}_rate" for t in TWIST))]
+    x = poses + modal + twists + rates + list(names.q[: chain.n_joints])
+    return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in rates]}
+
+
+class DaeFunctions(Functions):
+    """The functions of the DAE form, on values of any algebra."""
+
+    def unpack(self, x: Sequence[Value]) -> list[dict[str, list]]:
+        """The state as one mapping per link."""
+        c, o = self.chain, self.chain.eta_offset
+        at_eta, at_twist = 7 * c.n, 7 * c.n + c.n_modes
+        at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_modes
+        return [
+            {
+                "quaternion": list(x[7 * i : 7 * i + 4]),
+                "position": list(x[7 * i + 4 : 7 * i + 7]),
+                "eta": list(x[at_eta + o[i] : at_eta + o[i + 1]]),
+                "twist": list(x[at_twist + 6 * i : at_twist + 6 * i + 6]),
+                "etadot": list(x[at_rate + o[i] : at_rate + o[i + 1]]),
+                "q": list(x[at_q + c.q_offset[i] : at_q + c.q_offset[i + 1]]),
+            }
+            for i in range(c.n)
+        ]
+
+    def pack(self, links: Sequence[Mapping[str, list]], names: Mapping[str, str] | None = None) -> list:
+        """The inverse of :meth:`unpack`; ``names`` says under which name a part is found."""
+        get = lambda link, part: list(link[(names or {}).get(part, part)])  # noqa: E731
+        gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
+        return [*gather("quaternion", "position"), *gather("eta"), *gather("twist"), *gather("etadot"), *gather("q")]
+
+    def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
+        """The state with what its own inertias and forces are, the joints' rates taken from the twists."""
+        if self.chain.sprung and self.given is None:
+            found, _ = self._run(kinematics, state)
+            state = [dict(x) | {"qdot": link["qdot"]} for x, link in zip(state, found, strict=True)]
+        return self._with_terms(state)
+
+    def _gravity(self) -> list[dict[str, list]]:
+        return [{"gravity": list(self.gravity)}] * self.chain.n
+
+    def place(self, q: Sequence, v: Sequence) -> list:
+        """The state on the joints: x from coordinates and rates."""
+        links, _ = self._run(PLACEMENT, self._state(q, v))
+        return self.pack(links, PLACED)
+
+    def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
+        state = self._moving(self.unpack(x), DAE_FORWARD[:1])
+        return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
+
+    def joint_rates(self, x: Sequence) -> list:
+        """The joints' rates that the twists show."""
+        links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
+        return [rate for link in links for rate in link["qdot"]]
+
+    def rates(self, x, tau, w_ext) -> tuple[list, list, list]:
+        """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
+        links = self._solve(x, tau, w_ext)
+        wrench = [w for link in links for w in link["wrench"]]
+        return self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot"), wrench
+
+    def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:
+        poses, _ = self._run(DAE_RATES, self.unpack(x))
+        return self.pack([a | b for a, b in zip(links, poses, strict=True)], RATES)
+
+    def kinematic_rates(self, x: Sequence, z: Sequence) -> list:
+        """``xdot`` when the accelerations are given: the differential equations of the DAE."""
+        links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
+        n, o = self.chain.n, self.chain.eta_offset
+        given = [
+            {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
+            for i in range(n)
+        ]
+        return self._state_rates(x, [a | b for a, b in zip(links, given, strict=True)])
+
+    def project(self, x: Sequence) -> list:
+        """The state taken back onto the joints."""
+        links, _ = self._run(PROJECTION, self.unpack(x))
+        return self.pack(links, PLACED | {"q": "new_q"})
+
+    def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
+        """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""
+        state = self._with_terms(self.unpack(x), "eta")
+        links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
+        return self._stacked(links)
+
+    def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:
+        """The blocks of all links in their places."""
+        M: Entries = {}
+        for i, link in enumerate(links):
+            for name, (row, col, _, cols) in block_places(self.chain, i).items():
+                for k, value in enumerate(link[name]):
+                    if not (isinstance(value, float) and value == 0.0):
+                        M[row + k // cols, col + k % cols] = value
+        twelve = lambda end: [v for link in links for v in (*link[f"joint_{end}"], *link[f"V_{end}"])]  # noqa: E731
+        modal = lambda end: [v for link in links for v in link[f"eta_{end}"]]  # noqa: E731
+        return M, twelve("H") + modal("H"), twelve("W") + modal("W")
+
+
+def block_places(chain: Chain, i: int) -> dict[str, tuple[int, int, int, int]]:
+    """Row, column, and size of every block of M_sys that link i contributes."""
+    r = chain.keys[i].modes
+    modal = 12 * chain.n + chain.eta_offset[i]
+    joint, link = 12 * i, 12 * i + 6
+    places = {
+        "joint_w": (joint, joint, 6, 6),
+        "joint_V": (joint, link, 6, 6),
+        "V_w": (link, joint, 6, 6),
+        "V_V": (link, link, 6, 6),
+        "V_eta": (link, modal, 6, r),
+        "eta_V": (modal, link, r, 6),
+        "eta_eta": (modal, modal, r, r),
+    }
+    if i + 1 < chain.n:
+        places |= {
+            "next_V": (joint + 12, link, 6, 6),
+            "next_eta": (joint + 12, modal, 6, r),
+            "V_next": (link, joint + 12, 6, 6),
+            "eta_next": (modal, joint + 12, r, 6),
+        }
+    return {name: place for name, place in places.items() if place[3]}

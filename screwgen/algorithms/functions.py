@@ -1,0 +1,161 @@
+"""The algorithms as lists of phases, and the functions that users call, in terms of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..ir.program import Value
+from ..topology.chain import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
+from . import dae, validity
+from . import phases as ph
+from . import sensitivity as sy
+
+KINEMATICS = Phase(ph.kinematics, OUTWARD)
+POSES = Phase(ph.poses, OUTWARD)
+
+SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
+
+FORWARD: Algorithm = (KINEMATICS, *SOLVE)
+INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
+PLACES: Algorithm = (POSES,)
+MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, OUTWARD))
+ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
+MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
+SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
+
+DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
+DAE_RATES: Algorithm = (Phase(dae.pose_rates, OUTWARD),)
+PROJECTION: Algorithm = (Phase(dae.project, OUTWARD),)
+PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
+ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD))
+
+EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
+
+IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+
+
+def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
+    """The n + 1 nodes with what is known beforehand: a base at rest, falling up; a tip that carries nothing."""
+    out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
+    out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha_0": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
+    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
+    out[0] |= {"R_m": IDENTITY, "omega_m": [0.0] * 3, "h_M": [0.0] * 6}
+    out[0] |= {"acc": out[0]["alpha_0"]}
+    out[-1] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18}
+    out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
+    return out
+
+
+class Functions:
+    """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
+
+    Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
+    ``COLUMNS``; ``gravity`` three entries.  ``given``, where it is set, holds inertia and force of the last
+    ``chain.n_given`` coordinates instead of ``M`` and ``K x + D xdot``: an integrator decides what they are.
+    """
+
+    given: tuple[Sequence, Sequence] | None = None
+
+    def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
+        self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
+
+    def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
+        places = nodes(self.chain, self.gravity)
+        links = [dict(c) for c in self.constants]
+        for part in parts:
+            for link, more in zip(links, part, strict=True):
+                link.update(more)
+        return execute(self.chain, algorithm, links, places, self.apply), places
+
+    def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+        position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
+        state = [a | b for a, b in zip(position, velocity, strict=True)]
+        return self._with_terms(state)
+
+    def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
+        """The state with inertia and force of the modes and of sprung joints, or of the named ``parts`` alone."""
+        return [dict(x) | self._terms(i, x, parts) for i, x in enumerate(state)]
+
+    def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
+        out = {}
+        for part, span in self.chain.given(i).items():
+            if self.given is not None:
+                out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
+            elif not parts or part in parts:
+                M, K, D = (self.constants[i][name] for name in COLUMNS[part])
+                pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
+                out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
+        return out
+
+    def _torques(self, tau: Sequence) -> list[dict[str, list]]:
+        offset = self.chain.q_offset
+        return [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
+
+    def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
+        return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
+
+    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
+        """``vdot`` and the joint wrenches, link by link."""
+        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
+
+    def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
+        """``vdot``, the joint wrenches, and what :meth:`measures` needs of the motion, link by link."""
+        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        wrench = [x for link in links for x in link["wrench"]]
+        return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
+
+    def measures(self, q, wrench, motion) -> list:
+        """How far every link is from the limits of the model, four numbers each; see :mod:`..derive.validity`."""
+        n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
+        given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
+        return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
+
+    def measures_at_rest(self, q, w_ext) -> list:
+        """The measures where the posture is held."""
+        rest = [0.0] * self.chain.nq
+        still = self.chain.split(rest, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
+        """All generalised forces that a motion needs."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
+        return self.chain.join(links, "force", "force_eta")
+
+    def statics(self, q, w_ext) -> tuple[list, list]:
+        """The generalised forces that rest needs, and the joint wrenches there, link by link."""
+        rest = [0.0] * self.chain.nq
+        still = self.chain.split(rest, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
+
+    def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
+        """What every link answers to small changes at given accelerations; see :mod:`.linearise`."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
+
+    def poses(self, q) -> tuple[list, list]:
+        """Rotation (row by row) and position of every link frame and of every tip section."""
+        links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
+        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+
+    def energy(self, q, v) -> tuple[Value, Value]:
+        """Kinetic and potential energy."""
+        gravity = [{"gravity": list(self.gravity)}] * self.chain.n
+        links, _ = self._run(ENERGY, self._state(q, v), gravity)
+        return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def axial_motions(links: Sequence[Mapping[str, list]]) -> list:
+    """What the measures read of a motion, four numbers per link: zero for links that cannot bend."""
+    return [x for link in links for x in link.get("motion", [0.0] * 4)]
+
+
+def sum_of(links: Sequence[Mapping[str, list]], name: str) -> Value:
+    total: Value = 0.0
+    for link in links:
+        total = total + link[name][0]
+    return total

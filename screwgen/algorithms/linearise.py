@@ -1,0 +1,194 @@
+"""The derivatives of the joint form: mass matrix and slopes of the inverse dynamics, pair of links by pair.
+
+``d vdot / d x = -M^-1 d f / d x`` with ``f`` the inverse dynamics at held ``vdot``, and ``d vdot / d tau`` the
+first columns of ``M^-1``.  The phases (:mod:`.sensitivity`) give what a link answers to its own coordinates.
+Between links two things travel: outward the acceleration that a unit of ``vdot`` gives a node (columns), and
+inward the rows that act on a node's motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..ir.program import Array, Node, Program, Value
+from ..topology.chain import COLUMNS, Chain
+from ..topology.link_class import LinkClass
+from . import matrices as mx
+from . import rows as rw
+from .functions import Functions
+from .fused import fuse
+
+SHAPES = {
+    "F_q": (6, "m"),
+    "F_qdot": (6, "m"),
+    "f_q": ("m", "m"),
+    "f_qdot": ("m", "m"),
+    "u_q": (9, "m"),
+    "u_qdot": (9, "m"),
+    "rows_q": ("m", 9),
+    "axes": (6, "m"),
+    "F_eta": (6, "r"),
+    "F_etadot": (6, "r"),
+    "f_eta": ("r", "r"),
+    "f_etadot": ("r", "r"),
+    "tip_eta": (9, "r"),
+    "tip_etadot": (9, "r"),
+    "rows_eta": ("r", 9),
+    "M_eta_eta": ("r", "r"),
+    "E": (6, "r"),
+    "R_T": (3, 3),
+    "R_rel": (3, 3),
+    "r_T": (3,),
+    "udot_T": (3,),
+    "omega_s": (3,),
+    "omega_i": (3,),
+    "omega_J": (3,),
+    "r_B": (3,),
+    "r_m": (3,),
+}
+"""What the phases leave in a link's store for the pairs; m joint and r modal coordinates."""
+
+Section = Callable[[str], AbstractContextManager]
+
+
+@dataclass
+class Slopes:
+    """Mass matrix and partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
+
+    M: Array
+    f_q: Array
+    f_v: Array
+
+
+def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcontext()) -> Slopes:
+    """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
+
+    Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
+    """
+    stores = f.sensitivities(q, v, vdot, w_ext)
+    links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
+    nq = f.chain.nq
+    out = Slopes(*(mx.zeros(nq, nq) for _ in range(3)))
+    name = lambda i: f.chain.robot.links[i].name  # noqa: E731
+    for i, link in enumerate(links):
+        with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
+            _own(f, i, link, out)
+    _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
+    _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
+    return out
+
+
+def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
+    sizes = {"m": chain.keys[i].joints, "r": chain.keys[i].modes}
+    shapes = {name: tuple(sizes.get(x, x) for x in shape) for name, shape in SHAPES.items()}
+    return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
+
+
+def places(chain: Chain, i: int) -> tuple[slice, slice]:
+    """Where q holds the joint and the modal coordinates of a link."""
+    m = chain.n_joints
+    return slice(*chain.q_offset[i : i + 2]), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
+
+
+def _coordinates(chain: Chain, i: int) -> list[int]:
+    return [k for s in places(chain, i) for k in range(s.start, s.stop)]
+
+
+def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
+    """The block of one link."""
+    q, eta = places(f.chain, i)
+    constants, key = f.constants[i], f.chain.keys[i]
+    M_q, K_q, D_q = _joint_columns(key, constants)
+    out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
+    out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
+    out.M[eta, eta] = link["M_eta_eta"] + mx.diagonal(constants["M_eta"])
+    for J, joint, modal, passive, stress in (
+        (out.f_q, "q", "eta", K_q, constants["K"]),
+        (out.f_v, "qdot", "etadot", D_q, constants["D"]),
+    ):
+        J[q, q] = link[f"f_{joint}"] + mx.diagonal(passive)
+        J[q, eta] = mx.multiply(link["axes"].T, link[f"F_{modal}"])
+        J[eta, q] = mx.multiply(link["rows_eta"], link[f"u_{joint}"])
+        J[eta, eta] = link[f"f_{modal}"] + mx.diagonal(stress)
+
+
+def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:
+    """Inertia, stiffness and damping of the joint's own coordinates."""
+    if key.sprung:
+        return [constants[name] for name in COLUMNS["q"]]
+    none = [0.0] * key.joints
+    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.armature else none, none, none]
+
+
+def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
+    """The rows of a link's ancestors: virtual accelerations that they give it, on the wrench that it needs."""
+    given, owners = mx.zeros(6, 0), []
+    for i, link in enumerate(links):
+        q, eta = places(chain, i)
+        with section(i):
+            R, R_T = link["R_rel"], link["R_T"]
+            at_joint = rw.rotated_columns(R.T, _moved(link["r_m"], given))
+            here = _moved(-link["r_B"], at_joint)
+            if owners:
+                for s, rows in ((q, "rows_q"), (eta, "rows_eta")):
+                    out.M[s, owners] = mx.multiply(link[rows][:, 3:], here)
+                    out.M[owners, s] = out.M[s, owners].T
+                for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
+                    J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
+                    J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
+            if i < chain.n - 1:
+                at_tip = np.hstack([_moved(link["r_T"], np.hstack([here, link["axes"]])), link["E"]])
+                given = rw.rotated_columns(R_T.T, at_tip)
+                owners = owners + _coordinates(chain, i)
+
+
+def _moved(r: Array, accelerations: Array) -> Array:
+    """Accelerations (6, k) of the origin as those of the point ``r``."""
+    lever = mx.multiply(mx.hat(r), accelerations[:3])
+    return np.vstack([accelerations[:3], accelerations[3:] - lever])
+
+
+def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
+    """The rows of a link's descendants, on the motion that its coordinates give its tip."""
+    rows, owners = mx.zeros(0, 9), []
+    for i in reversed(range(chain.n)):
+        link, (q, eta) = links[i], places(chain, i)
+        with section(i):
+            if owners:
+                motion = (link[x] for x in ("R_T", "r_T", "udot_T", "omega_s", "omega_i"))
+                at_tip, here = rw.to_link(rows, *motion)
+                for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
+                    J[owners, q] = mx.multiply(here, link[f"u_{joint}"])
+                    J[owners, eta] = mx.multiply(at_tip, link[f"tip_{modal}"])
+                rows = here
+            if i > 0:
+                owners = owners + _coordinates(chain, i)
+                own = np.vstack([rows, link["rows_q"], link["rows_eta"]])
+                joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
+                omega_P = mx.multiply(links[i - 1]["R_T"].T, links[i - 1]["omega_i"] + links[i - 1]["omega_s"])
+                rows = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_m"])
+
+
+def linearisation(chain: Chain, constants="constants") -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
+
+    ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
+    its guards are part of it, so what both compute is computed once.
+    """
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    sizes |= {"m_eta": chain.n_given, "f_eta": chain.n_given}
+
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
+        f.given = (x["m_eta"], x["f_eta"])
+        vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
+        section = tracer.section if tracer else lambda _: nullcontext()
+        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], section)
+        lower = [found.M[i, j] for i in range(chain.nq) for j in range(i + 1)]
+        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
+
+    return fuse(chain, "linearisation", sizes, body, constants)

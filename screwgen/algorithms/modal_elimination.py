@@ -1,0 +1,152 @@
+"""Eliminating the modal accelerations of a link.
+
+The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) says how the
+modes move the tip section and ``Q`` is the inertia that it carries.  Two ways give the same result:
+factorise the r x r matrix, or take the tip's inertia through the modes' compliance: O(r), for many modes.
+Which of them a class of links uses is counted when its programs are traced (:func:`.chain.trace`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..ir.program import Array
+from . import matrices as mx
+from .scope import Scope
+
+FACTOR, COMPLIANCE = "factor", "compliance"
+WAYS = (FACTOR, COMPLIANCE)
+"""By the r x r factor, or through the modes' compliance."""
+
+
+Rows = tuple[Array, Array, Array, Array]
+"""``M_V, M_D, h_V, h_eta`` of the link alone."""
+
+
+def eliminate_modes(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
+    """Fold the tip's reaction ``Lambda, p`` (F_i axes, tip point) in and eliminate etaddot."""
+    with s.step("modes: the tip load folded in, modal accelerations eliminated (83)"):
+        if s.way == FACTOR:
+            return _dense(s, own, Lambda, p)
+        return _compliant(s, own, Lambda, p)
+
+
+def modal_accelerations(s: Scope, delta: Array) -> Array:
+    """etaddot from what the joints add to the acceleration of F_i."""
+    if s.way == FACTOR:
+        return -mx.backward(s.kept("modes_L"), s.kept("modes_w") + mx.multiply(s.kept("modes_W"), delta))
+    return _compliant_accelerations(s, delta)
+
+
+def _tip_shapes(s: Scope) -> Array:
+    """``[J_l Psi_c; Phi_c]``: how every mode turns and moves the tip section."""
+    return s.name("Theta", np.vstack([mx.multiply(s.kept("J_l"), s.kept("Psi_c")), s.kept("Phi_c")]))
+
+
+def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
+    M_V, M_D, h_V, h_eta = own
+    r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta", s.key.modes), _tip_shapes(s)
+    M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
+    h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p))
+    loaded = mx.multiply(Lambda, Theta)
+    C = s.name("C", M_D + _columns(r_T, loaded))
+    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + (m_eta[i] if i == j else 0.0)  # noqa: E731
+    inertia = mx.symmetric(s.key.modes, elastic)
+    h_phi = s.name("h_phi", h_eta + s.read("f_eta", s.key.modes) + mx.multiply(Theta.T, p))
+    L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
+    s.name("modes_inverse", inverse)
+    Z, z = mx.forward(L, C.T), mx.forward(L, h_phi)
+    W, w = mx.scale_rows(Z, inverse), mx.scale_rows(z, inverse)
+    s.keep("modes_L", L)
+    s.keep("modes_W", W)
+    s.keep("modes_w", w)
+    return s.name("M_i", mx.subtract_product(M, Z, W)), s.name("h_i", h - mx.multiply(W.T, z))
+
+
+def _columns(r: Array, wrenches: Array) -> Array:
+    """Wrenches at the point ``r``, one per column, about the origin."""
+    out = wrenches.copy()
+    for k in range(wrenches.shape[1]):
+        out[:, k] = mx.shift_wrench(r, wrenches[:, k])
+    return out
+
+
+def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
+    """With ``Y = G E diag(1/m) E^T G^T = U U^T``: ``Lambda -> Lambda - Lambda U (I + U^T Lambda U)^-1 U^T Lambda``."""
+    M_V, M_D, h_V, h_eta = own
+    r_T, G, E = s.kept("r_T"), _turned(s), _shapes(s)
+    m_eta, h_phi = s.read("m_eta", s.key.modes), h_eta + s.read("f_eta", s.key.modes)
+    for m in m_eta:
+        s.tracer.guard(m)
+    s.keep("M_D", M_D)
+    s.keep("h_phi", h_phi)
+    lightened = mx.divide(E.T, m_eta).T
+    U = mx.multiply(G, _root(s, mx.multiply(lightened, E.T)))
+    N = mx.chain(G, lightened, M_D.T)
+    free = mx.chain(G, lightened, h_phi)
+    LU = mx.multiply(Lambda, U)
+    core = mx.symmetric(U.shape[1], lambda i, j: (1.0 if i == j else 0.0) + mx.dot(U[:, i], LU[:, j]))
+    L, inverse = mx.factorise(core, s.tracer)
+    Z = mx.forward(L, LU.T)
+    W = mx.scale_rows(Z, inverse)
+    carried = mx.subtract_product(Lambda, Z, W)
+    reach = mx.identity(6)
+    reach[3:, :3] = -mx.hat(r_T)
+    reach = reach - N
+    p_carried = p - mx.multiply(W.T, mx.forward(L, mx.multiply(U.T, p))) - mx.multiply(carried, free)
+    s.keep("reach", reach)
+    s.keep("carried", carried)
+    s.keep("p_carried", p_carried)
+    M = mx.congruence(reach, carried)
+    H = mx.divide(M_D.T, m_eta).T
+    M = mx.symmetric(6, lambda i, j: M_V[i, j] - mx.dot(H[i], M_D[j]) + M[i, j])
+    return M, h_V - mx.multiply(H, h_phi) + mx.multiply(reach.T, p_carried)
+
+
+def _turned(s: Scope) -> Array:
+    """``blkdiag(J_l, I)``: the tip section's turn and displacement from the modes' slopes and displacements."""
+    G = mx.identity(6)
+    G[:3, :3] = s.kept("J_l")
+    return G
+
+
+def _shapes(s: Scope) -> Array:
+    """``[Psi_c; Phi_c]``: slope and displacement of the tip section by each mode."""
+    return np.vstack([s.kept("Psi_c"), s.kept("Phi_c")])
+
+
+def _compliant_accelerations(s: Scope, delta: Array) -> Array:
+    """``etaddot = -diag(1/m) (h + M_D^T delta + E^T G^T f)`` with the tip's load ``f``."""
+    load = mx.multiply(s.kept("carried"), mx.multiply(s.kept("reach"), delta)) + s.kept("p_carried")
+    force = s.kept("h_phi") + mx.multiply(s.kept("M_D").T, delta) + mx.chain(_shapes(s).T, _turned(s).T, load)
+    return -mx.divide(force, s.read("m_eta", s.key.modes))
+
+
+def _root(s: Scope, Y: Array) -> Array:
+    """``U`` with ``U U^T = Y``, by planes: a plane's slope and displacement couple, planes do not.
+
+    A plane with one mode has rank one; its second pivot is then zero in exact arithmetic and left out.
+    """
+    axial, in_y, in_z, torsion = s.key.counts
+    planes = [((3,), axial), ((5, 1), in_z), ((4, 2), in_y), ((0,), torsion)]
+    columns = []
+    for rows, modes in planes:
+        if modes:
+            columns += _plane(s, Y, [r for r in rows if s.key.section_rotation or r > 2], modes)
+    return mx.array(columns).T if columns else mx.zeros(6, 0)
+
+
+def _plane(s: Scope, Y: Array, rows: list[int], modes: int) -> list[Array]:
+    if not rows:
+        return []
+    sub = mx.symmetric(len(rows), lambda i, j: Y[rows[i], rows[j]])
+    rank = min(len(rows), modes)
+    first = s.tracer.call("sqrt", sub[0, 0])
+    columns = [mx.zeros(6)]
+    columns[0][rows[0]] = first
+    if len(rows) == 2:
+        columns[0][rows[1]] = sub[1, 0] / first
+    if rank == 2:
+        columns.append(mx.zeros(6))
+        columns[1][rows[1]] = s.tracer.call("sqrt", sub[1, 1] - columns[0][rows[1]] * columns[0][rows[1]])
+    return columns

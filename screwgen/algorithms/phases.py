@@ -1,0 +1,319 @@
+"""The phases of the algorithms: what one link does on the way out to the tip or back to the base.
+
+Block elimination of M_sys, tip to base: with the next link's reaction written as ``w = Lambda delta_T + p``,
+every link folds it in, eliminates its modal accelerations, then its joint coordinates, and hands ``Lambda, p``
+to its parent.  Base to tip follow the accelerations and the joint wrenches.
+
+A point's acceleration is split in two: ``alpha_0``, what it would be if no joint and no mode accelerated (known on
+the way out), and ``delta``, what their accelerations add.  It is that of the material point in the inertial frame,
+so no velocity of a point enters, only the angular velocity.  Gravity enters as an acceleration ``-g`` of the base.
+Nodes are kept in the axes of the parent's F_i, at its tip point: a link turns what it hands up once.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..ir.program import Array
+from . import matrices as mx
+from .modal_elimination import eliminate_modes, modal_accelerations
+from .scope import Scope
+from .validity import axial_motion
+
+
+def kinematics(s: Scope) -> None:
+    """Base to tip: angular velocity, and acceleration at rest of joints and modes, from q, qdot, eta, etadot."""
+    q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
+    omega_R = relative_posture(s, q)
+    joint_motion(s, q, qdot, omega_R)
+    tip_motion(s)
+
+
+def relative_posture(s: Scope, q: Array) -> Array:
+    """Store how the link stands to its parent; returns the angular velocity of the parent's tip in F_i axes."""
+    (R_rel,) = s.lower("posture", {"q": q}, "R_rel")
+    s.keep("R_rel", R_rel)
+    with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
+        R = s.name("R_P", mx.multiply(s.read("base.R_T", 3, 3), R_rel))
+        s.keep("R_P", R)
+        s.keep("lever", mx.multiply(R_rel.T, mount(s)) - joint_point(s))
+        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega", 3)))
+
+
+def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
+    """Store angular velocity and ``alpha_0``; a column of A becomes six, as the joint point may lie off F_i."""
+    alone = {"q": q, "qdot": qdot, "omega_P": mx.zeros(3), "v_P": mx.zeros(3)}
+    A, omega_J, axis_rate = s.lower("joint", alone, "A", "omega_J", "beta_omega")
+    s.keep("A", np.vstack([A, mx.multiply(mx.hat(joint_point(s)), A)]))
+    R, moved, r_B = s.kept("R_P"), s.read("base.alpha_0", 6), joint_point(s)
+    with s.step("alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4)"):
+        omega = s.name("omega", omega_R + omega_J)
+        turned = mx.multiply(R.T, moved[:3])
+        alpha = turned + axis_rate + mx.cross(omega_R, omega_J)
+        mounted = mx.multiply(s.kept("R_rel").T, mount(s))
+        a = mx.multiply(R.T, moved[3:]) + swing(turned, omega_R, mounted) - swing(alpha, omega, r_B)
+        s.keep("omega", omega)
+        s.keep("alpha_0", np.concatenate([alpha, a]))
+
+
+def swing(alpha: Array, omega: Array, r: Array) -> Array:
+    """``alpha x r + omega x (omega x r)``: how the point ``r`` of a body accelerates against its origin."""
+    return mx.cross(alpha, r) + mx.cross(omega, mx.cross(omega, r))
+
+
+def tip_motion(s: Scope) -> None:
+    """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
+    omega, alpha_0 = s.kept("omega"), s.kept("alpha_0")
+    state = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    state |= {"omega": omega, "v": mx.zeros(3)}
+    r_T, udot, Phi_c = s.lower("tip", state, "r_T", "udot_T", "Phi_c")
+    R_T, J_l, Psi_c = mx.identity(3), mx.identity(3), mx.zeros(3, s.key.modes)
+    omega_s, alpha_s = mx.zeros(3), mx.zeros(3)
+    if s.key.section_rotation:
+        R_T, J_l, Psi_c, omega_s, alpha_s = s.lower("tip", state, "R_T", "J_l", "Psi_c", "omega_s", "alpha_s")
+    s.keep("r_T", r_T)
+    s.keep("R_T", R_T)
+    s.keep("J_l", J_l)
+    s.keep("Psi_c", Psi_c)
+    s.keep("Phi_c", Phi_c)
+    s.write("tip.R_T", R_T)
+    with s.step("tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b)"):
+        alpha, a = alpha_0[:3], alpha_0[3:]
+        s.write("tip.omega", s.name("omega_T", omega + omega_s))
+        alpha_T = alpha + alpha_s + mx.cross(omega, omega_s)
+        a_T = a + mx.cross(alpha, r_T) + mx.cross(omega, mx.cross(omega, r_T) + 2.0 * udot)
+        s.write("tip.alpha_0", s.name("alpha_0_T", np.concatenate([alpha_T, a_T])))
+
+
+def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
+    """``M_V, M_D, h_V, h_eta`` of the link alone, the forces at ``alpha_0``."""
+    alpha_0 = s.kept("alpha_0")
+    state = {"omega": s.kept("omega"), "alpha": alpha_0[:3], "v": mx.zeros(3), "g": -alpha_0[3:]}
+    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    m, I, S, M_D, h_V, h_eta = s.lower("turning_link", state, "m", "I", "S", "M_D", "h_V", "h_eta")
+    return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
+
+
+def tip_bodies(s: Scope) -> tuple[Array, Array, Array]:
+    """Mass, first moment and inertia of the bodies at the tip, F_i axes, about the tip point."""
+    R, rest = s.kept("R_T"), {"omega_T": mx.zeros(3), "v_T": mx.zeros(3), "g_T": mx.zeros(3)}
+    m, S, I = s.lower("tip_body", rest, "m_T", "S_T", "I_T")
+    return m.item(), mx.multiply(R, S), mx.congruence(R.T, I)
+
+
+def tip_load(s: Scope) -> tuple[Array, Array]:
+    """``Lambda, p`` of all that the tip section carries, in F_i axes at the tip point."""
+    with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
+        m, S, I = tip_bodies(s)
+        M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
+        Lambda = s.name("Lambda_T", mx.unpack(s.read("tip.Lambda", 21)) + M_T)
+        outside = mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6))
+        bias = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6), m, S, I)
+        return Lambda, s.name("p_T", s.read("tip.p", 6) + bias - outside)
+
+
+def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
+    """The wrench that rigid bodies need at an angular velocity and an acceleration of their reference point."""
+    turn = mx.cross(S, alpha[3:]) + mx.multiply(I, alpha[:3]) + mx.cross(omega, mx.multiply(I, omega))
+    return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
+
+
+def eliminate(s: Scope) -> None:
+    """Tip to base: fold the tip's reaction in, eliminate modes and joint, hand the rest up."""
+    own = rows(s)
+    if s.key.bends:
+        s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
+    M, h = eliminate_modes(s, own, *tip_load(s))
+    Lambda, p = eliminate_joint(s, M, h)
+    s.keep("Lambda_i", Lambda)
+    s.keep("p_i", p)
+    with s.step("handed up: inertia and bias that the joint shows to the parent's tip (49)"):
+        R, lever = s.kept("R_P"), s.kept("lever")
+        s.write("base.Lambda", mx.pack(mx.rotate(R, mx.shift(lever, Lambda))))
+        s.write("base.p", mx.rotate_wrench(R, mx.shift_wrench(lever, p)))
+
+
+def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
+    """Solve the joint's rows ``A^T w = tau - m_q qddot - f_q`` for qddot: ``f_q = b qdot + k q``, or as given."""
+    with s.step("joint: its accelerations eliminated from its rows (43)"):
+        A = s.kept("A")
+        U = s.name("U", mx.multiply(M, A))
+        inertia = s.name("joint_inertia", mx.multiply(A.T, U) + mx.diagonal(own_inertia(s)))
+        scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
+        L, inverse = mx.factorise(inertia, s.tracer, scale)
+        Z = mx.forward(L, U.T)
+        W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
+        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(A.T, h)), inverse)
+        s.keep("joint_L", L)
+        s.keep("joint_W", W)
+        s.keep("joint_w", w)
+        return s.name("Lambda_i", mx.subtract_product(M, Z, W)), s.name("p_i", h + mx.multiply(Z.T, w))
+
+
+def accelerate(s: Scope) -> None:
+    """Base to tip: qddot, etaddot, the joint wrench, and what they add to the acceleration of the tip."""
+    R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
+    with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
+        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta", 6))))
+        qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
+        s.write("qddot", qddot)
+    with s.step("joint wrench (48)"):
+        wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+        s.write("wrench", mx.shift_wrench(-r_B, wrench))
+    with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
+        delta = s.name("delta", carried + mx.multiply(s.kept("A"), qddot))
+        alpha = delta + s.kept("alpha_0")
+        s.write("alpha", alpha)
+        etaddot = modal_accelerations(s, delta)
+        s.write("etaddot", etaddot)
+    if s.key.bends:
+        own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
+        axial_motion(s, s.kept("omega"), alpha[3], own)
+    with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
+        s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot)))
+
+
+def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
+    """``J_T [delta; etaddot]`` in F_i axes."""
+    turn = mx.multiply(s.kept("J_l"), mx.multiply(s.kept("Psi_c"), etaddot))
+    elastic = np.concatenate([turn, mx.multiply(s.kept("Phi_c"), etaddot)])
+    return mx.shift_twist(s.kept("r_T"), delta) + elastic
+
+
+# ---------------------------------------------------------------------------------- inverse dynamics
+
+
+def inverse_outward(s: Scope) -> None:
+    """Base to tip: what qddot and etaddot add to the accelerations."""
+    qddot, etaddot = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes)
+    carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta", 6)))
+    delta = carried + mx.multiply(s.kept("A"), qddot)
+    s.keep("delta", delta)
+    s.write("tip.delta", tip_acceleration(s, delta, etaddot))
+
+
+def inverse_inward(s: Scope) -> None:
+    """Tip to base: the wrenches that the accelerations need, and the generalised forces."""
+    qddot, etaddot, delta = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes), s.kept("delta")
+    M_V, M_D, h_V, h_eta = rows(s)
+    m, S, I = tip_bodies(s)
+    bodies = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6) + s.read("tip.delta", 6), m, S, I)
+    load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6)) + s.read("tip.p", 6)
+    needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
+    if s.key.bends:
+        axial_motion(s, s.kept("omega"), s.kept("alpha_0")[3] + delta[3], needed[3])
+    total = needed + mx.shift_wrench(s.kept("r_T"), load)
+    modal = mx.multiply(M_D.T, delta) + s.read("m_eta", s.key.modes) * etaddot
+    turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
+    moved = mx.multiply(s.kept("Phi_c").T, load[3:])
+    s.write("force_eta", modal + h_eta + s.read("f_eta", s.key.modes) + turned + moved)
+    s.write("force", mx.multiply(s.kept("A").T, total) + own_inertia(s) * qddot + own_force(s))
+    s.write("wrench", mx.shift_wrench(-joint_point(s), total))
+    s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
+
+
+# -------------------------------------------------------------------------------------- poses, energy
+
+
+def poses(s: Scope) -> None:
+    """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
+    R_rel, R_T, r_T = _relative_pose(s)
+    R_P, r_P = s.read("base.R", 3, 3), s.read("base.r", 3)
+    with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
+        R = mx.multiply(R_P, R_rel)
+        joint = r_P + mx.multiply(R_P, mount(s))
+        r = joint - mx.multiply(R, joint_point(s))
+        s.write("R", R)
+        s.write("r", r)
+    with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
+        s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T)))
+        s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T)))
+
+
+def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
+    """``R_rel, R_T, r_T``: kept by an earlier phase, or computed."""
+    if "R_rel" in s.layouts:
+        return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
+    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
+    eta = {"eta": s.read("eta", s.key.modes)}
+    r_T = s.lower("tip_pose", eta, "r_T")[0]
+    R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
+    return R_rel, R_T, r_T
+
+
+def velocities(s: Scope) -> None:
+    """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
+    q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
+    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "omega", "v")
+    s.keep("twist", np.concatenate([omega, v]))
+    modal = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    omega_T, v_T = s.lower("tip", {"omega": omega, "v": v, **modal}, "omega_T", "v_T")
+    s.write("tip.omega", omega_T)
+    s.write("tip.v", v_T)
+
+
+def tip_twist(s: Scope) -> None:
+    """The twist of the tip section, at the tip point, in inertial axes."""
+    R = s.read("tip.R", 3, 3)
+    s.write("tip_twist", [*mx.multiply(R, s.read("tip.omega", 3)), *mx.multiply(R, s.read("tip.v", 3))])
+
+
+def energy(s: Scope) -> None:
+    """Energies of one link: kinetic, and potential of stress, joint springs and weight."""
+    q, qdot, eta = s.read("q", s.key.joints), s.read("qdot", s.key.joints), s.read("eta", s.key.modes)
+    twist = s.kept("twist")
+    state = {"omega": twist[:3], "v": twist[3:], "g": mx.zeros(3), "eta": eta, "etadot": s.read("etadot", s.key.modes)}
+    kinetic, stress, m, S = s.lower("energy", state, "kinetic", "stress", "m", "S")
+    V_T = np.concatenate([s.read("tip.omega", 3), s.read("tip.v", 3)])
+    still = {"omega_T": V_T[:3], "v_T": V_T[3:], "g_T": mx.zeros(3)}
+    m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
+    M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
+    body = mx.dot(V_T, mx.multiply(M_T, V_T))
+    rotor = mx.dot(qdot, armature(s) * qdot)
+    s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
+    R, r, R_T, r_T = s.read("R", 3, 3), s.read("r", 3), s.read("tip.R", 3, 3), s.read("tip.r", 3)
+    moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
+    spring = mx.dot(q * stiffness(s), q)
+    s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity", 3), moment)])
+
+
+# --------------------------------------------------------------------------------- parts of the joint
+
+
+def joint_point(s: Scope) -> Array:
+    """The joint point in F_i."""
+    return mx.array([-s.constant("frame_at"), 0.0, 0.0]) if s.key.frame_at else mx.zeros(3)
+
+
+def mount(s: Scope) -> Array:
+    """The joint point relative to the parent's tip point, in the parent's tip frame."""
+    return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
+
+
+def _per_axis(s: Scope, present: bool, label: str) -> Array:
+    return mx.array([s.constant(f"{label}_{j + 1}") if present else 0.0 for j in range(s.key.joints)], (s.key.joints,))
+
+
+def armature(s: Scope) -> Array:
+    """The rotor inertias seen at the joint."""
+    return _per_axis(s, s.key.armature, "armature")
+
+
+def stiffness(s: Scope) -> Array:
+    return _per_axis(s, s.key.stiffness, "joint_stiffness")
+
+
+def own_inertia(s: Scope) -> Array:
+    """The inertia of the joint's own coordinates: the armature, or what is given of a sprung joint."""
+    return s.read("m_q", s.key.joints) if s.key.sprung else armature(s)
+
+
+def own_force(s: Scope) -> Array:
+    """What damper and spring of the joint need."""
+    return s.read("f_q", s.key.joints) if s.key.sprung else mx.zeros(s.key.joints)
+
+
+def drive(s: Scope) -> Array:
+    """What motor, damper and spring give together."""
+    return s.read("tau", s.key.joints) - own_force(s)

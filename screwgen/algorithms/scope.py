@@ -1,0 +1,192 @@
+"""What a phase sees of its link: named signals of the link, of its two nodes, and of the call.
+
+A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip of link i.  A phase of
+link i reads and writes signals whose names say where they live:
+
+``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
+``w.*``                the link's own store, kept from one phase to the next
+``c.*``                constants of the link, prepared from its parameters
+anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+
+import numpy as np
+
+from ..bodies.energy import energy_block
+from ..bodies.link import LinkBlock
+from ..bodies.link_rows import link_rows_block
+from ..bodies.tip import tip_block, tip_body_block, tip_pose_block
+from ..bodies.validity import validity_block
+from ..ir.block import Binding, Block
+from ..ir.lower import lower
+from ..ir.program import Array, Node, Program, Tracer, Value, give_label
+from ..joints.joint import joint_block, posture_block
+from ..joints.joint_rows import joint_rows_block
+from ..paper.z_form_blocks import z_form_block, z_rows_block
+from ..topology.link_class import LinkClass
+from .matrices import zeros
+
+
+@cache
+def derived(key: LinkClass) -> dict[str, Block]:
+    """The blocks of a link class; derived once, however many links share it."""
+    return {
+        "joint": joint_block(key),
+        "posture": posture_block(key),
+        "link": LinkBlock(key),
+        "turning_link": LinkBlock(key, turning=True),
+        "tip": tip_block(key),
+        "tip_pose": tip_pose_block(key),
+        "tip_body": tip_body_block(key),
+        "joint_rows": joint_rows_block(key),
+        "link_rows": link_rows_block(key),
+        "energy": energy_block(key),
+        "z_rows": z_rows_block(key),
+        "validity": validity_block(key),
+    }
+
+
+@cache
+def common() -> dict[str, Block]:
+    """The blocks that are the same for every link."""
+    return {"z_form": z_form_block()}
+
+
+@cache
+def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
+    """The constants of a class that equal one with another label whatever the parameters: its sign and label.
+
+    A section that is the same about both axes, a mode shape that serves two directions: what follows from them is
+    prepared, stored and multiplied once.
+    """
+    tracer, first, out = Tracer(), {}, {}
+    for block in derived(key).values():
+        given = {n: s for n, s in block.inputs.items() if s.binding <= Binding.PARAMETER}
+        inputs = {n: [tracer.input(symbol.name, 1)[0] for symbol in block.values[n].flat] for n in given}
+        names = [n for n, step in block.steps.items() if step.signal.binding <= Binding.PARAMETER]
+        for name, values in lower(block, inputs, names, tracer).items():
+            for symbol, value in zip(block.values[name].flat, values.flat, strict=True):
+                if isinstance(value, Node) and symbol.is_Symbol:
+                    sign, node = (-1.0, value.args[0]) if value.op == "neg" else (1.0, value)
+                    owner = first.setdefault(node.id, (sign, symbol.name))
+                    out[symbol.name] = sign * owner[0], owner[1]
+    return {label: alias for label, alias in out.items() if alias[1] != label}
+
+
+SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega", "v"})
+"""Arrays whose entries are named along the axes of a frame."""
+
+
+@dataclass
+class Layout:
+    """How an array of the link's store is kept: only entries that are computed take a place.
+
+    ``entries`` holds, for every entry, a float, or the sign and place of a stored value, or the sign
+    and label of a constant.
+    """
+
+    shape: tuple[int, ...]
+    entries: list[float | tuple[float, int] | tuple[float, str]]
+    size: int
+
+
+@dataclass
+class Scope:
+    """One link class, one tracer: the world of a phase."""
+
+    key: LinkClass
+    tracer: Tracer
+    layouts: dict[str, Layout]
+    way: str = ""
+    """How modal accelerations are eliminated, see :mod:`.modes`."""
+    inputs: dict[str, list[Value]] = field(default_factory=dict)
+    outputs: dict[str, list[Value]] = field(default_factory=dict)
+    fresh: dict[str, Array] = field(default_factory=dict)
+
+    def read(self, name: str, *shape: int) -> Array:
+        """An input signal."""
+        size = int(np.prod(shape))
+        if name not in self.inputs:
+            self.inputs[name] = self.tracer.input(name, size)
+        return np.array([*self.inputs[name]], dtype=object).reshape(shape)
+
+    def write(self, name: str, values: Array | Sequence[Value]) -> None:
+        """An output signal."""
+        self.name(name.rpartition(".")[2], values)
+        self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
+
+    def name(self, name: str, values: Array | Sequence[Value]) -> Array:
+        """Name the entries that have no name yet; returns the array."""
+        values = np.asarray(values, dtype=object)
+        letters = "xyz" if name in SPATIAL and max(values.shape) == 3 else "123456789"
+        for index, value in np.ndenumerate(values):
+            place = "".join(letters[i] if max(values.shape) < 10 else f"_{i + 1}" for i in index)
+            give_label(value, f"{name}_{place}".replace("__", "_"))
+        return values
+
+    def step(self, title: str):
+        """Operations recorded inside form a section with this title."""
+        return self.tracer.section(title)
+
+    def constant(self, label: str) -> Value:
+        """A constant of the link, by the label of the step that prepares it."""
+        sign, label = repeated(self.key).get(label, (1.0, label))
+        value = self.read(f"c.{label}", 1).item()
+        return value if sign > 0 else -value
+
+    def blocks(self) -> dict[str, Block]:
+        return derived(self.key) | common()
+
+    def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
+        """Record a derived block; columns come back flat, matrices as matrices."""
+        owner = self.blocks()[block]
+        values = lower(owner, inputs, outputs, self.tracer, self.constant)
+        flat = [owner.signal(n).shape[1] == 1 and 1 not in owner.signal(n).numbered for n in outputs]
+        return [values[n][:, 0] if column else values[n] for n, column in zip(outputs, flat, strict=True)]
+
+    def keep(self, name: str, values: Array) -> None:
+        """Store an array for later phases of the same link."""
+        self.fresh[name] = values
+        self.name(name, values)
+        slots: dict[int, int] = {}
+        stored: list[Value] = []
+        entries = []
+        for value in np.asarray(values, dtype=object).ravel():
+            sign, node = (-1.0, value.args[0]) if isinstance(value, Node) and value.op == "neg" else (1.0, value)
+            if not isinstance(node, Node):
+                entries.append(float(node))
+            elif node.op == "input" and node.args[0].startswith("c."):
+                entries.append((sign, node.args[0][2:]))
+            else:
+                if node.id not in slots:
+                    slots[node.id] = len(stored)
+                    stored.append(node)
+                entries.append((sign, slots[node.id]))
+        self.layouts[name] = Layout(np.shape(values), entries, len(stored))
+        if stored:
+            self.outputs[f"w.{name}"] = stored
+
+    def kept(self, name: str) -> Array:
+        """An array that this or an earlier phase stored, its structure included."""
+        if name in self.fresh:
+            return self.fresh[name]
+        layout = self.layouts[name]
+        stored = self.read(f"w.{name}", layout.size) if layout.size else zeros(0)
+        values = [self._entry(e, stored) for e in layout.entries]
+        return np.array([*values, None], dtype=object)[:-1].reshape(layout.shape)
+
+    def _entry(self, entry, stored: Array) -> Value:
+        if isinstance(entry, float):
+            return entry
+        sign, place = entry
+        value = self.constant(place) if isinstance(place, str) else stored[place]
+        return value if sign > 0 else -value
+
+    def program(self, name: str) -> Program:
+        """What was recorded, as a program."""
+        return self.tracer.program(name, {k: len(v) for k, v in self.inputs.items()}, self.outputs)

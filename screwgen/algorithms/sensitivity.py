@@ -1,0 +1,334 @@
+"""The phases of the derivatives: how a link's motion and loads answer to small changes at given accelerations.
+
+The rows ``f(q, v, vdot) = 0`` of the inverse dynamics are differentiated with vdot held; then
+``d vdot = -M^-1 df``.  What a body needs depends on its velocities only through omega, if the acceleration of
+its origin is the inertial one, ``a = vdot + omega x v``.  So a node's motion is ``[omega; omegadot; a]``, nine
+numbers, and a change of it acts on all that the node carries through two matrices: ``Lambda``, the inertia, and
+``Gamma`` (6 x 3), the change with omega.  Both are handed from tip to base, whatever the number of links.
+
+With a body's turn varied by the angle sigma (in its own axes), ``d omega = sigmadot + omega x sigma``, and its
+rate follows; so joints and tip sections need the rates of their axes only, and no rotation is differentiated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..ir.derivative import columns, stumpff_slope
+from ..ir.program import Array
+from . import matrices as mx
+from .phases import joint_point, mount
+from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
+from .scope import Scope
+
+
+@dataclass
+class Motion:
+    """Motion of a frame in its own components: angular velocity and rate, inertial acceleration of the origin."""
+
+    omega: Array
+    omegadot: Array
+    a: Array
+
+    @property
+    def stacked(self) -> Array:
+        return np.concatenate([self.omegadot, self.a])
+
+
+@dataclass
+class Turning:
+    """The tip section's turn relative to F_i: ``J_l`` and its rates, times ``Psi_c``; its angular velocity."""
+
+    phi: Array
+    phidot: Array
+    phiddot: Array
+    omega_s: Array
+    omegadot_s: Array
+
+
+def motion(s: Scope) -> None:
+    """Base to tip: the motion of every link and tip section at given accelerations."""
+    link = link_motion(s)
+    s.write("w.omega_i", s.name("omega", link.omega))
+    s.write("w.acc_i", s.name("acc", link.stacked))
+    tip = tip_motion(s, link)
+    s.write("tip.omega", tip.omega)
+    s.write("tip.acc", tip.stacked)
+
+
+def link_motion(s: Scope) -> Motion:
+    q, qdot, qddot = (s.read(name, s.key.joints) for name in ("q", "qdot", "qddot"))
+    base = {"omega_P": s.read("base.omega", 3), "v_P": mx.zeros(3)}
+    acc = s.read("base.acc", 6)
+    R, A, omega, beta = s.lower("joint", {"q": q, "qdot": qdot, **base}, "R_rel", "A", "omega", "beta_omega")
+    with s.step("motion: angular acceleration, inertial acceleration of the origin of F_i against free fall"):
+        omegadot = mx.multiply(R.T, acc[:3]) + mx.multiply(A, qddot) + beta
+        at_joint = acc[3:] + swung(acc[:3], base["omega_P"], mount(s))
+        return Motion(omega, omegadot, mx.multiply(R.T, at_joint) + swung(omegadot, omega, -joint_point(s)))
+
+
+def swung(omegadot: Array, omega: Array, r: Array) -> Array:
+    """``omegadot x r + omega x (omega x r)``."""
+    return mx.cross(omegadot, r) + mx.cross(omega, mx.cross(omega, r))
+
+
+def tip_motion(s: Scope, link: Motion) -> Motion:
+    """The tip section's motion, in tip-frame components."""
+    at_tip, R = tip_motion_in_link(s, link, turning(s)), tip_rotation(s)
+    with s.step("tip motion: that of the tip section in its own components"):
+        return Motion(*(mx.multiply(R.T, x) for x in (at_tip.omega, at_tip.omegadot, at_tip.a)))
+
+
+def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
+    """The same in F_i components."""
+    r_T, Phi, udot = tip_point(s)
+    with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
+        omega = link.omega + t.omega_s
+        omegadot = link.omegadot + t.omegadot_s + mx.cross(link.omega, t.omega_s)
+        elastic = 2.0 * mx.cross(link.omega, udot) + mx.multiply(Phi, s.read("etaddot", s.key.modes))
+        return Motion(omega, omegadot, link.a + swung(link.omegadot, link.omega, r_T) + elastic)
+
+
+def tip_state(s: Scope) -> dict[str, Array]:
+    eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+    return {"omega": mx.zeros(3), "v": mx.zeros(3), "eta": eta, "etadot": etadot}
+
+
+def tip_point(s: Scope) -> list[Array]:
+    return s.lower("tip", tip_state(s), "r_T", "Phi_c", "udot_T")
+
+
+def tip_rotation(s: Scope) -> Array:
+    return s.lower("tip", tip_state(s), "R_T")[0] if s.key.section_rotation else mx.identity(3)
+
+
+def turning(s: Scope) -> Turning:
+    """The turn's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
+    r = s.key.modes
+    if not s.key.section_rotation:
+        return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3), mx.zeros(3))
+    names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s alpha_s".split()
+    values = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
+    Psi, J = values["Psi_c"], values["J_l"]
+    with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
+        thetaddot = mx.multiply(Psi, s.read("etaddot", r))
+        Jdot, Jddot = _rates_of_J(s, values, thetaddot)
+        relative = mx.multiply(J, thetaddot) + values["alpha_s"]
+        return Turning(*(mx.multiply(m, Psi) for m in (J, Jdot, Jddot)), values["omega_s"], relative)
+
+
+def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:
+    """First and second time derivative of ``J_l = 1 + c2 hat(theta) + c3 hat(theta)^2``."""
+    c3, c4, c5, c6, c7 = _stumpff(s, t)
+    d2, d3 = c4 - 0.5 * c3, 1.5 * c5 - 0.5 * c4
+    d4, d5 = stumpff_slope(4, c5, c6, c7), stumpff_slope(5, c5, c6, c7)
+    theta, thetadot, xdot = t["theta"], t["thetadot"], t["xdot"].item()
+    c2, c2dot, c3dot = t["c2"].item(), t["c2dot"].item(), t["c3dot"].item()
+    xddot = 2.0 * (mx.dot(thetadot, thetadot) + mx.dot(theta, thetaddot))
+    c2ddot = xdot * xdot * (d4 - 0.5 * d3) + xddot * d2
+    c3ddot = xdot * xdot * (1.5 * d5 - 0.5 * d4) + xddot * d3
+    h, hdot, hddot = mx.hat(theta), mx.hat(thetadot), mx.hat(thetaddot)
+    square, mixed = mx.multiply(h, h), mx.multiply(h, hdot)
+    squaredot = mixed + mixed.T
+    last = mx.multiply(h, hddot)
+    squareddot = last + last.T + 2.0 * mx.multiply(hdot, hdot)
+    Jdot = c2dot * h + c2 * hdot + c3dot * square + c3 * squaredot
+    Jddot = c2ddot * h + 2.0 * c2dot * hdot + c2 * hddot + c3ddot * square + 2.0 * c3dot * squaredot + c3 * squareddot
+    return Jdot, Jddot
+
+
+def _stumpff(s: Scope, t: dict[str, Array]) -> list:
+    x = t["x"].item()
+    return [t["c3"].item(), *(s.tracer.call(f"c{k}", x) for k in (4, 5, 6, 7))]
+
+
+def turned_moment(s: Scope, moment: Array) -> Array:
+    """``d(phi_l . moment)/d eta_k`` for a moment that is held: (r, r), row l, column k."""
+    if not s.key.section_rotation:
+        return mx.zeros(s.key.modes, s.key.modes)
+    names = ("theta", "x", "c2", "c3", "Psi_c")
+    t = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
+    x, c2, c3, theta = t["x"].item(), t["c2"].item(), t["c3"].item(), t["theta"]
+    with s.step("turn of the section: a held moment on the turning axes of the modes"):
+        c4, c5 = s.tracer.call("c4", x), s.tracer.call("c5", x)
+        once = mx.cross(theta, moment)
+        slope = (3.0 * c5 - c4) * mx.cross(theta, once) - (2.0 * c4 - c3) * once
+        H = mx.multiply(slope[:, None], theta[None, :]) + c2 * mx.hat(moment)
+        H = H - c3 * (mx.hat(once) + mx.multiply(mx.hat(theta), mx.hat(moment)))
+        return mx.chain(t["Psi_c"].T, H, t["Psi_c"])
+
+
+# ------------------------------------------------------------------------------------------- the link
+
+
+@dataclass
+class Load:
+    """Wrench that a motion needs at a point, inertia, and change (6 x 3) with the angular velocity; F_i axes."""
+
+    wrench: Array
+    Lambda: Array
+    Gamma: Array
+
+
+def answers(s: Scope) -> None:
+    """Tip to base: what a link and all that it carries need, and how that answers to small changes."""
+    joint_answers(s, link_answers(s))
+
+
+def link_answers(s: Scope) -> Load:
+    """Wrench at F_i, inertia and change with omega of a link and all that it carries.
+
+    Stored for the pairs of links: the changes of wrench and modal forces with eta and etadot, of the tip's
+    motion with them, and of the modal forces with the link's motion.
+    """
+    r = s.key.modes
+    link = Motion(s.read("w.omega_i", 3), *np.split(s.read("w.acc_i", 6), 2))
+    t, load, (r_T, Phi, udot) = turning(s), tip_load(s), tip_point(s)
+    E = np.vstack([t.phi, Phi])
+    own, slopes = link_wrench(s, link)
+    with s.step("link: wrench at F_i that the motion needs, its inertia and its change with omega"):
+        reach = np.vstack([-mx.hat(t.omega_s), swing(link.omega, r_T, udot)])
+        with_omega = load.Gamma + mx.multiply(load.Lambda, reach)
+        Gamma = slopes["omega"][:6] + shifted(r_T, with_omega)
+        wrench = own["wrench"] + mx.shift_wrench(r_T, load.wrench)
+        carried = Load(wrench, own["M_V"] + mx.shift(r_T, load.Lambda), Gamma)
+        coupling = own["M_D"] + shifted(r_T, mx.multiply(load.Lambda, E))
+        s.write("w.rows_eta", np.hstack([slopes["omega"][6:] + mx.multiply(E.T, with_omega), coupling.T]))
+        s.write("w.M_eta_eta", mx.congruence(E, load.Lambda))
+    z = tip_motion_in_link(s, link, t)
+    with s.step("link: change of the tip's motion with the modes and their rates, in F_i components"):
+        u_eta, u_etadot = changed_by_modes(link, z, t, Phi), changed_by_rates(link, t, Phi)
+        s.write("w.tip_eta", u_eta)
+        s.write("w.tip_etadot", u_etadot)
+    with s.step("link: change of wrench and modal forces with the modes and their rates"):
+        turned = np.vstack([columns_cross(t.phi, load.wrench[:3]), columns_cross(t.phi, load.wrench[3:])])
+        lever = np.vstack([columns_cross(Phi, load.wrench[3:]), mx.zeros(3, r)])
+        for name, u, extra in (("eta", u_eta, turned), ("etadot", u_etadot, mx.zeros(6, r))):
+            d_load = mx.multiply(load.Gamma, u[:3]) + mx.multiply(load.Lambda, u[3:]) + extra
+            d_wrench = slopes[name][:6] + shifted(r_T, d_load)
+            d_force = slopes[name][6:] + mx.multiply(E.T, d_load)
+            moved = name == "eta"
+            s.write(f"w.F_{name}", d_wrench + lever if moved else d_wrench)
+            s.write(f"w.f_{name}", d_force + turned_moment(s, load.wrench[:3]) if moved else d_force)
+    for name, value in {"R_T": tip_rotation(s), "r_T": r_T, "udot_T": udot, "omega_s": t.omega_s, "E": E}.items():
+        s.write(f"w.{name}", value)
+    return carried
+
+
+def tip_load(s: Scope) -> Load:
+    omega, acc = s.read("tip.omega", 3), s.read("tip.acc", 6)
+    state = {"omega_T": omega, "v_T": mx.zeros(3), "g_T": mx.zeros(3)}
+    m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
+    bias, R = np.concatenate([tau, F]), tip_rotation(s)
+    with s.step("tip load: the next link, bodies and external wrench, in F_i axes at the tip point"):
+        M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
+        wrench = s.read("tip.f", 6) + mx.multiply(M_T, acc) + bias - s.read("w_ext", 6)
+        Gamma = s.read("tip.Gamma", 6, 3) + mx.array(columns(bias, omega)).T
+        Lambda = mx.rotate(R, mx.unpack(s.read("tip.Lambda", 21)) + M_T)
+        return Load(mx.rotate_wrench(R, wrench), Lambda, rotated_columns(R, mx.multiply(Gamma, R.T)))
+
+
+def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Wrench and modal force of the link alone; and their changes with omega, eta and etadot."""
+    eta, etadot, etaddot = (s.read(name, s.key.modes) for name in ("eta", "etadot", "etaddot"))
+    state = {"omega": link.omega, "v": mx.zeros(3), "g": mx.zeros(3), "eta": eta, "etadot": etadot}
+    I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
+    with s.step("link: wrench and modal forces of the link alone, and their slopes"):
+        M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
+        wrench = mx.multiply(M_V, link.stacked) + mx.multiply(M_D, etaddot) + h_V
+        force = mx.multiply(M_D.T, link.stacked) + h_eta
+        both = [*wrench, *force]
+        variables = {"omega": link.omega, "eta": eta, "etadot": etadot}
+        shape = lambda x: (len(x), 6 + s.key.modes)  # noqa: E731
+        slopes = {n: mx.array(columns(both, x), shape(x)).T for n, x in variables.items()}
+    return {"M_V": M_V, "M_D": M_D, "wrench": wrench}, slopes
+
+
+def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:
+    """Change of ``[omega; omegadot; a]`` of the tip section with eta: (9, r), F_i components, ``z`` the motion."""
+    psi = t.phidot + cross_columns(link.omega, t.phi)
+    rate = t.phiddot + cross_columns(link.omegadot, t.phi) + cross_columns(link.omega, t.phidot)
+    moved = cross_columns(link.omegadot, Phi) + cross_columns(link.omega, cross_columns(link.omega, Phi))
+    return np.vstack([psi, rate - cross_columns(t.omega_s, psi), moved + cross_columns(z.a, t.phi)])
+
+
+def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
+    """The same with etadot."""
+    rate = 2.0 * t.phidot + cross_columns(link.omega - t.omega_s, t.phi)
+    return np.vstack([t.phi, rate, 2.0 * cross_columns(link.omega, Phi)])
+
+
+# ------------------------------------------------------------------------------------------ the joint
+
+
+def joint_answers(s: Scope, carried: Load) -> None:
+    """The joint's rows, their changes with the joint's coordinates, and what is handed to the parent."""
+    m, omega_P, acc_P = s.key.joints, s.read("base.omega", 3), s.read("base.acc", 6)
+    q, qdot = s.read("q", m), s.read("qdot", m)
+    given = {"q": q, "qdot": qdot, "omega_P": omega_P, "v_P": mx.zeros(3)}
+    R, A, omega_J = s.lower("joint", given, "R_rel", "A", "omega_J")
+    omega, acc = s.read("w.omega_i", 3), s.read("w.acc_i", 6)
+    r_B = joint_point(s)
+    with s.step("joint: change of the link's motion with the joint's angles and rates"):
+        a_J = mx.multiply(R.T, acc_P[3:] + swung(acc_P[:3], omega_P, mount(s)))
+        u_q, u_qdot = joint_changes(s, A, Motion(omega, acc[:3], a_J), r_B)
+    with s.step("joint: its rows and their changes; what is handed to the parent"):
+        axes = np.vstack([A, mx.multiply(mx.hat(r_B), A)])
+        answer = np.hstack([carried.Gamma, carried.Lambda])
+        rows = mx.multiply(axes.T, answer)
+        at_joint = mx.shift_wrench(-r_B, carried.wrench)
+        turned = np.vstack([columns_cross(A, at_joint[:3]), columns_cross(A, at_joint[3:])])
+        F_q = mx.multiply(answer, u_q)
+        later = mx.array([[_later(A, at_joint[:3], l, k) for k in range(m)] for l in range(m)], (m, m))
+        s.write("w.f_q", mx.multiply(axes.T, F_q) + later)
+        F_qdot = mx.multiply(answer, u_qdot)
+        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot))
+        s.write("w.F_q", F_q + shifted(r_B, turned))
+        s.write("w.F_qdot", F_qdot)
+        s.write("base.f", mx.shift_wrench(mount(s), mx.rotate_wrench(R, at_joint)))
+        handed = mx.shift(mount(s), mx.rotate(R, mx.shift(-r_B, carried.Lambda)))
+        s.write("base.Lambda", mx.pack(handed))
+        passed = to_parent(answer, R, omega, omega_J, omega_P, r_B, mount(s))[:, :3]
+        s.write("base.Gamma", shifted(mount(s), rotated_columns(R, shifted(-r_B, passed))))
+    for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes}.items():
+        s.write(f"w.{name}", value)
+    for name, value in {"R_rel": R, "omega_J": omega_J, "r_B": r_B, "r_m": mount(s)}.items():
+        s.write(f"w.{name}", value)
+
+
+def joint_changes(s: Scope, A: Array, joint: Motion, r_B: Array) -> tuple[Array, Array]:
+    """Change of ``[omega; omegadot; a]`` of F_i with q and with qdot, (9, m) each; ``joint.a`` is the joint point's."""
+    qdot, qddot = s.read("qdot", s.key.joints), s.read("qddot", s.key.joints)
+    Adot, Addot = axis_rates(A, qdot, qddot)
+    omega, omegadot = joint.omega, joint.omegadot
+    d_omega = Adot + cross_columns(omega, A)
+    d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
+    d_a = cross_columns(joint.a, A) + _swung_changes(d_omega, d_rate, omega, r_B)
+    v_rate = 2.0 * Adot + cross_columns(omega, A)
+    return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, _swung_changes(A, v_rate, omega, r_B)])
+
+
+def axis_rates(A: Array, qdot: Array, qddot: Array) -> tuple[Array, Array]:
+    """First and second time derivative of the axes in F_i: later rotations turn the earlier axes."""
+    m = A.shape[1]
+    Adot, Addot = mx.zeros(3, m), mx.zeros(3, m)
+    s, sdot = mx.zeros(3), mx.zeros(3)
+    for k in reversed(range(m)):
+        Adot[:, k] = mx.cross(A[:, k], s)
+        Addot[:, k] = mx.cross(Adot[:, k], s) + mx.cross(A[:, k], sdot)
+        s = s + A[:, k] * qdot[k]
+        sdot = sdot + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
+    return Adot, Addot
+
+
+def _later(A: Array, moment: Array, l: int, k: int):
+    """``d(A_l . moment)/d q_k``: axis k turns the axes before it."""
+    return mx.dot(mx.cross(A[:, l], A[:, k]), moment) if k > l else 0.0
+
+
+def _swung_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
+    """Change of the origin's acceleration relative to the joint point."""
+    d = -mx.multiply(swing(omega, r_B, mx.zeros(3)), d_omega)
+    return d + mx.multiply(mx.hat(r_B), d_rate)

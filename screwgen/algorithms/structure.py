@@ -1,0 +1,133 @@
+"""An algorithm specialised to the places of a chain: what is known is folded in, what nobody reads falls away.
+
+The base is at rest, the last tip carries nothing, a joint hands zeros up where it is free to turn: such entries are
+numbers, and every phase of every link is evaluated with them.  Links at equal places share one program.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..ir.program import Node, Program, live
+from ..ir.replay import bind
+from ..topology.chain import Algorithm, Chain, execute, trace
+from .functions import nodes
+
+
+class Unknown:
+    """An entry that only the call knows."""
+
+    def __neg__(self) -> Unknown:
+        return self
+
+
+UNKNOWN = Unknown()
+Entry = float | Unknown
+Known = tuple[tuple[str, tuple[float | None, ...]], ...]
+"""The inputs of a program of which some entries are numbers; None stands for the others."""
+
+
+@dataclass(frozen=True)
+class Passage:
+    """One phase of one link: its program with only the outputs that somebody reads, and which entries these are."""
+
+    phase: int
+    link: int
+    program: Program
+    wanted: frozenset[tuple[str, int]]
+
+
+def passages(
+    chain: Chain,
+    algorithm: Algorithm,
+    constants: Sequence[Mapping[str, list]] | None,
+    results: Iterable[str],
+    zero: frozenset[str] = frozenset(),
+) -> list[Passage]:
+    """Every phase of every link in the order of execution.
+
+    ``constants`` are the links' numbers (``c.*``) where they are baked in; ``results`` the signals that a caller
+    reads: of every link, or, of a node (``tip.*``), that of the last tip; ``zero`` the signals that are zero.
+    """
+    specialised: dict[tuple, Program] = {}
+    run: list[tuple[int, int, Program]] = []
+
+    def apply(i: int, number: int, program: Program, given: Mapping[str, list]) -> Mapping[str, list]:
+        known = _known(given)
+        key = (id(program), known)
+        if key not in specialised:
+            specialised[key] = bind(program, dict(known)) if known else program
+        run.append((number, i, specialised[key]))
+        return {name: [_entry(v) for v in values] for name, values in specialised[key].outputs.items()}
+
+    places = nodes(chain, [0.0 if "gravity" in zero else UNKNOWN] * 3)
+    execute(chain, algorithm, _inputs(chain, algorithm, constants, zero), places, apply)
+    return _pruned(chain, run, results)
+
+
+def _inputs(chain: Chain, algorithm: Algorithm, constants, zero: frozenset[str]) -> list[dict[str, list]]:
+    """The signals of every link that no phase makes."""
+    out = []
+    for i, key in enumerate(chain.keys):
+        sizes = {n: size for p in trace(key, algorithm) for n, size in p.inputs.items()}
+        own = {n: [UNKNOWN] * size for n, size in sizes.items()}
+        own |= {n: v for n, v in (constants[i] if constants else {}).items() if n.startswith("c.")}
+        out.append(own | {n: [0.0] * len(own[n]) for n in zero & own.keys()})
+    return out
+
+
+def _known(given: Mapping[str, list]) -> Known:
+    partial = {n: tuple(None if isinstance(v, Unknown) else float(v) for v in values) for n, values in given.items()}
+    return tuple((n, values) for n, values in sorted(partial.items()) if any(v is not None for v in values))
+
+
+def _entry(value) -> Entry:
+    return float(value) if _structural(value) else UNKNOWN
+
+
+def _structural(value) -> bool:
+    """Whether an entry is handed on as a number: zeros and ones repeat from link to link, sums of masses do not."""
+    return not isinstance(value, Node) and abs(value) in (0.0, 1.0)
+
+
+def _pruned(chain: Chain, run: Sequence[tuple[int, int, Program]], results: Iterable[str]) -> list[Passage]:
+    """From the last passage to the first: what is read later is wanted, and with it what it is made of."""
+    results = frozenset(results)
+    read: set[tuple[str, str, int, int]] = set()
+    out, cache = [], {}
+    for number, i, program in reversed(run):
+        wanted = frozenset(
+            (name, k)
+            for name, values in program.outputs.items()
+            for k, v in enumerate(values)
+            if _result(chain, results, name, i) or (not _structural(v) and (*_place(name, i), k) in read)
+        )
+        key = (id(program), wanted)
+        if key not in cache:
+            cache[key] = _with_outputs(program, wanted)
+        kept = cache[key]
+        read |= {(*_place(n.args[0], i), n.args[1]) for n in kept.nodes if n.op == "input"}
+        out.append(Passage(number, i, kept, wanted))
+    return out[::-1]
+
+
+def _result(chain: Chain, results: frozenset[str], name: str, i: int) -> bool:
+    return name in results and (not name.startswith("tip.") or i == chain.n - 1)
+
+
+def _place(name: str, i: int) -> tuple[str, str, int]:
+    """Where a signal of link i lives: its store, or a node."""
+    where, _, what = name.partition(".")
+    if where in ("base", "tip"):
+        return "node", what, i + (where == "tip")
+    return "link", name, i
+
+
+def _with_outputs(program: Program, wanted: frozenset[tuple[str, int]]) -> Program:
+    names = [n for n in program.outputs if any(n == name for name, _ in wanted)]
+    outputs = {n: [v if (n, k) in wanted else 0.0 for k, v in enumerate(program.outputs[n])] for n in names}
+    kept = Program(program.name, {}, outputs, program.guards, program.sections, program.origins)
+    read = {n.args[0] for n in live([*kept.nodes]) if n.op == "input"}
+    kept.inputs = {n: size for n, size in program.inputs.items() if n in read}
+    return kept

@@ -1,0 +1,30 @@
+"""The phase that measures how far the links are from the limits of the model."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..bodies.validity import MEASURES
+from ..ir.program import Array, Value
+from . import matrices as mx
+from .scope import Scope
+
+
+def axial_motion(s: Scope, omega: Array, a_x: Value, own: Value) -> None:
+    """What :func:`measure` reads of a motion, all in F_i.
+
+    Turn about y and z, axial acceleration against free fall, and the axial force that moves the link and its base
+    bodies.
+    """
+    s.write("motion", np.array([omega[1], omega[2], a_x, own], dtype=object))
+
+
+def measure(s: Scope) -> None:
+    """The measures of a link from its modal coordinates, the axial force of its joint and its motion."""
+    if not s.key.bends:
+        s.write("measures", mx.zeros(len(MEASURES)))
+        return
+    motion, wrench = s.read("motion", 4), s.read("wrench", 6)
+    given = {"eta": s.read("eta", s.key.modes), "omega_t": motion[:2], "a_x": motion[2:3], "F_x": wrench[3:4]}
+    given["F_own"] = motion[3:]
+    s.write("measures", np.concatenate([np.ravel(x) for x in s.lower("validity", given, *MEASURES)]))

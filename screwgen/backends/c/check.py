@@ -1,0 +1,39 @@
+"""The self-check of the generated C: what it allows, and whether float will do at all."""
+
+from __future__ import annotations
+
+from ...errors import UsageError
+from ...topology.chain import Chain
+from ..numpy.reference import Case, rounding_error
+
+USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
+"""What results may be off by, relative to the largest of their kind, and the bits of each precision."""
+
+MARGIN = 5.0
+"""Compiled code orders and rounds its operations otherwise than the emulation of its precision."""
+
+LOOSEST = 1e-2
+"""A precision that needs more than this is of no use, and nothing is checked against more."""
+
+
+def content(chain: Chain, cases: list[Case]) -> dict:
+    """``tolerance`` of each precision as C writes it, and ``lost``: what float may lose where that is too much.
+
+    Raises :class:`UsageError` where not even double will do.
+    """
+    needed = {name: _needed(chain, cases, *usual) for name, usual in USUAL.items()}
+    if needed["double"] > LOOSEST:
+        said = f"robot '{chain.robot.name}': rounding in double may change results by {percent(needed['double'])}"
+        raise UsageError(f"{said}; give light links that carry heavy loads more mass, or the loads less")
+    tolerance = {name: f"{min(value, LOOSEST):.0e}" for name, value in needed.items()}
+    return {"tolerance": tolerance, "lost": percent(needed["single"]) if needed["single"] > LOOSEST else ""}
+
+
+def _needed(chain: Chain, cases: list[Case], least: float, bits: int) -> float:
+    """The usual tolerance, or some of the rounding error of the cases at that precision."""
+    return max(least, MARGIN * max(rounding_error(chain, case, bits) for case in cases))
+
+
+def percent(part: float) -> str:
+    """A part in words."""
+    return f"{100 * part:.0f} %" if part < 1 else "100 % or more"

@@ -1,0 +1,285 @@
+"""Programs as C statements that read like a person wrote them.
+
+Named values keep their names; a value that is used once is written where it is used; every section says
+what it computes.  The grouping of the program is kept, so C and the judge round alike.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from itertools import count
+from typing import ClassVar
+
+from ...ir.program import Node, Program, live
+from ...ir.replay import BINARY
+
+SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 3}
+ATOM = 4
+WIDTH = 96
+KEYWORDS = frozenset(
+    "auto break case char const continue default do double else enum extern float for goto if inline int long "
+    "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
+    "sin cos sqrt y0 y1 yn j0 j1 jn gamma real REAL NULL".split()
+)
+
+
+def literal(value: float) -> str:
+    """A number in the target's precision; whole numbers as integers."""
+    if value == int(value) and abs(value) < 1e6:
+        return str(int(value))
+    return f"REAL({value!r})"
+
+
+@dataclass
+class Writer:
+    """Turns one program into lines of C.
+
+    ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
+    for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart`` says that no output
+    shares memory with an input: then outputs are written as soon as they are known.  ``optional`` names, by output,
+    the C condition on which it is wanted: what only such outputs need is computed where the condition holds.  A
+    condition in ``within`` is looked at only where the other one holds, so it can use what that one has computed.
+    """
+
+    program: Program
+    prefix: str
+    place: Callable[[str, int], str]
+    fail: Callable[[str, int], str]
+    taken: set[str] = field(default_factory=set)
+    apart: bool = False
+    optional: Mapping[str, str] = field(default_factory=dict)
+    within: Mapping[str, str] = field(default_factory=dict)
+    paired: ClassVar[bool] = True
+    """Whether sine and cosine of an angle come from one call."""
+
+    def lines(self) -> list[str]:
+        """The body of a function: sections of assignments, then the outputs."""
+        self._count_uses()
+        self._names: dict[int, str] = {}
+        self._numbers = count(1)
+        self._pending: dict[int, tuple[str, int]] = {}
+        self._written: set[tuple[str, int]] = set()
+        self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
+        always, groups = self._groups()
+        out = self._part(always, "")
+        for condition in groups:
+            if self.within.get(condition) not in groups:
+                out += self._conditional(condition, groups)
+        return out
+
+    def _conditional(self, condition: str, groups: Mapping[str, list[Node]]) -> list[str]:
+        """What hangs on a condition, and on those within it."""
+        block = self._part(groups[condition], condition)
+        for inner in (c for c in groups if self.within.get(c) == condition):
+            block += self._conditional(inner, groups)
+        inside = [f"    {line}" if line else "" for line in block[not block[0] :]]
+        return ["", f"if ({condition}) {{", *inside, "}"]
+
+    def _part(self, nodes: Iterable[Node], condition: str) -> list[str]:
+        """Assignments by sections and the outputs that hang on one condition."""
+        self._condition, nodes = condition, list(nodes)
+        self._pairs = pairs(nodes) if self.paired else {}
+        out: list[str] = []
+        section = None
+        for node in nodes:
+            statements = self._statements(node)
+            if statements and node.section != section:
+                section = node.section
+                out += self._heading(section)
+            out += statements
+        return [*out, *self._outputs()]
+
+    def _groups(self) -> tuple[list[Node], dict[str, list[Node]]]:
+        """The nodes that are always needed, and for every condition those that are needed with it alone."""
+        p, conditions = self.program, dict.fromkeys(c for n, c in self.optional.items() if n in self.program.outputs)
+        values = lambda c: [v for n, e in p.outputs.items() if self.optional.get(n, "") == c for v in e]  # noqa: E731
+        common = {n.id for n in live([*values(""), *p.guards])}
+        needs = {c: {n.id for n in live(values(c))} for c in conditions}
+        outer = {c: needs[c].union(*(needs[d] for d in needs if self.within.get(d) == c)) for c in needs}
+        times = Counter(i for c, ids in outer.items() if self.within.get(c) not in needs for i in ids)
+        common |= {i for i, count in times.items() if count > 1}
+        needs = {c: ids - needs.get(self.within.get(c), set()) for c, ids in needs.items()}
+        groups = {c: [n for n in p.nodes if n.id in needs[c] - common] for c in conditions}
+        return [n for n in p.nodes if n.id in common], groups
+
+    def _count_uses(self) -> None:
+        self._uses: Counter[int] = Counter()
+        self._users: dict[int, Node] = {}
+        for node in self.program.nodes:
+            if node.op != "input":
+                for arg in node.args:
+                    if isinstance(arg, Node):
+                        self._uses[arg.id] += 1
+                        self._users[arg.id] = node
+        for values in self.program.outputs.values():
+            for v in values:
+                if isinstance(v, Node):
+                    self._uses[v.id] += 2
+
+    def _heading(self, section: int) -> list[str]:
+        title = self.program.sections[section]
+        return ["", f"/* {title} */"] if title else [""]
+
+    def _statements(self, node: Node) -> list[str]:
+        if node.op in ("input", "epsilon") or self._served(node):
+            return []
+        if node.id in self._guards and not self._uses[node.id]:
+            return [self._guard(node, self._text(node)[0])]
+        if node.id in self._pairs:
+            return [] if node.id in self._names else self._sine_and_cosine(*self._pairs[node.id])
+        text, precedence = self._text(node)
+        if self._inlined(node, text):
+            self._pending[node.id] = (text, precedence)
+            return []
+        name = self._name(node)
+        lines = wrap(f"const {self.prefix}_real {name} = {text};")
+        if node.id in self._guards:
+            lines.append(self._guard(node, name))
+        return lines + self._early_outputs(node, name)
+
+    def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
+        """Both of an angle by one call."""
+        names, both = (self._name(sine), self._name(cosine)), self._free("turn")
+        lines = wrap(
+            f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({self._operand(sine.args[0], 0)});"
+        )
+        lines.append(f"const {self.prefix}_real {names[0]} = {both}.sine, {names[1]} = {both}.cosine;")
+        return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
+
+    def _guard(self, node: Node, text: str) -> str:
+        return self.fail(f"!({text} > 0)", self._guards[node.id])
+
+    def _early_outputs(self, node: Node, name: str) -> list[str]:
+        """The outputs that are this value, or its negative, where memory allows to write them now."""
+        if not self.apart:
+            return []
+        lines = []
+        for output, values in self.program.outputs.items():
+            if self.optional.get(output, "") != self._condition:
+                continue
+            for k, v in enumerate(values):
+                negative = isinstance(v, Node) and v.op == "neg" and v.args[0] is node
+                if (v is node or negative) and (output, k) not in self._written and self.place(output, k) is not None:
+                    self._written.add((output, k))
+                    lines.append(f"{self.place(output, k)} = {'-' if negative else ''}{name};")
+        return lines
+
+    def _served(self, node: Node) -> bool:
+        """Whether a negative value is nothing but outputs that were written with the value that it negates."""
+        if node.op != "neg" or node.id in self._guards or node.id in self._users:
+            return False
+        places = [(o, k) for o, values in self.program.outputs.items() for k, v in enumerate(values) if v is node]
+        return all(place in self._written for place in places)
+
+    def _inlined(self, node: Node, text: str) -> bool:
+        if node.label or self._uses[node.id] != 1 or node.id in self._guards or len(text) > WIDTH:
+            return False
+        user = self._users.get(node.id)
+        return user is not None and user.section == node.section
+
+    def _name(self, node: Node) -> str:
+        if node.label:
+            name = self._free(node.label)
+        else:
+            name = next(name for k in self._numbers if (name := f"t{k}") not in self.taken)
+            self.taken.add(name)
+        self._names[node.id] = name
+        return name
+
+    def _free(self, stem: str) -> str:
+        """A name that is not taken yet, and now is."""
+        name, number = stem if stem not in KEYWORDS else f"{stem}1", 1
+        while name in self.taken:
+            number += 1
+            name = f"{stem}_{number}"
+        self.taken.add(name)
+        return name
+
+    def _text(self, node: Node) -> tuple[str, int]:
+        if node.op in BINARY:
+            return self._binary(node)
+        if node.op == "neg":
+            return f"-{self._operand(node.args[0], 3)}", 3
+        return f"{self.prefix}_{node.op}({self._operand(node.args[0], 0)})", ATOM
+
+    def _binary(self, node: Node) -> tuple[str, int]:
+        own = PRECEDENCE[node.op]
+        left, right = self._operand(node.args[0], own), self._operand(node.args[1], own + 1)
+        return f"{left} {SYMBOL[node.op]} {right}", own
+
+    def _operand(self, value, precedence: int) -> str:
+        text, own = self._value(value)
+        return f"({text})" if own < precedence else text
+
+    def _value(self, value) -> tuple[str, int]:
+        if not isinstance(value, Node):
+            return literal(value), ATOM if value >= 0 else 3
+        if value.op == "input":
+            return self.place(*value.args), ATOM
+        if value.op == "epsilon":
+            return f"{self.prefix.upper()}_REAL_EPSILON", ATOM
+        return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
+
+    def _outputs(self) -> list[str]:
+        out: list[str] = []
+        for name, values in self.program.outputs.items():
+            if self.optional.get(name, "") != self._condition:
+                continue
+            left = ((k, v) for k, v in enumerate(values) if (name, k) not in self._written)
+            placed = ((self.place(name, k), v) for k, v in left)
+            out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]
+        return ["", "/* outputs */", *out] if out else []
+
+
+def trimmed(lines: list[str]) -> list[str]:
+    """The body of a function that has nothing before it."""
+    return lines[1:] if lines[:1] == [""] else lines
+
+
+def with_unused(names: Iterable[str], lines: list[str]) -> list[str]:
+    """The body of a function that says which of its pointers it does not use."""
+    text = "\n".join(lines)
+    return [f"(void){x};" for x in names if not re.search(rf"\b{x}(->|\[)", text)] + lines
+
+
+def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:
+    """Sine and cosine of every angle of which both are among the nodes, by the number of either."""
+    found: dict[int, dict[str, Node]] = {}
+    for node in nodes:
+        if node.op in ("sin", "cos"):
+            found.setdefault(node.args[0].id, {})[node.op] = node
+    both = [(x["sin"], x["cos"]) for x in found.values() if len(x) == 2]
+    return {node.id: pair for pair in both for node in pair}
+
+
+def wrap(line: str, width: int = 110) -> list[str]:
+    """A long assignment over several lines, broken at operators outside the innermost parentheses."""
+    out, indent = [], ""
+    while len(indent + line) > width:
+        cut = _break(line, width - len(indent))
+        if cut is None:
+            break
+        out.append(indent + line[:cut].rstrip())
+        line, indent = line[cut:].lstrip(), "    "
+    return [*out, indent + line]
+
+
+def _break(line: str, width: int) -> int | None:
+    """The best place to break: the shallowest operator, the later the better."""
+    depth, best = 0, None
+    for i, ch in enumerate(line[:width]):
+        depth += (ch == "(") - (ch == ")")
+        if ch == " " and i + 2 < len(line) and line[i + 1] in "+-*" and line[i + 2] == " " and i > 24:
+            cost = (depth, line[i + 1] == "*")
+            if best is None or cost <= best[0]:
+                best = (cost, i)
+    return None if best is None else best[1]
+
+
+def sizes(programs: Iterable[Program]) -> int:
+    """The operations of several programs together."""
+    return sum(p.operation_count for p in programs)

@@ -1,0 +1,210 @@
+"""The structs of the generated C: what they hold, with unit, frame and meaning of every field."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from ...algorithms.scope import derived
+from ...ir.program import Program
+from ...spec.parameters import Parameter, parameters
+from ...topology.chain import COLUMNS, Chain
+from ...topology.link_class import LinkClass
+from ...topology.parameters import label
+from .code import literal
+
+
+@dataclass(frozen=True)
+class Field:
+    """One member of a struct; ``size`` 0 is a scalar."""
+
+    name: str
+    size: int
+    comment: str
+
+    @property
+    def declarator(self) -> str:
+        return f"{self.name}[{self.size}]" if self.size else self.name
+
+    @property
+    def reals(self) -> int:
+        return self.size or 1
+
+
+PATTERNS = (
+    (r"mount_(xyz|rpy)_([xyz])", lambda m: f"joint.mount_{m[1]}[{'xyz'.index(m[2])}]"),
+    (r"armature_(\d+)", lambda m: f"joint.armature[{int(m[1]) - 1}]"),
+    (r"joint_(damping|stiffness)_(\d+)", lambda m: f"joint.{m[1]}[{int(m[2]) - 1}]"),
+    (r"(frequencies_\w+)_(\d+)", lambda m: f"{m[1]}[{int(m[2]) - 1}]"),
+    (r"body(\d+)_mass", lambda m: f"bodies[{m[1]}].mass"),
+    (r"body(\d+)_com_([xyz])", lambda m: f"bodies[{m[1]}].com[{'xyz'.index(m[2])}]"),
+    (r"body(\d+)_inertia_(\d)", lambda m: f"bodies[{m[1]}].inertia[{int(m[2]) - 1}]"),
+)
+
+
+def parameter_member(name: str) -> str:
+    """Where ``ella_link_parameters`` holds the parameter of a label."""
+    for pattern, place in PATTERNS:
+        match = re.fullmatch(pattern, name)
+        if match:
+            return place(match)
+    return name
+
+
+def parameter_structs(robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
+    """The members of the link, joint and body structs: what any link of the robot states.
+
+    ``read`` has the labels of the parameters that the constants of every link follow from: members that no link's
+    constants do are marked.
+    """
+    live = {_member(parameter_member(name))[:2] for names in read for name in names}
+    groups: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
+    for p in parameters(robot):
+        if p.link is None:
+            continue
+        group, name, size = _member(parameter_member(label(p)))
+        known = groups[group].get(name)
+        size = max(size, known.size if known else 0)
+        unused = "" if (group, name) in live else "; this model does not use it"
+        groups[group][name] = Field(name, size, ascii_unit(f"{p.unit}: {_general(p)}{unused}"))
+    return {group: list(fields.values()) for group, fields in groups.items()}
+
+
+def changing_parameter(robot) -> dict[str, str]:
+    """A parameter that a program may want to change: a mass at the last tip, else the last link's mass per length."""
+    own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
+    masses = [p for p in own if label(p).endswith("_mass")]
+    p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
+    return {"member": parameter_member(label(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
+
+
+def _member(place: str) -> tuple[str, str, int]:
+    """Struct, member and least size that a place such as ``bodies[0].com[2]`` needs."""
+    head, _, rest = place.rpartition(".")
+    group = "joint" if head == "joint" else "body" if head else "link"
+    match = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", rest)
+    return group, match[1], int(match[2]) + 1 if match[2] else 0
+
+
+def ascii_unit(text: str) -> str:
+    """Units in the letters that every compiler and terminal knows."""
+    return text.replace("·", "*").replace("²", "^2").replace("−", "-")
+
+
+def _general(p: Parameter) -> str:
+    """The description without the component's own name."""
+    parts = p.description.split(", ")
+    return ", ".join(
+        x for x in parts if x not in ("x", "y", "z", "roll", "pitch", "yaw", "xx", "yy", "zz", "xy", "xz", "yz")
+    )
+
+
+def body_count(robot) -> int:
+    return max((len(link.bodies) for link in robot.links), default=0)
+
+
+def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
+    """The members of ``ella_link_constants``, documented by the steps that define them."""
+    return [Field(name, 0, _constant_comment(chain.classes, name)) for name in sorted(labels)]
+
+
+def _constant_comment(classes: Sequence[LinkClass], name: str) -> str:
+    for key in classes:
+        for block in derived(key).values():
+            for step in block.steps.values():
+                if any(symbol.name == name for symbol, _ in step.assignments):
+                    return f"{step.signal.unit}: {step.signal.meaning}"
+            for signal in block.inputs.values():
+                if any(text == name for _, text in signal.labels()):
+                    return f"{signal.unit}: {signal.meaning}"
+    return "of the joint, as stated"
+
+
+def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
+    """Arguments for a link's own columns, those of its joint in a line of their own.
+
+    ``text`` of a column's name, of the robot's column that holds it, and of its place there.
+    """
+    out = ""
+    for part, span in chain.given(i).items():
+        arguments = [text(own, name, span.start) for own, name in zip(COLUMNS[part], COLUMNS["eta"], strict=True)]
+        if span.stop > span.start:
+            out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
+    return out
+
+
+NODE = {
+    "omega": "rad/s: angular velocity, in the node's own frame",
+    "v": "m/s: velocity of the node",
+    "omega_m": "rad/s: angular velocity before projection",
+    "v_m": "m/s: velocity before projection",
+    "alpha_0": "rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, free fall taken off",
+    "delta": "rad/s^2, m/s^2: what the accelerations of joints and modes add",
+    "R_T": "rotation to the link frame, row by row",
+    "Lambda": "inertia that the next link hands down, upper triangle row by row",
+    "p": "N*m, N: what it needs while no joint and no mode accelerates",
+    "R": "rotation to the inertial frame, row by row",
+    "r": "m: position in the inertial frame",
+    "R_m": "rotation before projection, row by row",
+    "Q": "unit quaternion (w, x, y, z) to the inertial frame",
+}
+
+
+def node_fields(programs: Iterable[Program]) -> list[Field]:
+    """The members of a node that the programs read or write."""
+    return [Field(n, s, NODE.get(n, "")) for n, s in _signals(programs, ("base.", "tip.")).items()]
+
+
+def store_fields(programs: Iterable[Program]) -> list[Field]:
+    """The members of a link's store."""
+    return [Field(n, s, "") for n, s in _signals(programs, ("w.",)).items()]
+
+
+def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, int]:
+    """Name without prefix and largest size of the signals in these places, in order of appearance."""
+    out: dict[str, int] = {}
+    for program in programs:
+        for name, size in [*program.inputs.items(), *((n, len(v)) for n, v in program.outputs.items())]:
+            if name.startswith(tuple(prefixes)):
+                short = name.partition(".")[2]
+                out[short] = max(size, out.get(short, 0))
+    return dict(sorted(out.items()))
+
+
+def fused_place(name: str, k: int) -> str:
+    """Where the fused function finds its inputs and puts its outputs."""
+    link, _, what = name.partition(":")
+    if what:
+        return f"c->links[{link}].{what[2:]}"
+    table = {
+        "gravity": f"c->gravity[{k}]",
+        "q": f"state->q[{k}]",
+        "v": f"state->v[{k}]",
+        "tau": f"input->tau[{k}]",
+        "w_ext": f"input->w_ext[{k // 6}][{k % 6}]",
+        "m_eta": f"m_eta[{k}]",
+        "f_eta": f"work->f_eta[{k}]",
+        "vdot": f"output->vdot[{k}]",
+        "wrench": f"output->wrench[{k // 6}][{k % 6}]",
+        "motion": f"work->motion[{k // 4}][{k % 4}]",
+        "tip_rotation": f"output->tip_rotation[{k // 3}][{k % 3}]",
+        "tip_position": f"output->tip_position[{k}]",
+    }
+    return table[name]
+
+
+def stumpff_terms(order: int, count=14) -> list[str]:
+    """The coefficients ``1 / (order + 2 j)!`` of a Stumpff function."""
+    return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]
+
+
+def index_type(count: int) -> str:
+    """The C type, the smaller where it will do, of the numbers below ``count``."""
+    return "short" if count <= 2**15 else "int"
+
+
+def rows(numbers: list[int], width: int = 20) -> list[str]:
+    """Numbers of a table, a few per line."""
+    return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]

@@ -1,0 +1,30 @@
+"""The names of the generated C's files; templates of the same names make them."""
+
+from . import batch as c_batch
+from . import derivatives as c_derivatives
+from . import estimator as c_estimator
+
+LIBRARY = (
+    "real.h",
+    "real.c",
+    "parameters.c",
+    "dynamics.c",
+    "links.h",
+    "links.c",
+    "step.c",
+    "posture.c",
+    "se3.h",
+    "dae.c",
+    "reference.h",
+)
+"""The files of every library, behind ``<robot>_``."""
+
+BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
+"""What stands beside the library, under these names."""
+
+
+def library(name: str, derivatives: bool, estimator: bool, batch: bool) -> dict[str, str]:
+    """The files of a robot's library, with the template of each."""
+    options = ((derivatives, c_derivatives.FILES), (estimator, c_estimator.FILES), (batch, c_batch.FILES))
+    files = [*LIBRARY, *(file for asked, more in options if asked for file in more)]
+    return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

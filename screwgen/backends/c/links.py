@@ -1,0 +1,350 @@
+"""The chain in C: one function per phase and class of links, and how each finds its arrays."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ...algorithms import functions as alg
+from ...algorithms.dae_functions import block_places
+from ...algorithms.structure import Passage, passages
+from ...ir.program import Program
+from ...topology.chain import OUTWARD, Algorithm, Chain
+from .code import Writer, trimmed
+
+JOINT = {"q", "qdot", "tau", "m_q", "f_q", "qddot", "new_q", "force"}
+MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
+STRIDE = {
+    "w_ext": 6,
+    "wrench": 6,
+    "motion": 4,
+    "measures": 4,
+    "twist": 6,
+    "alpha": 6,
+    "Vdot": 6,
+    "quaternion": 4,
+    "new_twist": 6,
+    "new_quaternion": 4,
+    "new_position": 3,
+    "R": 9,
+    "r": 3,
+    "tip_twist": 6,
+}
+WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
+READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "wrench", "motion")}
+OPTIONAL = {"wrench": "wrench", "motion": "motion"}
+"""Signals that a caller may leave out by a null pointer, with the test for it."""
+WITHIN = {"motion": "wrench"}
+"""Signals that are asked for only with another one."""
+MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
+ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
+
+
+@dataclass(frozen=True)
+class Run:
+    """An algorithm that is a C function of its own, and the signals for which it is called."""
+
+    algorithm: Algorithm
+    comment: str
+    results: frozenset[str]
+    apart: bool
+    """Whether no result shares memory with an input."""
+    skipped: Mapping[str, str] = field(default_factory=dict)
+    """Phases that run only where a condition on the call holds."""
+    zero: frozenset[str] = frozenset()
+    """Signals that are zero in this run."""
+    parts: tuple[tuple[str, int], ...] = ()
+    """The C functions that the phases are shared out to, and how many each takes; none: one of the run's name."""
+    parts_if_sprung: tuple[tuple[str, int], ...] = ()
+    """The same where joints are sprung, if that makes a difference."""
+
+
+def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
+    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, parts_if_sprung=parts_if_sprung)
+
+
+RUNS: dict[str, Run] = {
+    "joint_dynamics": _run(
+        (*alg.FORWARD, alg.POSES),
+        "Joint form: accelerations, wrenches and poses by block elimination.",
+        "qddot etaddot wrench motion tip.R tip.r",
+        apart=True,
+        skipped={"poses": "call->tip_pose"},
+    ),
+    "dae_dynamics": _run(
+        alg.DAE_FORWARD,
+        "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
+        "qdot qddot etaddot wrench Vdot",
+        apart=True,
+        parts_if_sprung=(("dae_motion", 1), ("dae_solution", 3)),
+    ),
+    "projection": _run(
+        alg.PROJECTION,
+        "The state of the DAE form taken back onto the joints.",
+        "new_q new_quaternion new_position new_twist",
+    ),
+    "placement": _run(
+        alg.PLACEMENT,
+        "Poses and twists of the DAE form from coordinates and rates.",
+        "new_quaternion new_position new_twist tip.R tip.r",
+    ),
+    "inverse": _run(
+        alg.INVERSE, "Joint form: the forces and joint wrenches that accelerations need.", "force force_eta wrench"
+    ),
+    "inertia": Run(
+        alg.INVERSE,
+        "Joint form at rest, without weight and springs: the posture, and the forces that accelerations need.",
+        frozenset({"force", "force_eta"}),
+        False,
+        zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
+        parts=(("inertia_posture", 1), ("inertia_column", 2)),
+    ),
+    "motion_of": _run(alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist"),
+    "measuring": _run(
+        alg.MEASURING, "How far every link is from the limits of the first-order model.", "measures", apart=True
+    ),
+    "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
+}
+
+
+@dataclass
+class Function:
+    """One C function: a phase of a class."""
+
+    name: str
+    comment: str
+    signature: str
+    lines: list[str]
+    call: str
+    program: Program
+
+
+@dataclass
+class Links:
+    """All functions of the chain for a robot."""
+
+    chain: Chain
+    prefix: str
+    baked: Sequence[dict] | None
+    joint_form: bool = True
+    functions: dict[tuple, Function] = field(default_factory=dict)
+    names: set[str] = field(default_factory=set)
+    _passages: dict[str, list[Passage]] = field(default_factory=dict)
+    _written: dict[tuple, Function] = field(default_factory=dict)
+
+    @property
+    def runs(self) -> dict[str, Run]:
+        return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
+
+    def passages(self, run: str) -> list[Passage]:
+        """The phases of a run, link by link, specialised to their places."""
+        if run not in self._passages:
+            r = RUNS[run]
+            self._passages[run] = passages(self.chain, r.algorithm, self.baked, r.results, r.zero)
+        return self._passages[run]
+
+    def required(self, run: str) -> list[Passage]:
+        """The phases of a run without what only the watch of the model's limits asks for."""
+        r = RUNS[run]
+        return passages(self.chain, r.algorithm, self.baked, r.results - {"motion"}, r.zero)
+
+    def phases(self, run: str) -> list[dict]:
+        """The phases of a run, each with its functions and which of them every link calls."""
+        out = []
+        for number, phase in enumerate(RUNS[run].algorithm):
+            way = sorted((p for p in self.passages(run) if p.phase == number), key=lambda p: p.link)
+            functions = [self.function(p, run, phase.name) for p in way]
+            distinct = list({f.name: f for f in functions}.values())
+            out.append(
+                {
+                    "name": f"{run}_{phase.name}",
+                    "outward": phase.direction == OUTWARD,
+                    "condition": RUNS[run].skipped.get(phase.name),
+                    "classes": distinct,
+                    "of_link": [distinct.index(f) for f in functions],
+                }
+            )
+        return out
+
+    def parts(self, run: str) -> list[dict]:
+        """The C functions of a run: name, comment, phases, and whether they start from a base that falls."""
+        phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
+        out = []
+        shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
+        for name, count in shares:
+            own, phases = phases[:count], phases[count:]
+            falling = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "falling": falling})
+        return out
+
+    def function(self, passage: Passage, run: str, phase: str) -> Function:
+        """The C function of a phase at one link; equal texts are one function, called after their first link."""
+        entries = tuple(matrix_entries(self, passage.link)) if run == "assembly" else ()
+        known = (run, id(passage.program), passage.wanted, entries)
+        if known not in self._written:
+            self._written[known] = self._function(passage, run, phase, entries)
+        return self._written[known]
+
+    def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
+        program, places = passage.program, Places(self, passage, run, entries)
+        fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
+        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
+        lines = trimmed(writer.lines())
+        arguments, values = places.arguments()
+        signature = _wrapped(arguments)
+        key = (phase, signature, tuple(lines))
+        if key not in self.functions:
+            link = self.chain.robot.links[passage.link].name
+            name = self._unique(f"{phase}_{link}")
+            title = f"{phase.replace('_', ' ')}, links like {link}: {program.operation_count} operations"
+            self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)
+        return self.functions[key]
+
+    def _unique(self, name: str) -> str:
+        number, out = 1, name
+        while out in self.names:
+            number += 1
+            out = f"{name}_{number}"
+        self.names.add(out)
+        return out
+
+
+def _wrapped(arguments: list[str], width: int = 100) -> str:
+    """A parameter list over several lines."""
+    lines, line = [], ""
+    for argument in arguments or ["void"]:
+        if line and len(line) + len(argument) > width:
+            lines.append(line)
+            line = ""
+        line += f"{', ' if line else ''}{argument}"
+    return ",\n    ".join([*lines, line])
+
+
+@dataclass
+class Places:
+    """How a phase's function addresses its signals, and the arguments that this needs."""
+
+    links: Links
+    passage: Passage
+    run: str
+    entries: tuple[tuple[str, int], ...] = ()
+    matrix: dict[tuple[str, int], int] = field(init=False)
+
+    def __post_init__(self):
+        self.matrix = {place: k for k, place in enumerate(self.entries)}
+
+    @property
+    def program(self) -> Program:
+        return self.passage.program
+
+    def place(self, name: str, k: int) -> str | None:
+        """The C expression of entry k of a signal; None for what is not kept."""
+        if name in self.program.outputs and (name, k) not in self.passage.wanted:
+            return None
+        where, _, what = name.partition(".")
+        if where == "c" and what:
+            return f"c->{what}"
+        if where in ("base", "tip", "w"):
+            return f"{'link' if where == 'w' else where}->{what}[{k}]"
+        if name in MATRIX:
+            return f"M[place[{self.matrix[name, k]}]]" if (name, k) in self.matrix else None
+        if name in ROWS:
+            array, offset = ROWS[name]
+            return f"{array}[{offset + k}]"
+        if name in ("eta_H", "eta_W"):
+            return f"{name}[{k}]"
+        return f"{name}[{k}]"
+
+    @property
+    def _alone(self) -> str:
+        """What tells the compiler that nothing else reaches the memory of a parameter."""
+        return "restrict " if RUNS[self.run].apart else ""
+
+    def names(self) -> set[str]:
+        """The names that the function's parameters and file take."""
+        signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
+        return signals | {"c", "link", "base", "tip", "place", "M", "H", "W", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
+
+    def arguments(self) -> tuple[list[str], list[str]]:
+        """Parameters of the function and what a call passes for them."""
+        real, out, alone = f"{self.links.prefix}_real", [], self._alone
+        reads = [n for n, size in self.program.inputs.items() if size]
+        writes = [n for n, v in self.program.outputs.items() if v]
+        out += self._structs(reads, writes)
+        for name in reads:
+            if "." not in name:
+                out.append(
+                    (
+                        f"const {real} {name}[{alone}{self.program.inputs[name]}]",
+                        self._address(READ.get(name, name), name, False),
+                    )
+                )
+        for name in writes:
+            if "." not in name and name not in MATRIX and name not in ROWS:
+                size = len(self.program.outputs[name])
+                out.append((f"{real} {name}[{alone}{size}]", self._address(WRITTEN.get(name, name), name)))
+        out += self._assembly(writes, real)
+        return [a for a, _ in out], [b for _, b in out]
+
+    def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
+        prefix, out = self.links.prefix, []
+        if any(n.startswith("c.") for n in reads):
+            out.append((f"const {prefix}_link_constants *{self._alone}c", "&c->links[i]"))
+        for where, type_, value in (
+            ("w", "link_store", "&chain->links[i]"),
+            ("base", "node", "&chain->nodes[i]"),
+            ("tip", "node", "&chain->nodes[i + 1]"),
+        ):
+            if any(n.startswith(f"{where}.") for n in reads + writes):
+                const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
+                out.append((f"{const}{prefix}_{type_} *{self._alone}{'link' if where == 'w' else where}", value))
+        return out
+
+    def _address(self, member: str, name: str, optional=True) -> str:
+        if name in JOINT:
+            return f"call->{member} + q"
+        if name in MODAL:
+            return f"call->{member} + e"
+        if name in ("eta_H", "eta_W"):
+            return f"call->{name[-1]} + {12 * self.links.chain.n} + e"
+        place = f"call->{member} + {STRIDE[name]} * i" if name in STRIDE else f"call->{member}"
+        return f"call->{member} ? {place} : 0" if optional and name in OPTIONAL else place
+
+    def _assembly(self, writes: list[str], real: str) -> list[tuple[str, str]]:
+        out = []
+        if any(n in MATRIX for n in writes):
+            out += [("const int *place", "M_PLACE + M_OFFSET[i]"), (f"{real} *M", "call->M")]
+        if any(n in ROWS for n in writes):
+            out += [(f"{real} H[12]", "call->H + 12 * i"), (f"{real} W[12]", "call->W + 12 * i")]
+        return out
+
+
+def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
+    """The structural nonzeros of M_sys that link i contributes, in the order of its programs."""
+    own = sorted((p for p in links.passages("assembly") if p.link == i), key=lambda p: p.phase)
+    return [
+        (name, k)
+        for passage in own
+        for name, values in passage.program.outputs.items()
+        if name in MATRIX
+        for k, v in enumerate(values)
+        if not (isinstance(v, float) and v == 0.0)
+    ]
+
+
+def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
+    """Row indices and column starts of M_sys by columns, and where each link's entries go: places and offsets."""
+    entries: list[tuple[int, int]] = []
+    offsets = []
+    for i in range(links.chain.n):
+        offsets.append(len(entries))
+        blocks = block_places(links.chain, i)
+        for name, k in matrix_entries(links, i):
+            row, col, _, cols = blocks[name]
+            entries.append((col + k % cols, row + k // cols))
+    order = sorted(entries)
+    place = {entry: k for k, entry in enumerate(order)}
+    size = 12 * links.chain.n + links.chain.n_modes
+    starts = [bisect_left(order, (j,)) for j in range(size + 1)]
+    return [row for _, row in order], starts, [place[e] for e in entries], offsets

@@ -1,0 +1,361 @@
+"""The C back end: a folder of standalone C99 from a robot."""
+
+from __future__ import annotations
+
+from collections import Counter
+from functools import cached_property
+
+import mpmath
+
+from ...algorithms import fused as fuse
+from ...algorithms.dae_functions import state_size, unknown_size
+from ...bodies.validity import BOUNDS
+from ...errors import UsageError
+from ...ir.program import Program
+from ...spec.parameters import coordinate_names, parameters
+from ...topology.chain import Chain
+from ...topology.parameters import label
+from ..numpy.reference import Case, cases
+from ..templates import render
+from . import (
+    batch as c_batch,
+)
+from . import (
+    check as c_check,
+)
+from . import (
+    derivatives as c_derivatives,
+)
+from . import (
+    estimator as c_estimator,
+)
+from . import (
+    files as c_files,
+)
+from .code import Writer, literal, sizes, trimmed, with_unused
+from .fields import (
+    Field,
+    body_count,
+    changing_parameter,
+    columns,
+    constant_fields,
+    fused_place,
+    index_type,
+    node_fields,
+    parameter_member,
+    parameter_structs,
+    rows,
+    store_fields,
+    stumpff_terms,
+)
+from .links import RUNS, WITHIN, Links, sparsity
+
+ORDERS = {"euler": 1, "semi_implicit": 1, "modal_implicit": 1, "modal_midpoint": 2, "rk4": 4}
+"""The integrators of both forms and their orders."""
+
+METHODS = tuple(ORDERS)
+FUSED_BEST = 2600
+"""Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
+first-level cache of 32 KiB."""
+SHARED = 0.75
+"""Beyond, it writes functions where those that links share hold less than this part of what is run."""
+FUSED_MOST = 14_000
+"""The largest function that is written: compilers need more than twice the time for twice the length."""
+
+ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
+"""Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
+
+ROUNDS = 4
+"""In which the modes of an arm at rest settle, in ``<robot>_gravity``."""
+
+STATES = 3
+MASK_BITS = 32
+
+
+class CProject:
+    """The files of a robot's C, as a mapping from name to text."""
+
+    def __init__(
+        self,
+        chain: Chain,
+        version: str,
+        binding="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=False,
+        estimator=False,
+    ):
+        self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
+        self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
+        self.name = chain.robot.name
+        self.baked = fuse.baked(chain) if binding == "baked" else None
+        self.links = Links(chain, self.name, self.baked)
+        self.layout = self._layout(layout)
+        self.links.joint_form = self.layout == "modular"
+
+    def _layout(self, asked: str) -> str:
+        """``fused`` or ``modular``; ``auto`` takes what is faster."""
+        passages = self.links.required("joint_dynamics")
+        size = sizes(p.program for p in passages)
+        if asked == "fused" and size > FUSED_MOST:
+            said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
+            raise UsageError(f"{said}, and compilers take long over more than {FUSED_MOST}; choose 'modular' or 'auto'")
+        if asked != "auto":
+            return asked
+        written = sizes({id(p.program): p.program for p in passages}.values())
+        modular = size > FUSED_BEST and written < SHARED * size
+        return "modular" if modular or size > FUSED_MOST else "fused"
+
+    def files(self) -> dict[str, str]:
+        """Every file of the folder."""
+        sources = self.library | {file: file for file in c_files.BESIDE}
+        return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
+
+    @property
+    def library(self) -> dict[str, str]:
+        """The files of the library, with the templates that they are made from."""
+        return c_files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
+
+    def shim(self, template="shim.c") -> str:
+        """A source with flat arrays for callers in other languages; not part of the folder."""
+        places = [line.partition(" = ")[0] for line in self.defaults]
+        return render(f"c/{template}.jinja", **self.context, places=places)
+
+    @cached_property
+    def context(self) -> dict:
+        """What the templates see."""
+        chain, robot = self.chain, self.chain.robot
+        m_row, m_column, m_place, m_offset = sparsity(self.links)
+        return {
+            "name": self.name,
+            "NAME": self.name.upper(),
+            "version": self.version,
+            "sources": [file for file in self.library if file.endswith(".c")],
+            "headers": [file for file in self.library if file.endswith(".h")],
+            "layout": self.layout,
+            "binding": self.binding,
+            "n": chain.n,
+            "n_joints": chain.n_joints,
+            "n_modes": chain.n_modes,
+            "nq": chain.nq,
+            "sprung": chain.sprung,
+            "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
+            "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
+            "nx": state_size(chain),
+            "nz": unknown_size(chain),
+            "nnz": len(m_row),
+            "methods": METHODS,
+            "orders": ORDERS.values(),
+            "rounds": ROUNDS,
+            "example": changing_parameter(robot),
+            "link_names": [link.name for link in robot.links],
+            "q_names": coordinate_names(robot).q,
+            "structs": self.structs,
+            "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
+            "n_bodies": body_count(robot),
+            "constants": self.constants,
+            "node": node_fields(self._programs),
+            "store": store_fields(self._programs),
+            "operations": self.operations,
+            "bytes": self.bytes,
+            "lines": self.fused_lines,
+            "masked": self.masked,
+            "check": self.check,
+            "has_spin": any(link.section.rhoIp is not None for link in robot.links),
+            "frequencies": [f for f in self.structs["link"] if f.name.startswith("frequencies_")],
+            "defaults": self.defaults,
+            "prepare": self.prepare_functions,
+            "prepare_calls": self.prepare_calls,
+            "baked": self.baked_tables,
+            "q_offset": chain.q_offset[:-1],
+            "eta_offset": chain.eta_offset[:-1],
+            "programs": list(self.links.functions.values()),
+            "phases": self._phases,
+            "algorithms": self._algorithms,
+            "index": index_type(unknown_size(chain)),
+            "m_row": rows(m_row),
+            "m_column": rows(m_column),
+            "m_place": rows(m_place),
+            "m_offset": m_offset,
+            "falling": any(a["falling"] for a in self._algorithms),
+            "cases": self.reference,
+            "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
+            "batch": self._batch if self.with_batch else None,
+            "derivatives": self.with_derivatives and c_derivatives.content(self.chain, bool(self.baked), fused_place),
+            "estimator": self.with_estimator and c_estimator.content(self.chain, bool(self.baked), fused_place),
+        }
+
+    # programs ---------------------------------------------------------------------------------
+
+    @cached_property
+    def _algorithms(self) -> list[dict]:
+        """The C functions that run phases over the chain."""
+        return [part for name in self.links.runs for part in self.links.parts(name)]
+
+    @property
+    def _phases(self) -> list[dict]:
+        return [phase for a in self._algorithms for phase in a["phases"]]
+
+    @property
+    def _programs(self) -> list[Program]:
+        return [c.program for phase in self._phases for c in phase["classes"]]
+
+    @cached_property
+    def fused(self) -> Program:
+        """The joint form in one program."""
+        return fuse.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
+
+    @property
+    def fused_lines(self) -> list[str]:
+        if self.layout != "fused":
+            return []
+        taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
+        asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
+        within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
+        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked, within).lines()
+        used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
+        ignored = [] if True in used else ["(void)c;"]
+        return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
+
+    @property
+    def _batch(self) -> dict:
+        constants = sum(f.reals for f in self.constants)
+        return c_batch.content(self.chain, self.name, self.baked is not None, constants, fused_place)
+
+    def _fused_guard(self, test: str, link: int) -> str:
+        """Failures are gathered and looked at once: an early return would cost more than its comparison."""
+        if self.masked:
+            return f"bad |= (unsigned long)({test}) << {link};"
+        return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
+
+    @property
+    def masked(self) -> bool:
+        """Whether one word has a bit for every link."""
+        return self.chain.n <= MASK_BITS
+
+    @cached_property
+    def operations(self) -> dict[str, int]:
+        """What one call of the forward dynamics runs."""
+        if self.layout == "fused":
+            whole = self.fused
+            asked = {name: values for name, values in whole.outputs.items() if name != "motion"}
+            counts = Program(whole.name, whole.inputs, asked, whole.guards, whole.sections, whole.origins).operations
+        else:
+            counts = Counter()
+            for passage in self.links.required("joint_dynamics"):
+                counts += passage.program.operations
+        other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
+        return {
+            "total": sum(counts.values()),
+            "mul": counts["mul"],
+            "add": counts["add"] + counts["sub"] + counts["neg"],
+            "div": counts["div"],
+            "other": other,
+        }
+
+    # parameters and constants -----------------------------------------------------------------
+
+    @cached_property
+    def _labels(self) -> list[tuple[str, ...]]:
+        """The constants that the code of every link reads."""
+        algorithms = tuple(run.algorithm for run in RUNS.values())
+        return [self.chain.labels(key, algorithms) for key in self.chain.keys]
+
+    @property
+    def constants(self):
+        if self.baked is not None:
+            return []
+        return constant_fields(self.chain, {x for labels in self._labels for x in labels})
+
+    @cached_property
+    def structs(self) -> dict[str, list[Field]]:
+        """The members of the parameters' structs."""
+        pairs = zip(self.chain.keys, self._labels, strict=True)
+        names = [{n[2:] for n in fuse.preparation(key, labels).inputs} for key, labels in pairs]
+        return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
+
+    @property
+    def defaults(self) -> list[str]:
+        out = []
+        for p in parameters(self.chain.robot):
+            place = f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
+            out.append(f"{place} = {literal(p.value)};")
+        return out
+
+    @property
+    def prepare_functions(self) -> list[dict]:
+        if self.baked is not None:
+            return []
+        return [self._prepare_function(i) for i in self._first_links()]
+
+    def _first_links(self) -> list[int]:
+        return [self.chain.keys.index(key) for key in self.chain.classes]
+
+    def _prepare_function(self, i: int) -> dict:
+        program = fuse.preparation(self.chain.keys[i], self._labels[i])
+        program = Program(
+            program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
+        )
+
+        def place(name: str, k: int) -> str:
+            if name.startswith("p."):
+                return f"p->{parameter_member(name[2:])}"
+            return f"{name}[{k}]" if name in fuse.ALL_COLUMNS else f"c->{name}"
+
+        real = f"{self.name}_real"
+        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.ALL_COLUMNS}).lines())
+        own = columns(self.chain, i, lambda name, *_: f"{real} {name}[]")
+        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{own}"
+        name = self.chain.robot.links[i].name
+        written = [place(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
+        total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
+        comment = f"links like {name}"
+        return {"name": name, "signature": signature, "lines": lines, "total": total, "comment": comment}
+
+    @property
+    def prepare_calls(self) -> list[str]:
+        out = []
+        for i, key in enumerate(self.chain.keys):
+            first = self.chain.robot.links[self.chain.keys.index(key)].name
+            own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
+            out.append(f"constants_of_{first}(&p->links[{i}], &c->links[{i}]{own});")
+        return out
+
+    @property
+    def baked_tables(self) -> dict | None:
+        if self.baked is None:
+            return None
+        gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
+        found = fuse.columns(self.chain, self.baked).items()
+        return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
+
+    # size and reference -----------------------------------------------------------------------
+
+    @property
+    def bytes(self) -> dict[str, int]:
+        """The scratch in double precision."""
+        c, length = self.chain, lambda n: max(n, 1)
+        chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) + c.n * sum(
+            f.reals for f in store_fields(self._programs)
+        )
+        state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
+        dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
+        work = 2 * length(c.n_given) + 4 * c.n + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
+        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state
+        dae += chain_reals
+        return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
+
+    @cached_property
+    def check(self) -> dict[str, object]:
+        """What the self-check allows, and what float loses where that is too much: see :mod:`.c_check`."""
+        return c_check.content(self.chain, self._cases)
+
+    @cached_property
+    def _cases(self) -> list[Case]:
+        with mpmath.workdps(fuse.DIGITS):
+            return cases(self.chain, STATES)
+
+    @property
+    def reference(self) -> list[dict[str, list[str]]]:
+        """States with their results, computed with many digits: the same on every machine."""
+        return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]

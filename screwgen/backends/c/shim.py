@@ -1,0 +1,100 @@
+"""What stands between the generated C and callers in other languages: one memory, energies, the loop of a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...algorithms import fused as fuse
+from ...ir.program import Program, live
+from ...ir.split import split
+from ...spec.parameters import parameters
+from ...topology.parameters import label
+from ..templates import render
+from .code import Writer, trimmed, with_unused
+from .derivatives import PIECE, PieceWriter, piece_place
+from .fields import parameter_member
+from .links import RUNS
+
+if TYPE_CHECKING:
+    from .project import CProject
+
+FILES = ("shim.h", "shim.c", "run_shim.c")
+
+
+def shims(project: CProject) -> dict[str, str]:
+    """The files beside a robot's C that its shared library is made of."""
+    energy = fuse.energy(project.chain, "baked" if project.baked is not None else "constants")
+    pieces, kept = split(energy, -(-energy.operation_count // PIECE))
+    extra = _extra(project, energy)
+    known = _labels(project)
+    names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
+    chain = project.chain
+    values = dict(
+        places=[_parameter_place(p) for p in parameters(chain.robot)],
+        extra=extra,
+        extra_lines=_extra_lines(project, extra),
+        pieces=[_energy_lines(project, piece, known, extra) for piece in pieces],
+        kept=kept,
+        width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
+    )
+    return {name: render(f"c/{name}.jinja", **project.context, **values) for name in names}
+
+
+def _parameter_place(p) -> str:
+    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
+
+
+def _labels(project: CProject) -> list[tuple[str, ...]]:
+    """The constants that `<robot>_prepare` leaves for every link."""
+    algorithms = tuple(run.algorithm for run in RUNS.values())
+    return [project.chain.labels(key, algorithms) for key in project.chain.keys]
+
+
+def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
+    """Link and label of the constants that the energy reads and `<robot>_prepare` does not leave."""
+    known, found = _labels(project), []
+    for node in live([v for values in energy.outputs.values() for v in values]):
+        if node.op == "input":
+            link, _, what = node.args[0].partition(":")
+            if what.startswith("c.") and what[2:] not in known[int(link)]:
+                found.append((int(link), what[2:]))
+    return sorted(set(found))
+
+
+def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
+    """Their preparation, link by link."""
+    out = []
+    for i in sorted({link for link, _ in extra}):
+        wanted = tuple(name for link, name in extra if link == i)
+        whole = fuse.preparation(project.chain.keys[i], wanted)
+        outputs = {name: whole.outputs[name] for name in wanted}
+        program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
+
+        def place(name: str, k: int, i=i) -> str:
+            if name.startswith("p."):
+                return f"p->links[{i}].{parameter_member(name[2:])}"
+            return f"m->extra[{extra.index((i, name))}]"
+
+        lines = trimmed(Writer(program, project.name, place, lambda _, __: "", {"p", "m"}).lines())
+        out += ["{", *(f"    {line}" if line else "" for line in lines), "}"]
+    return out
+
+
+def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> list[str]:
+    own = {
+        "kinetic": lambda k: "energy[0]",
+        "potential": lambda k: "energy[1]",
+        "gravity": lambda k: f"c->gravity[{k}]",
+        "q": lambda k: f"state->q[{k}]",
+        "v": lambda k: f"state->v[{k}]",
+    }
+
+    def place(name: str, k: int) -> str:
+        link, member = name.split(":c.")
+        prepared = member in known[int(link)]
+        return f"c->links[{link}].{member}" if prepared else f"extra[{extra.index((int(link), member))}]"
+
+    pointers = ("c", "state", "extra", "kept", "energy")
+    placed = piece_place(project.chain, "kept", own, place)
+    lines = PieceWriter(program, project.name, placed, lambda _, __: "", set(pointers), apart=True).lines()
+    return with_unused(pointers, lines)

@@ -1,0 +1,133 @@
+"""The model in the fields of acados' ``AcadosModel``: ``model.acados()``.
+
+acados itself is not needed: the export holds CasADi expressions on SX, and :meth:`AcadosExport.into` hands them over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import casadi as ca
+
+from ...algorithms.dae_functions import dae_names, state_size, unknown_size
+from ...errors import UsageError
+from ...spec.parameters import WRENCH, coordinate_names, parameters
+from ...topology.chain import Chain
+
+FORMS = ("joint", "dae")
+BINDINGS = ("runtime", "baked")
+FIELDS = ("name", "x", "xdot", "u", "z", "p", "f_expl_expr", "f_impl_expr", "x_labels", "u_labels")
+"""What ``AcadosModel`` has."""
+
+Target = TypeVar("Target")
+
+
+@dataclass(frozen=True, repr=False)
+class AcadosExport:
+    """A model for acados; columns of SX, SI units, radians.
+
+    ``x`` (nx, 1): the state; ``xdot``: symbols of its rate; ``u``: joint torques ``tau`` in N m; ``z`` (nz, 1): the
+    algebraic unknowns; ``p``: parameters.  ``f_expl_expr`` (nx, 1): ``xdot`` of ``x, u, p``, or None;
+    ``f_impl_expr`` (nx + nz, 1): zero along motions, and regular in ``xdot, z``: index 1.  The labels name the entries.
+
+    Parameters' values have their place in ``AcadosOcp`` and ``AcadosSim``: ``ocp.parameter_values =
+    numpy.array(export.parameter_values)``.
+    """
+
+    name: str
+    x: ca.SX
+    xdot: ca.SX
+    u: ca.SX
+    z: ca.SX
+    p: ca.SX
+    f_expl_expr: ca.SX | None
+    f_impl_expr: ca.SX
+    x_labels: tuple[str, ...]
+    u_labels: tuple[str, ...]
+    z_labels: tuple[str, ...]
+    p_labels: tuple[str, ...]
+    parameter_values: tuple[float, ...]
+
+    def into(self, acados_model: Target) -> Target:
+        """Set the fields of an ``AcadosModel`` and return it; its other fields stay as they are."""
+        for field in FIELDS:
+            value = getattr(self, field)
+            setattr(acados_model, field, list(value) if isinstance(value, tuple) else value)
+        return acados_model
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{n} {getattr(self, n).numel()}" for n in ("x", "u", "z", "p"))
+        return f"<AcadosExport of {self.name}: {sizes}>"
+
+
+def acados(
+    chain: Chain, functions: Mapping[str, Any], form="joint", binding="runtime", w_ext: bool = False
+) -> AcadosExport:
+    """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
+    _check("form", form, FORMS)
+    _check("binding of the parameters", binding, BINDINGS)
+    tau = ca.SX.sym("tau", chain.n_joints)
+    p, robot_p, wrenches, labels, values = _parameters(chain, binding, w_ext)
+    maker = _joint if form == "joint" else _dae
+    parts = maker(chain, functions, tau, wrenches, robot_p)
+    u_labels = tuple(coordinate_names(chain.robot).tau)
+    return AcadosExport(
+        name=chain.robot.name, u=tau, p=p, u_labels=u_labels, p_labels=labels, parameter_values=values, **parts
+    )
+
+
+def _check(what: str, given: object, allowed: tuple[str, ...]) -> None:
+    if given not in allowed:
+        raise UsageError(f"there is no {what} '{given}'; choose {' or '.join(allowed)}")
+
+
+def _parameters(chain: Chain, binding: str, w_ext: bool):
+    """The column p, the robot's parameters and the tip wrenches (6 x n) in it, names and values of its entries."""
+    own = parameters(chain.robot)
+    values, names = [p.value for p in own], [p.name for p in own]
+    symbols = ca.SX.sym("p", len(own))
+    wrenches = ca.SX.sym("w_ext", 6, chain.n) if w_ext else ca.SX.zeros(6, chain.n)
+    wrench_names = [f"{link.name}.w_ext.{c}" for link in chain.robot.links for c in WRENCH] if w_ext else []
+    free = binding == "runtime"
+    p = ca.vertcat(symbols if free else ca.SX(0, 1), ca.vec(wrenches) if w_ext else ca.SX(0, 1))
+    labels = (names if free else []) + wrench_names
+    numbers = (values if free else []) + [0.0] * len(wrench_names)
+    return p, symbols if free else ca.SX(ca.DM(values)), wrenches, tuple(labels), tuple(numbers)
+
+
+def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:
+    """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``."""
+    nq, names = chain.nq, coordinate_names(chain.robot)
+    x, xdot = ca.SX.sym("x", 2 * nq), ca.SX.sym("xdot", 2 * nq)
+    q, v = x[:nq], x[nq:]
+    vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
+    force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext, p)
+    implicit = ca.vertcat(xdot[:nq] - v, force - ca.vertcat(tau, ca.SX(nq - chain.n_joints, 1)))
+    return {
+        "x": x,
+        "xdot": xdot,
+        "z": ca.SX(0, 1),
+        "f_expl_expr": ca.densify(ca.vertcat(v, vdot)),
+        "f_impl_expr": ca.densify(implicit),
+        "x_labels": (*names.q, *names.v),
+        "z_labels": (),
+    }
+
+
+def _dae(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:
+    """The state and the unknowns of ``model.dae_names``.  The implicit rows are ``xdot - ode`` and ``alg``."""
+    x, z = ca.SX.sym("x", state_size(chain)), ca.SX.sym("z", unknown_size(chain))
+    xdot, dae, names = ca.SX.sym("xdot", state_size(chain)), functions["dae"], dae_names(chain)
+    integrand = ca.Function("dae", [dae[k] for k in ("x", "z", "u", "p")], [dae["ode"], dae["alg"]])
+    ode, alg = integrand(x, z, ca.vertcat(tau, ca.vec(w_ext)), p)
+    return {
+        "x": x,
+        "xdot": xdot,
+        "z": z,
+        "f_expl_expr": None,
+        "f_impl_expr": ca.densify(ca.vertcat(xdot - ode, alg)),
+        "x_labels": tuple(names["x"]),
+        "z_labels": tuple(names["z"]),
+    }

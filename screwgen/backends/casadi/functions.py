@@ -1,0 +1,268 @@
+"""The CasADi back end: the robot's functions as casadi.Function, on SX, with the contract's names.
+
+Vectors are columns; ``w_ext`` and ``wrench`` are 6 x n, a column per link; ``p`` holds the parameters of
+the robot file.  The functions take SX and MX, differentiate, serialise and generate C.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+import casadi as ca
+
+from ...algorithms import fused as fuse
+from ...algorithms.dae_functions import state_size, unknown_size
+from ...arguments import choice
+from ...bodies.validity import MEASURES
+from ...ir.program import Program
+from ...ir.replay import run
+from ...spec.robot import Robot
+from ...topology.chain import Chain
+from ..templates import render
+from .patterns import jacobians, structures
+
+LIMIT = 4.0
+TERMS = 14
+
+
+class Functions(Mapping):
+    """Values by name, each made when it is first asked for."""
+
+    def __init__(self, makers: Mapping[str, Callable[[], object]]):
+        self._makers, self._made = makers, {}
+
+    def __getitem__(self, name: str):
+        if name not in self._made:
+            choice(name, self._makers, "there is no function")
+            self._made[name] = self._makers[name]()
+        return self._made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._makers
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._makers)
+
+    def __len__(self) -> int:
+        return len(self._makers)
+
+    def __repr__(self) -> str:
+        return f"Functions({', '.join(self)})"
+
+
+def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes the functions of the joint form, by name."""
+    n, nq, np_ = chain.n, chain.nq, len(fuse.parameters(chain.robot))
+    q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
+    tau, w_ext, p = ca.SX.sym("tau", chain.n_joints), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
+    given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
+
+    @cache
+    def outputs(maker: Callable[[Chain], Program]) -> dict[str, ca.SX]:
+        return expressions(maker(chain), given)
+
+    def made(name: str, inputs: str, results: Callable[[], Mapping[str, ca.SX]]) -> Callable[[], ca.Function]:
+        return lambda: function(name, {k: given[k] for k in inputs.split()}, **results())
+
+    def dynamics() -> dict[str, ca.SX]:
+        found = outputs(fuse.forward_dynamics)
+        return found | {"wrench": ca.reshape(found["wrench"], 6, n)}
+
+    def validity() -> dict[str, ca.SX]:
+        return {"measures": ca.reshape(outputs(fuse.validity)["measures"], len(MEASURES), n)}
+
+    def tip_pose() -> dict[str, ca.SX]:
+        found = outputs(fuse.poses)
+        return {"R": rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
+
+    def link_pose() -> dict[str, ca.SX]:
+        found = outputs(fuse.poses)
+        return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
+
+    def mass_matrix() -> dict[str, ca.SX]:
+        return {"M": ca.jacobian(outputs(fuse.inertial_force)["force"], vdot)}
+
+    rows = (
+        ("forward_dynamics", "q v tau w_ext p", dynamics),
+        ("validity", "q v tau w_ext p", validity),
+        ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fuse.inverse_dynamics)),
+        ("mass_matrix", "q p", mass_matrix),
+        ("bias", "q v w_ext p", lambda: outputs(fuse.bias)),
+        ("energy", "q v p", lambda: outputs(fuse.energy)),
+        ("tip_pose", "q p", tip_pose),
+        ("link_pose", "q p", link_pose),
+    )
+    return {name: made(name, inputs, results) for name, inputs, results in rows}
+
+
+def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes the DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
+    given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq)}
+
+    def assemble() -> ca.Function:
+        program, places = fuse.assembly(chain)
+        parts, size = expressions(program, given), unknown_size(chain)
+        rows, columns = [i for i, _ in places], [j for _, j in places]
+        M = ca.SX.triplet(rows, columns, parts["M"], size, size)
+        inputs = {k: given[k] for k in ("x", "tau", "w_ext", "p")}
+        return function("assemble", inputs, M_sys=M, H_sys=parts["H"], W_sys=parts["W"])
+
+    def dae_state() -> ca.Function:
+        x = expressions(fuse.placement(chain), given)["x"]
+        return function("dae_state", {k: given[k] for k in ("q", "v", "p")}, x=x)
+
+    return {"assemble": assemble, "dae_state": dae_state}
+
+
+def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:
+    sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_joints}
+    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+    parameters = ca.SX.sym("p", len(fuse.parameters(chain.robot)))
+    return given | {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": parameters}
+
+
+def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
+    """``dict(x, z, u, p, ode, alg)`` for ``casadi.integrator``: ``alg = M_sys z + H_sys - W_sys``.
+
+    The order of x and z is ``model.dae_names``.  Integrators of CasADi do not project: the joints drift
+    by the integrator's own error.
+    """
+    given = _dae_symbols(chain)
+    u = ca.SX.sym("u", chain.n_joints + 6 * chain.n)
+    tau, w_ext = u[: chain.n_joints], ca.reshape(u[chain.n_joints :], 6, chain.n)
+    M, H, W = assemble(given["x"], tau, w_ext, given["p"])
+    ode = expressions(fuse.kinematic_rates(chain), given)["ode"]
+    return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
+
+
+def modal_functions(chain: Chain) -> dict[str, ca.Function]:
+    """What integrators need: ``modal_dynamics``, ``modal_properties``, and those of the DAE form.
+
+    ``dae_dynamics``, ``joint_rates``, ``project``.  ``m_eta`` and ``f_eta`` belong to the last ``chain.n_given`` of q.
+    """
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_given, "f_eta": chain.n_given}
+    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+    given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fuse.parameters(chain.robot)))}
+    dynamics = expressions(fuse.modal_dynamics(chain), given)
+    order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
+    wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
+    properties = expressions(fuse.modal_properties(chain), given)
+    given["x"] = ca.SX.sym("x", state_size(chain))
+    dae, projected = expressions(fuse.dae_dynamics(chain), given), expressions(fuse.projection(chain), given)
+    dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
+    rates = expressions(fuse.joint_rates(chain), given)
+    dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
+    return {
+        "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
+        "joint_rates": function("joint_rates", {k: given[k] for k in ("x", "p")}, **rates),
+        "project": function("project", {k: given[k] for k in ("x", "p")}, **projected),
+        "modal_dynamics": function(
+            "modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench
+        ),
+        "watched_dynamics": function(
+            "watched_dynamics", {k: given[k] for k in order}, wrench=wrench, motion=dynamics["motion"]
+        ),
+        "measures": _measures(chain, given["q"], given["p"]),
+        "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
+    }
+
+
+def _measures(chain: Chain, q: ca.SX, p: ca.SX) -> ca.Function:
+    """``(q, wrench, motion, p) -> (measures)``: how far the links are from the limits of the model, link by link."""
+    given = {"q": q, "wrench": ca.SX.sym("wrench", 6 * chain.n), "motion": ca.SX.sym("motion", 4 * chain.n), "p": p}
+    return function("measures", given, **expressions(fuse.measures(chain), given))
+
+
+def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:
+    return ca.Function(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
+
+
+def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
+    """``dict(x, u, p, ode)`` of the joint form for ``casadi.integrator``: x = [q; v], u = [tau; vec(w_ext)]."""
+    x, u = ca.SX.sym("x", 2 * chain.nq), ca.SX.sym("u", chain.n_joints + 6 * chain.n)
+    p = ca.SX.sym("p", dynamics.size1_in("p"))
+    q, v = x[: chain.nq], x[chain.nq :]
+    w_ext = ca.reshape(u[chain.n_joints :], 6, chain.n)
+    vdot = dynamics(q, v, u[: chain.n_joints], w_ext, p)[0]
+    return dict(x=x, u=u, p=p, ode=ca.vertcat(v, vdot))
+
+
+def expressions(program: Program, given: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
+    """The outputs of a program as columns of SX."""
+    inputs = {name: ca.vertsplit(ca.vec(given[name])) if size else [] for name, size in program.inputs.items()}
+    outputs, _ = run(program, inputs, unary)
+    return {name: ca.vertcat(ca.SX(0, 1), *values) for name, values in outputs.items()}
+
+
+def unary(op: str, x: ca.SX) -> ca.SX:
+    """The unary primitives in SX."""
+    if op == "neg":
+        return -x
+    if op in ("c4", "c5"):
+        return _stumpff(int(op[1]), x)
+    return getattr(ca, op)(x)
+
+
+def _stumpff(order: int, x: ca.SX) -> ca.SX:
+    """The series below the limit, sine and cosine above; both branches regular where the other one holds."""
+    large = x >= LIMIT
+    far = ca.if_else(large, x, LIMIT)
+    s = ca.sqrt(far)
+    closed = (ca.cos(s) - 1 + far / 2) / far**2 if order == 4 else (ca.sin(s) - s + s * far / 6) / (far**2 * s)
+    near = ca.if_else(large, 0, x)
+    series = ca.SX(1)
+    for j in reversed(range(1, TERMS)):
+        series = 1 - near / ((order + 2 * j - 1) * (order + 2 * j)) * series
+    return ca.if_else(large, closed, series / (24 if order == 4 else 120))
+
+
+def rotations(rows: ca.SX, n: int) -> ca.SX:
+    """Rotations stored row by row, side by side as 3 x 3n."""
+    return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))
+
+
+# ------------------------------------------------------------------------------------ the CasADi target
+
+INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
+
+
+def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str) -> dict[str, bytes]:
+    """``NAME.casadi`` per function and a README: their signatures, and where their Jacobians have nonzeros."""
+    saved = {name: _saved(name, value) for name, value in functions.items()}
+    files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
+    rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
+    patterns = {"jacobians": jacobians(saved), "structures": structures(robot, saved)}
+    readme = render(
+        "casadi/README.md.jinja",
+        name=robot.name,
+        version=version,
+        functions=rows,
+        parameters=parameter_names,
+        **patterns,
+    )
+    return files | {"README.md": readme.encode()}
+
+
+def _saved(name: str, value) -> ca.Function:
+    """A function as it is; a dictionary for ``casadi.integrator`` as the function of its expressions."""
+    if isinstance(value, ca.Function):
+        return value
+    inputs, outputs = INTEGRANDS[name]
+    return ca.Function(name, [value[i] for i in inputs], [value[o] for o in outputs], list(inputs), list(outputs))
+
+
+def _serialised(f: ca.Function) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "function.casadi"
+        f.save(str(path))
+        return path.read_bytes()
+
+
+def _signature(f: ca.Function, side: str) -> str:
+    """``q[9], v[9], w_ext[6x2]``."""
+    count, name, size = (getattr(f, f"{x}_{side}") for x in ("n", "name", "size"))
+    shapes = [size(i) for i in range(count())]
+    return ", ".join(f"{name(i)}[{r}x{c}]" if c > 1 else f"{name(i)}[{r}]" for i, (r, c) in enumerate(shapes))

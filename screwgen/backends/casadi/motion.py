@@ -1,0 +1,93 @@
+"""What programs of optimal control ask for besides the dynamics: discrete steps, the tip's Jacobian, scales."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import casadi as ca
+
+from ...algorithms import fused as fuse
+from ...integrators.methods import METHODS, Motion
+from ...topology.chain import Chain
+from .functions import expressions, function, rotations
+
+STEP = "modal_midpoint"
+"""The method of the function `step`, which is that of a simulation."""
+
+
+def motion_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """What makes ``step``, ``step_<method>`` of every method, ``tip_jacobian`` and ``scaling``, by name."""
+    steps = {f"step_{name}": lambda name=name: step(chain, name, f"step_{name}") for name in METHODS}
+    others = {"tip_jacobian": lambda: tip_jacobian(chain), "scaling": lambda: scaling(chain)}
+    return {"step": lambda: step(chain, STEP, "step")} | steps | others
+
+
+def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
+    """Inputs of functions by name."""
+    nq = chain.nq
+    sizes = {"q": (nq, 1), "v": (nq, 1), "vdot": (nq, 1), "tau": (chain.n_joints, 1), "w_ext": (6, chain.n)}
+    sizes |= {"p": (len(fuse.parameters(chain.robot)), 1), "dt": (1, 1)}
+    return {name: ca.SX.sym(name, *sizes[name]) for name in names.split()}
+
+
+class Held:
+    """Accelerations in SX while torques and external wrenches are held; see :class:`screwgen.integrators.methods.Accelerations`."""
+
+    def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
+        self.program, self.given = fuse.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
+        self.inertia, self.stiffness, self.damping = expressions(fuse.modal_properties(chain), {"p": p}).values()
+
+    def explicit(self, q: ca.SX, v: ca.SX) -> ca.SX:
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
+        q_there, v_there = there or (q, v)
+        own = slice(q.numel() - self.inertia.numel(), None)
+        K, D = self.stiffness, self.damping
+        felt = {
+            "m_eta": self.inertia + h * D + h**2 * K,
+            "f_eta": K * (q[own] + h * v[own]) + D * v[own],
+        }
+        return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+
+
+def step(chain: Chain, method: str, name: str) -> ca.Function:
+    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds."""
+    given = symbols(chain, "q v tau w_ext p dt")
+    held = Held(chain, given["tau"], given["w_ext"], given["p"])
+    q, v = METHODS[method](held, given["q"], given["v"], given["dt"])
+    return function(name, given, q_next=q, v_next=v)
+
+
+def tip_jacobian(chain: Chain) -> ca.Function:
+    """``(q, p) -> (J)``: J v is the twist of the last tip, [ω; ṙ] of its section and point in inertial components."""
+    given = symbols(chain, "q p")
+    found = expressions(fuse.poses(chain), given)
+    R, position = rotations(found["tip_R"], chain.n)[:, -3:], found["tip_position"][-3:]
+    slopes = ca.jacobian(ca.vec(R), given["q"])
+    columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nq)]
+    turning = ca.horzcat(ca.SX(3, 0), *columns)
+    return function("tip_jacobian", given, J=ca.vertcat(turning, ca.jacobian(position, given["q"])))
+
+
+def _axis(spin: ca.SX) -> ca.SX:
+    """ω of the matrix ω̃."""
+    return ca.vertcat(spin[2, 1], spin[0, 2], spin[1, 0])
+
+
+def scaling(chain: Chain) -> ca.Function:
+    """``(p) -> (q, v, tau)``: the size of a coordinate, rate and torque; divided by it they are of order one.
+
+    Each is what the energy E says, that of the stretched arm whose heaviest joint turns at 1 rad/s: a mode bends until
+    its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad.  E is 1 J
+    where there are no joints.
+    """
+    given, m = symbols(chain, "p"), chain.n_joints
+    inputs = symbols(chain, "q v vdot w_ext") | given
+    force = expressions(fuse.inertial_force(chain), inputs)["force"]
+    M = ca.diag(ca.jacobian(force, inputs["vdot"]))
+    inertia = ca.substitute(M, inputs["q"], ca.SX.zeros(chain.nq))
+    stiffness = list(expressions(fuse.modal_properties(chain), given).values())[1]
+    twice = ca.mmax(inertia[:m]) if m else ca.SX(2.0)
+    q = ca.vertcat(ca.SX.ones(m), ca.sqrt(twice / stiffness[stiffness.numel() - chain.n_modes :]))
+    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))

@@ -1,0 +1,159 @@
+"""What a document is made of, whatever it is printed with: sections of text, formulas, steps and tables.
+
+Text is a small markup: ``$...$`` is a formula, backquotes are code, the rest is plain.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from .layout import Formula
+from .steps import StepView
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    kind: ClassVar[str] = "paragraph"
+    text: str
+
+
+@dataclass(frozen=True)
+class Display:
+    kind: ClassVar[str] = "display"
+    formula: Formula
+
+
+@dataclass(frozen=True)
+class Heading:
+    kind: ClassVar[str] = "heading"
+    text: str
+
+
+@dataclass(frozen=True)
+class Equation:
+    """A step of a derivation."""
+
+    kind: ClassVar[str] = "equation"
+    step: StepView
+    meaning: str
+    unit: str
+    frame: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """Cells are text; ``widths`` are the columns' shares of the page."""
+
+    kind: ClassVar[str] = "table"
+    head: tuple[str, ...]
+    widths: tuple[float, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+Item = Paragraph | Display | Heading | Equation | Table
+
+
+@dataclass
+class Section:
+    """A numbered part of a document."""
+
+    title: str
+    items: list[Item] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Document:
+    name: str
+    version: str
+    sections: tuple[Section, ...]
+    title: str = ""
+
+    @property
+    def heading(self) -> str:
+        """The title: of a robot's document it is made from the robot's name."""
+        return self.title or f"Equations of motion of `{self.name}`"
+
+
+def parse(prose: str) -> list[Item]:
+    """Paragraphs, ``## headings`` and ``$$`` displays, with empty lines between them."""
+    chunks = [chunk.strip() for chunk in re.split(r"\n\s*\n", prose)]
+    return [_item(chunk) for chunk in chunks if chunk]
+
+
+def _item(chunk: str) -> Item:
+    if chunk.startswith("## "):
+        return Heading(chunk[3:])
+    if chunk.startswith("$$"):
+        lines = chunk.removeprefix("$$").removesuffix("$$").strip().split("\n")
+        return Display(tuple(split_row(line.strip()) for line in lines))
+    return Paragraph(" ".join(chunk.split("\n")))
+
+
+def split_row(line: str) -> tuple[str, ...]:
+    """The cells of a row: ``&`` inside an environment belongs to that environment."""
+    cells, depth = [""], 0
+    for part in re.split(r"(\\begin\{\w+\}|\\end\{\w+\}|&)", line):
+        depth += part.startswith(r"\begin") - part.startswith(r"\end")
+        if part == "&" and depth == 0:
+            cells.append("")
+        else:
+            cells[-1] += part
+    return tuple(cell.strip() for cell in cells)
+
+
+# ---------------------------------------------------------------------------------------------- words
+
+_LETTERS = {
+    "M*": r"\mathbf{M}^*",
+    "F_{i+1}": r"\mathcal{F}_{i+1}",
+    "F_i": r"\mathcal{F}_i",
+    "R_oi^T g": r"\mathbf{R}_{oi}^{\top}\mathbf{g}",
+    "R_oT^T g": r"\mathbf{R}_{oT}^{\top}\mathbf{g}",
+    "etaddot": r"\ddot{\boldsymbol{\eta}}",
+}
+_MATHEMATICS = re.compile(
+    "|".join(map(re.escape, _LETTERS)) + r"|(?P<symbol>\b[uc]_?[xyz\d]'*(?!\w))"
+    r"|(?P<unit>kg\*m\^2|N\*m(?:\*s)?(?:/rad)?)|(?P<marked>\$[^$]*\$)"
+)
+
+
+def words(meaning: str) -> str:
+    """The words of a signal with what is mathematics in them marked as such."""
+    return _MATHEMATICS.sub(_marked, meaning)
+
+
+def _marked(match: re.Match) -> str:
+    if match["marked"]:
+        return match["marked"]
+    if match["unit"]:
+        return f"${_unit(match['unit'])}$"
+    if match["symbol"]:
+        letter, place, primes = re.fullmatch(r"([uc])_?(\w)('*)", match["symbol"]).groups()
+        return f"${letter}_{place}{primes}$"
+    return f"${_LETTERS[match[0]]}$"
+
+
+def unit(text: str) -> str:
+    """The unit of a signal as text with formulas: ``kg*m^2``."""
+    return "" if text in ("", "-") else ", ".join(f"${_unit(u)}$" for u in text.split(", "))
+
+
+def _unit(text: str) -> str:
+    above, _, below = text.partition("/")
+    side = lambda s: r"\,".join(_powered(f) for f in s.split("*"))  # noqa: E731
+    return side(above) + (f"/{side(below)}" if below and "*" not in below else rf"/({side(below)})" if below else "")
+
+
+def _powered(factor: str) -> str:
+    base, _, exponent = factor.partition("^")
+    return (base if base.isdigit() else rf"\mathrm{{{base}}}") + (f"^{{{exponent}}}" if exponent else "")
+
+
+def frame(text: str) -> str:
+    return "" if text == "-" else words(text)
+
+
+def equation(step: StepView) -> Equation:
+    return Equation(step, words(step.meaning), unit(step.unit), frame(step.frame))

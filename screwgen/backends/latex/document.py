@@ -1,0 +1,146 @@
+"""The equations of a robot as a document: LaTeX, PDF, HTML, and in a notebook."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from ...algebra.components import Array
+from ...algorithms.scope import common, derived
+from ...errors import ScrewgenError
+from ...ir.block import Block
+from ...paper.z_latex import z_section, z_view
+from ...spec.parameters import parameters
+from ...spec.robot import Robot
+from ...topology.chain import Chain
+from ...topology.link_class import LinkClass
+from ...version import __version__
+from ..templates import render
+from . import tables, text
+from .content import Document, Paragraph, Section, parse
+from .link_class import class_section, ordered
+from .pattern import pattern
+from .steps import BlockView, block_view
+from .symbols import entries
+
+KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
+"""What a notebook shows of a link: the blocks by which the paper calls them."""
+
+
+def document(robot: Robot) -> str:
+    """A LaTeX document with the equations of ``robot``; needs amsmath, booktabs and longtable alone."""
+    return render("latex/document.tex.jinja", document=content(robot), text=text.tex, rows=text.tex_rows)
+
+
+def html(robot: Robot) -> str:
+    """The same document as one HTML page with MathML, which needs nothing else."""
+    return render("latex/document.html.jinja", document=content(robot), text=text.in_html, rows=text.html_rows)
+
+
+def notebook(robot: Robot) -> str:
+    """A short piece of HTML: the robot's links and the blocks of each class, for notebooks."""
+    chain = Chain(robot)
+    classes = []
+    for number, key in enumerate(chain.classes, 1):
+        steps = [s for s in block_view(derived(key)["link"]).steps if s.name in KEY_STEPS]
+        classes.append((number, [(s.meaning, s.formula[:1]) for s in steps]))
+    table = tables.links(robot, chain.keys, chain.classes)
+    return render(
+        "latex/notebook.html.jinja",
+        name=robot.name,
+        table=table,
+        classes=classes,
+        text=text.in_html,
+        rows=text.html_rows,
+    )
+
+
+def write_pdf(tex: str, path: str | Path) -> None:
+    """Compile ``tex`` with pdflatex and put the result at ``path``.
+
+    Raises ScrewgenError if pdflatex is missing or fails.
+    """
+    program = shutil.which("pdflatex")
+    if program is None:
+        raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "equations.tex").write_text(tex, encoding="utf-8")
+        for _ in range(2):  # the second run knows the table of contents
+            _run(program, folder)
+        shutil.copyfile(Path(folder) / "equations.pdf", path)
+
+
+def _run(program: str, folder: str) -> None:
+    command = [program, "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
+    if done.returncode:
+        wrong = next((line for line in done.stdout.splitlines() if line.startswith("!")), "no message")
+        raise ScrewgenError(f"pdflatex failed: {wrong.lstrip('! ')}")
+
+
+# -------------------------------------------------------------------------------------------- content
+
+
+def content(robot: Robot) -> Document:
+    """The document of a robot, whatever it is printed with."""
+    chain = Chain(robot)
+    views = {key: class_views(key) for key in chain.classes}
+    printed: dict = {}
+    sections = [_robot(robot, chain), *_theory(robot, chain), z_section(chain)]
+    for number, key in enumerate(chain.classes, 1):
+        members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
+        sections.append(class_section(number, key, members, views[key], printed))
+    known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
+    known.append((common()["z_form"], z_view()))
+    sections += [
+        Section("Symbols", [tables.symbols(entries(known))]),
+        Section("Parameters", [tables.parameters(parameters(robot))]),
+    ]
+    return Document(robot.name, __version__, tuple(sections))
+
+
+@cache
+def class_views(key: LinkClass) -> tuple[BlockView, ...]:
+    """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
+    seen: dict[str, str] = {}
+    blocks = derived(key)
+    known = structure(key, blocks)
+    return tuple(block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks))
+
+
+def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
+    """What the assembled rows take from other blocks: where that is zero or identity, the rows need not say it."""
+    tip, joint, r = blocks["tip"].values, blocks["joint"].values, key.modes
+    still = {"R_T": np.eye(3, dtype=int), "J_l": np.eye(3, dtype=int), "Psi_c": np.zeros((3, r), dtype=int)}
+    bare = {} if key.bodies_at("tip") else {"M_T": np.zeros((6, 6), dtype=int), "h_T": np.zeros((6, 1), dtype=int)}
+    return {"R_rel": joint["R_rel"], "Phi_c": tip["Phi_c"]} | {n: tip.get(n, v) for n, v in still.items()} | bare
+
+
+def _robot(robot: Robot, chain: Chain) -> Section:
+    links = f"{chain.n} link{'s' if chain.n > 1 else ''}"
+    joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
+    count = f"{links}, {joints}, {chain.n_modes} modal"
+    items = [
+        Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
+        tables.links(robot, chain.keys, chain.classes),
+    ]
+    return Section("The robot", items)
+
+
+def _theory(robot: Robot, chain: Chain) -> list[Section]:
+    gravity = ", ".join(f"{g:g}" for g in robot.gravity)
+    conventions = render("latex/conventions.tex.jinja", gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "))
+    equations = render(
+        "latex/equations.tex.jinja",
+        section_rotation=robot.section_rotation,
+        unknowns=12 * chain.n + chain.n_modes,
+        pattern=pattern(chain, "V"),
+        several=chain.n > 1,
+    )
+    return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]

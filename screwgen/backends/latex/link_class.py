@@ -1,0 +1,131 @@
+"""The section of one link class: its kinematic field, its mode shapes, and its blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ...algebra.notation import axis_latex
+from ...bases import Shapes
+from ...ir.block import Binding, Block
+from ...topology.link_class import LinkClass
+from .content import Display, Heading, Item, Paragraph, Section, equation
+from .layout import PAGE, Formula, fill, matrix, width
+from .layout import equation as broken
+from .steps import BlockView
+from .tables import DIRECTION, modes, named_axes
+
+ORDER = (
+    *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
+    *("energy", "link_rows", "joint_rows", "z_rows"),
+)
+"""The order of the blocks that are known; others follow."""
+
+ROW = {"axial": 0, "bending_y": 1, "bending_z": 2}
+FORMULAS = 6
+"""Of up to that many polynomial shapes the coefficients are printed."""
+
+
+def ordered(blocks: Mapping[str, Block]) -> list[str]:
+    """The names of the blocks in the order in which a reader wants them."""
+    return sorted(blocks, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))
+
+
+Part = tuple[str, tuple[Item, ...]]
+"""A heading with what stands below it."""
+
+
+def class_section(
+    number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView], printed: dict[Part, int]
+) -> Section:
+    """The section of a class; parts that an earlier class has ``printed`` are only named."""
+    names = ", ".join(f"`{name}`" for name in members)
+    items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
+    parts = list(_parts(key, views))
+    for earlier in sorted({printed[part] for part in parts if part in printed}):
+        titles = [part[0] for part in parts if printed.get(part) == earlier]
+        items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
+    for title, below in parts:
+        if (title, below) not in printed:
+            printed[title, below] = number
+            items += [Heading(title), *below]
+    return Section(f"Link class {number}", items)
+
+
+def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
+    """The field, then every block; what follows from the parameters alone comes first in the link block."""
+    yield "Kinematic field", tuple(_field(key))
+    axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
+    for view in views:
+        groups = [(view.title, view.steps)]
+        if view.name == "link":
+            known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
+            groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
+        for title, steps in groups:
+            if steps:
+                named = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
+                yield title, (*named, *map(equation, steps))
+
+
+# ------------------------------------------------------------------------------------ kinematic field
+
+
+def _field(key: LinkClass) -> Iterator[Item]:
+    if not key.modes:
+        yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
+        return
+    yield Paragraph(
+        r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with "
+        r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
+    )
+    yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
+    alike: dict[tuple, list[str]] = {}
+    for direction in dict.fromkeys(d for d, _ in key.directions):
+        shapes = key.shapes(direction)
+        alike.setdefault((shapes.family.name, shapes.family.changes and shapes.count), []).append(direction)
+    for directions in alike.values():
+        yield from _family(key.shapes(directions[0]), directions)
+    yield Paragraph(
+        r"Constants of the shapes; $p$ is 1 for axial and torsion shapes and 2 for bending, so that the last but two "
+        r"is the dimensionless stiffness:"
+    )
+    yield modes(key)
+
+
+def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
+    family = shapes.family
+    yield Paragraph(f"{' and '.join(DIRECTION[d] for d in directions).capitalize()}: {family.title},")
+    formula = family.formula.replace(r",\quad", r",\qquad", 1)
+    parts = [*formula.split(r",\qquad"), family.condition]
+    yield Display(_side_by_side([part.strip() for part in parts]))
+    if family.changes and shapes.count <= FORMULAS:
+        yield Paragraph("which are here")
+        yield Display(tuple(row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text)))
+
+
+def _side_by_side(formulas: list[str]) -> Formula:
+    """Short formulas share a line."""
+    lines = fill([f if f is formulas[-1] else rf"{f},\qquad" for f in formulas], PAGE)
+    return tuple(("", line.removesuffix(r"\qquad")) for line in lines)
+
+
+def _polynomial(k: int, text: str) -> Formula:
+    terms = text.replace(" - ", " + - ").split(" + ")
+    signed = [terms[0]] + [t if t.startswith("- ") else f"+ {t}" for t in terms[1:]]
+    return broken(rf"\psi_{{{k + 1}}}(s)", signed)
+
+
+def _shape_matrix(key: LinkClass) -> str:
+    """``phi``: a column per mode, those of a direction abridged if there are many."""
+    columns: list[list[str]] = []
+    for direction in dict.fromkeys(d for d, _ in key.directions):
+        numbers = [k + 1 for k, (d, _) in enumerate(key.directions) if d == direction]
+        shown = numbers if len(numbers) <= 3 else [numbers[0], 0, numbers[-1]]
+        columns += [_column(ROW.get(direction), k) for k in shown]
+    text = matrix([[column[i] for column in columns] for i in range(3)])
+    assert width(text) <= PAGE
+    return text
+
+
+def _column(row: int | None, k: int) -> list[str]:
+    entry = rf"\varphi_{{{k}}}" if k else r"\cdots"
+    return [entry if i == row else (r"\cdots" if k == 0 else "0") for i in range(3)]

@@ -1,0 +1,109 @@
+"""Formulas as MathML: latex2mathml for each cell, and tables of cells for what is aligned."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from xml.etree import ElementTree
+
+from latex2mathml.converter import convert
+
+from .layout import Formula
+
+BOLD = (
+    ("0", "9", 0x1D7CE),
+    ("A", "Z", 0x1D400),
+    ("a", "z", 0x1D41A),
+    ("\u0391", "\u03a9", 0x1D6A8),  # capital Greek, upright
+    ("\u03b1", "\u03c9", 0x1D736),  # small Greek, italic
+    ("\U0001d49c", "\U0001d4cf", 0x1D4D0),  # script
+)
+"""Ranges of characters, and where Unicode has them in bold."""
+
+FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)")
+BEFORE = re.compile(r"([\w}])(?=\\(?:cosh|sinh|cos|sin)(?![a-z]))")
+"""A function needs a space before it, and one behind it if its argument stands without brackets."""
+
+BRACKETS = (
+    ("<mo>[</mo><mtable>", "<mrow><mo>[</mo><mtable>"),
+    ("</mtable><mo>]</mo>", "</mtable><mo>]</mo></mrow>"),
+)
+"""A matrix is a group of its own: brackets grow with what is in their group."""
+
+SCRIPTED = re.compile(r"<m(?:sup|subsup)><mover>")
+LETTER, ACCENT = "0.7em", "+0.15em"
+"""The height of a letter with an accent as far as its superscript sees it, and what lines above must keep clear."""
+
+
+def inline(tex: str) -> str:
+    """A formula in a line of text."""
+    return f"<math>{_inner(tex)}</math>"
+
+
+def display(formula: Formula) -> str:
+    """Aligned rows of cells; the cells are right-aligned and left-aligned in turn."""
+    rows = "".join(f"<mtr>{''.join(_cell(c, i) for i, c in enumerate(row))}</mtr>" for row in formula)
+    return f'<math><mtable class="rows" displaystyle="true">{rows}</mtable></math>'
+
+
+def _cell(tex: str, place: int) -> str:
+    side = "left" if place % 2 else "right"
+    return f'<mtd class="{side}">{_inner(tex) if tex else ""}</mtd>'
+
+
+@cache
+def _inner(tex: str) -> str:
+    """The MathML of a formula without the element ``math``."""
+    upright = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", tex.replace(r"\!", ""))
+    raw = convert(BEFORE.sub(r"\1\,", FUNCTION.sub(r"\1\,", upright)))
+    body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
+    body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
+    body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)
+    body = body.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    for plain, grouped in BRACKETS:
+        body = body.replace(plain, grouped)
+    body = re.sub(r'<mo(?: stretchy="(?:true|false)")?>([~^\u02d9\u00a8\u00af])</mo></mover>', _accent, body)
+    return _scripts(body)
+
+
+def _character(match: re.Match) -> str:
+    character = chr(int(match[1], 16))
+    return {"&": "&amp;", "<": "&lt;", ">": "&gt;"}.get(character, character)
+
+
+def _accent(match: re.Match) -> str:
+    """Dots, hats and tildes above a letter, in the characters that fonts place there."""
+    character = {"~": "\u02dc", "^": "\u02c6"}.get(match[1], match[1])
+    return f'<mo accent="true" stretchy="false">{character}</mo></mover>'
+
+
+def _scripts(body: str) -> str:
+    """Superscripts beside an accent at the height that they have beside the bare letter, as TeX sets them."""
+    if not SCRIPTED.search(body):
+        return body
+    root = ElementTree.fromstring(f"<math>{body}</math>")
+    for parent in list(root.iter()):
+        for place, child in enumerate(list(parent)):
+            if child.tag in ("msup", "msubsup") and child[0].tag == "mover":
+                child[0] = _padded(child[0], LETTER)
+                parent[place] = _padded(child, ACCENT)
+    text = ElementTree.tostring(root, encoding="unicode", short_empty_elements=False)
+    return text.removeprefix("<math>").removesuffix("</math>")
+
+
+def _padded(inner: ElementTree.Element, height: str) -> ElementTree.Element:
+    out = ElementTree.Element("mpadded", height=height)
+    out.append(inner)
+    return out
+
+
+def _bold(match: re.Match) -> str:
+    """Bold letters as characters of their own: browsers do not make them from a style."""
+    return f"<{match[1]}>{''.join(map(_bold_letter, match[2]))}</{match[1]}>"
+
+
+def _bold_letter(c: str) -> str:
+    for first, last, bold in BOLD:
+        if first <= c <= last:
+            return chr(bold + ord(c) - ord(first))
+    return "\U0001d753" if c == "\u03d5" else c

@@ -1,0 +1,81 @@
+"""The pattern of the system's matrix and its unknowns for one robot, in twists or in the Z-form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...topology.chain import Chain
+from .layout import PAGE, matrix, width
+
+Place = tuple[str, int]
+"""A row or column of the pattern: of a ``joint``, a ``link`` or its ``modes``, and the link's number."""
+
+DOTS: Place = ("dots", 0)
+ELLIPSIS = r"\ldots"
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """The LaTeX of the unknowns and of the matrix, and whether links are left out."""
+
+    unknowns: str
+    matrix: str
+    elided: bool
+
+
+def pattern(chain: Chain, rate: str) -> Pattern:
+    """The pattern of all links, or of the first two where that is too wide; ``rate`` is V for twists, or Z."""
+    places = _places(chain, range(chain.n))
+    text = _matrix(chain, places, rate)
+    if width(text) > PAGE - 4.0:
+        places = _places(chain, range(2), [DOTS])
+        text = _matrix(chain, places, rate)
+    return Pattern(_unknowns(places, rate), text, DOTS in places)
+
+
+def _places(chain: Chain, links: Sequence[int], between: Sequence[Place] = ()) -> list[Place]:
+    flexible = [i for i in links if chain.keys[i].modes]
+    return [
+        *((part, i) for i in links for part in ("joint", "link")),
+        *between,
+        *(("modes", i) for i in flexible),
+    ]
+
+
+def _matrix(chain: Chain, places: Sequence[Place], rate: str) -> str:
+    return matrix([[_cell(chain, row, column, rate) for column in places] for row in places])
+
+
+def _cell(chain: Chain, row: Place, column: Place, rate: str) -> str:
+    if DOTS in (row, column):
+        return r"\ddots" if row == column else r"\vdots" if row == DOTS else r"\cdots"
+    (of, i), (to, j) = row, column
+    number = f",{i + 1}"
+    inside = {
+        ("joint", "joint"): r"\mathbf{M}_{\mathcal{W}" + number + "}",
+        ("joint", "link"): rf"\mathbf{{M}}_{{{rate}{number}}}",
+        ("link", "joint"): rf"-\mathbf{{J}}_{{B{number}}}^{{\top}}" if chain.keys[i].frame_at else r"-\mathbf{I}_6",
+        ("link", "link"): rf"\mathbf{{M}}_{{V{rate}{number}}}",
+        ("link", "modes"): r"\mathbf{M}_{V\eta" + number + "}",
+        ("modes", "link"): rf"\mathbf{{M}}_{{\eta {rate}{number}}}",
+        ("modes", "modes"): r"\mathbf{M}_{\eta\eta" + number + "}",
+    }
+    onward = {
+        ("link", "joint"): r"\mathbf{M}_{V\mathcal{W}" + number + "}",
+        ("modes", "joint"): r"\mathbf{M}_{\eta\mathcal{W}" + number + "}",
+    }
+    back = {
+        ("joint", "link"): rf"\mathbf{{M}}_{{{rate}{number}}}^{{-}}",
+        ("joint", "modes"): r"\mathbf{M}_{\eta" + number + "}^{-}",
+    }
+    coupling = {0: inside, 1: onward, -1: back}.get(j - i, {})
+    return coupling.get((of, to), r"\mathbf{0}")
+
+
+def _unknowns(places: Sequence[Place], rate: str) -> str:
+    letter = {"joint": r"\mathbf{w}", "link": rf"\dot{{\mathbf{{{rate}}}}}", "modes": r"\ddot{\boldsymbol{\eta}}"}
+    names = [ELLIPSIS if place == DOTS else f"{letter[place[0]]}_{place[1] + 1}" for place in places]
+    if DOTS in places:
+        names.append(ELLIPSIS)
+    return "[" + r";\ ".join(names) + "]"

@@ -1,0 +1,205 @@
+"""A step as a document shows it: its name, what it means, the equation, and its components where they help."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ...algebra import expression as ex
+from ...algebra.components import Array
+from ...algebra.notation import axis_latex, latex, terms, tilde
+from ...ir.block import Binding, Block, Signal, Step
+from .layout import PAGE, Formula, abridged, columns, dots, equation, matrix, width
+from .scalars import Scalars, entry, scalars
+from .tidy import has_integral, is_elementwise, is_symbols_product, symbols, tidy
+
+Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
+"""Unit axes with their names."""
+
+
+@dataclass(frozen=True)
+class StepView:
+    """What is shown of one step."""
+
+    name: str
+    meaning: str
+    unit: str
+    frame: str
+    equation: str
+    binding: Binding
+    formula: Formula
+    components: Formula
+    """Empty where the matrix equation says it all."""
+
+
+@dataclass(frozen=True)
+class BlockView:
+    """The steps of a block that say something, and the symbols that they use."""
+
+    name: str
+    title: str
+    steps: tuple[StepView, ...]
+    used: tuple[ex.Symbol, ...]
+    defined: tuple[Signal, ...]
+
+
+MANY = 36
+"""Of more components than that only the first and the last are shown."""
+
+
+def block_view(
+    block: Block, seen: dict[str, str] | None = None, axes: Axes = (), structure: Mapping[str, Array] | None = None
+) -> BlockView:
+    """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
+
+    ``axes`` are those that have a name: they are written so in place of their components. ``structure`` holds
+    values of inputs that other blocks give: what is zero there is left out here.
+    """
+    seen = {} if seen is None else seen
+    values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
+    write = scalars(block)
+    steps, used, defined = [], [], []
+    for step in block.steps.values():
+        right = tidy(step.expression, values, write)
+        text = latex(right)
+        if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
+            continue
+        seen[step.signal.name] = text
+        steps.append(_view(block, step, right, write, axes))
+        used += symbols(right)
+        defined.append(step.signal)
+    return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined))
+
+
+def _renamed(text: str, axes: Axes) -> str:
+    for axis, name in axes:
+        components = axis_latex(axis)
+        text = text.replace(tilde(components), tilde(name)).replace(components, name)
+    return text
+
+
+def _vanishes(block: Block, step: Step) -> bool:
+    return not any(value != 0 for value in block.values[step.signal.name].flat)
+
+
+def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes) -> StepView:
+    s = step.signal
+    left = latex(ex.Symbol(s.name, s.shape, s.display))
+    # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
+    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in _terms(right)]]
+    bracket, below = _components(block, step, right, write)
+    formula = equation(left, *sides, *([[bracket]] if bracket else []))
+    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
+
+
+def _terms(right: ex.Expression) -> list[str]:
+    """The terms of the right side; a Stumpff function by its series, for its symbol says no more than its name."""
+    if isinstance(right, ex.Stumpff):
+        return [rf"\sum\limits_{{j=0}}^{{\infty}} \frac{{(-{latex(right.arg)})^{{j}}}}{{({right.order}+2j)!}}"]
+    return terms(right)
+
+
+# ----------------------------------------------------------------------------------------- components
+
+
+def _components(block: Block, step: Step, right: ex.Expression, write: Scalars) -> tuple[str, Formula]:
+    """The components in brackets, or entry by entry below the equation, or neither."""
+    made = dict(step.assignments)
+    values = block.values[step.signal.name]
+    entries = np.vectorize(lambda v: made.get(v, v), otypes=[object])(values)
+    if not _worth_showing(block, step, right, entries, write):
+        return "", ()
+    bracket = _bracket(entries, write)
+    if bracket == latex(right):
+        return "", ()
+    if width(bracket) <= PAGE - 8.0:
+        return bracket, ()
+    evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
+    return "", _rows(step, made, write) if evaluated else ()
+
+
+def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.ndarray, write: Scalars) -> bool:
+    """Whether components say more than the matrix equation, briefly.
+
+    Evaluated integrals, constants and matrices do; of vectors those that are linear in the state.
+    """
+    if has_integral(right):
+        return entries.shape != (1, 1) or len(sp.Add.make_args(entries.item())) <= 6
+    if isinstance(right, ex.Symbol):
+        return right.name not in block.inputs and right.name not in block.steps
+    if step.signal.binding <= Binding.PARAMETER:
+        if isinstance(right, ex.Negative) and ex.is_identity(right.arg):
+            return False
+        aliases = entries.shape[1] == 1 and len(entries) > 6 and not step.assignments
+        return not aliases and (entries.shape != (1, 1) or not _says_it_all(right))
+    if not step.assignments or is_elementwise(right) or is_symbols_product(right):
+        return False
+    if entries.shape == (1, 1):
+        return not _says_it_all(right)
+    assembled = isinstance(right, ex.Block) and len(right.rows) > 1
+    return not assembled and (entries.shape[1] > 1 or all(_is_plain(e, write) for e in entries.flat))
+
+
+def _says_it_all(right: ex.Expression) -> bool:
+    """Whether the components of a scalar would only repeat its equation."""
+    return all(s.shape == (1, 1) for s in symbols(right))
+
+
+def _is_plain(e: sp.Expr, write: Scalars) -> bool:
+    """At most two terms, or linear in the state; nothing nested."""
+    terms_ = sp.Add.make_args(e)
+    nested = any(f.is_Add for t in terms_ for f in sp.Mul.make_args(t))
+    linear = all(sum(write.is_state(s) for s in t.free_symbols) <= 1 for t in terms_)
+    return not nested and (linear or len(terms_) <= 2)
+
+
+def _bracket(entries: np.ndarray, write: Scalars) -> str:
+    """A matrix of entries with what they have in common before the bracket."""
+    if entries.shape == (1, 1):
+        return write(entries.item())
+    common = _common(entries)
+    if common != 1 and _is_identity(entries / common):
+        return rf"{_before(common, write)}\mathbf{{I}}_{{{len(entries)}}}"
+    shown = [[_entry(entries, i, j, common, write) for j in abridged(entries.shape[1])] for i in abridged(len(entries))]
+    return _before(common, write) + matrix(shown)
+
+
+def _entry(entries: np.ndarray, i: int | None, j: int | None, common: sp.Expr, write: Scalars) -> str:
+    return dots(i, j) if i is None or j is None else write(entries[i, j] / common)
+
+
+def _is_identity(entries: np.ndarray) -> bool:
+    square = entries.shape[0] == entries.shape[1]
+    return square and all(value == int(i == j) for (i, j), value in np.ndenumerate(entries))
+
+
+def _before(common: sp.Expr, write: Scalars) -> str:
+    if common == 1:
+        return ""
+    above, below = common.as_numer_denom()
+    return (rf"\tfrac{{{write(above)}}}{{{write(below)}}}" if below != 1 else write(above)) + r"\,"
+
+
+def _common(entries: np.ndarray) -> sp.Expr:
+    """The product of symbols that divides every entry and leaves no fraction; numbers stay inside."""
+    powers = [e.as_coeff_Mul()[1].as_powers_dict() for e in entries.flat if e != 0]
+    if len(powers) < 2 or any(not base.is_Symbol for p in powers for base in p if base != 1):
+        return sp.S.One
+    shared = sorted(set.intersection(*(set(p) for p in powers)) - {sp.S.One}, key=str)
+    lowest = {base: min(p[base] for p in powers) for base in shared}
+    equal = {base for base in shared if len({p[base] for p in powers}) == 1}
+    return sp.Mul(*(base**n for base, n in lowest.items() if n > 0 or base in equal))
+
+
+def _rows(step: Step, made: dict[sp.Symbol, sp.Expr], write: Scalars) -> Formula:
+    """One equation per component that needs one; components that are too long are left to the equation above."""
+    places = {label: index for index, label in step.signal.labels()}
+    wanted = list(made)
+    first, last = (wanted, []) if len(wanted) <= MANY else (wanted[:8], wanted[-4:])
+    equations = [equation(entry(step.signal, places[s.name]), write.terms(made[s])) for s in first + last]
+    if not made or any(len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations):
+        return ()
+    return columns(equations[: len(first)], equations[len(first) :])

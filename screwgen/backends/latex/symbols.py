@@ -1,0 +1,156 @@
+"""The symbols of a document, gathered from the signals of its blocks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from ...algebra.expression import Symbol
+from ...algebra.notation import latex
+from ...ir.block import Binding, Block, Signal
+from .content import frame, unit, words
+from .steps import BlockView
+
+CONSTANT, PARAMETER, STATE = Binding
+
+FIELDS = {
+    "r_b": ("undeformed position of the element at ξ", "m", CONSTANT),
+    "rho": ("position of the element at ξ", "m", STATE),
+    "u": ("elastic displacement of the element at ξ", "m", STATE),
+    "udot": ("rate of the elastic displacement", "m/s", STATE),
+    "udot_modal": ("rate of the elastic displacement", "m/s", STATE),
+    "Phi": ("displacement shapes, a column for each mode", "-", PARAMETER),
+    "phi_row": ("displacement shapes in a row, whatever their direction", "-", PARAMETER),
+    "phi_t": ("torsion shapes in a row", "-", PARAMETER),
+    "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-", PARAMETER),
+    "Phi_tip": ("displacement shapes at the tip", "-", CONSTANT),
+    "Psi_tip": ("turn of the section at the tip by each mode", "1/m", PARAMETER),
+    "x_of": ("axial shapes in a row", "-", PARAMETER),
+    "y_of": ("shapes of bending in y in a row", "-", PARAMETER),
+    "z_of": ("shapes of bending in z in a row", "-", PARAMETER),
+    "ones": ("column of ones", "-", CONSTANT),
+}
+"""What varies along the link, and has no signal of its own: meaning, unit, binding at a given place."""
+
+TWIST, WRENCH = "rad/s, m/s", "N*m, N"
+ALL = r"(6 + r_i) × (6 + r_i)"
+DYNAMIC = "12 n × 12 n, 12 n"
+SYSTEM = (
+    (r"\mathcal{F}_i", "frame of link $i$", "-", "-", "-", STATE),
+    (r"\xi", "place on the centreline, from the origin of F_i", "m", "1", "F_i", None),
+    (r"s", "place on the centreline from base to tip, 0 to 1", "-", "1", "-", None),
+    (r"\mathbf{V}_i", "twist of F_i", TWIST, "6", "F_i", STATE),
+    (r"\boldsymbol{\nu}_i", "twist and modal rates", TWIST, "6 + r_i", "F_i", STATE),
+    (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", WRENCH, "6", "F_i", STATE),
+    (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", WRENCH, "6", "F_i", STATE),
+    (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i", "-", STATE),
+    (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", WRENCH, "6", "F_i", STATE),
+    (r"\mathbf{M}_i", "inertia of twist and modes together", "kg, kg*m, kg*m^2", ALL, "F_i", STATE),
+    (r"\mathbf{h}_i", "bias of twist and modal rows together", WRENCH, "6 + r_i", "F_i", STATE),
+    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist", "1, m, 1/m", "6 × (6 + r_i)", "tip", STATE),
+    (r"\boldsymbol{\mathcal{W}}_{ext,i}", "external wrench on the tip section", WRENCH, "6", "tip", STATE),
+    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}", "-", STATE),
+    (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6", "tip", STATE),
+    (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point", "1, m", "6 × 6", "F_i", STATE),
+    (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "1, m", "6 × 6", "F_i", PARAMETER),
+    (r"\mathbf{r}_B", "joint point", "m", "3", "F_i", PARAMETER),
+    (r"\mathbf{r}_m", "joint point from the parent's tip point", "m", "3", "parent's tip", PARAMETER),
+    (r"\boldsymbol{\beta}_i", "joint's rate of the twist due to velocities", "rad/s^2, m/s^2", "6", "F_i", STATE),
+    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6", "F_i", STATE),
+    (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
+    (r"\mathbf{M}_T", "inertia of the bodies at the tip", "kg, kg*m, kg*m^2", "6 × 6", "tip", PARAMETER),
+    (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),
+    (r"\mathbf{J}_m", "armature, rotor inertias seen at the axes", "kg*m^2", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\boldsymbol{\Lambda}", "inertia that the tip section carries", "kg, kg*m, kg*m^2", "6 × 6", "tip", STATE),
+    (r"\mathbf{p}", "bias of what the tip section carries", WRENCH, "6", "tip", STATE),
+    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "wrenches, rates of twists or of Z", "mixed", "12 n", "F_i", STATE),
+    (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "mixed", DYNAMIC, "F_i", STATE),
+    (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, bias", "mixed", DYNAMIC, "F_i", STATE),
+    (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "mixed", "12 n", "F_i", STATE),
+    (r"\mathbf{x}_c", "state of the Cauchy form", "mixed", r"n_c = 12 n + 2 \sum r_i", "F_i", STATE),
+    (r"\mathbf{A}_c,\ \mathbf{g}_c", "matrix, free term of the Cauchy form", "mixed", "n_c × n_c, n_c", "F_i", STATE),
+    (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
+)
+"""The symbols of the text: LaTeX, meaning, unit, shape, frame, binding."""
+
+
+TIMES = r"\times"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One line of the table of symbols."""
+
+    display: str
+    meaning: str
+    unit: str
+    frame: str
+    shape: str
+    binding: Binding | None
+
+
+def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
+    """The symbols of the text, then those of the steps: constants, parameters, state."""
+    found: dict[str, list[tuple[str, Signal]]] = {}
+    for block, view in blocks:
+        for signal in _signals(block, view):
+            found.setdefault(written(signal), []).append((block.name, signal))
+    steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
+    steps.sort(key=lambda e: e.binding)
+    return [*(e for e in _system() if e.display not in found), *steps]
+
+
+def written(signal: Signal) -> str:
+    """A signal as the formulas have it."""
+    return latex(Symbol(signal.name, signal.shape, signal.display))
+
+
+def _system() -> Iterator[Entry]:
+    for display, meaning, unit_, shape, frame_, binding in SYSTEM:
+        yield Entry(display, words(meaning), unit(unit_), frame(frame_), _shape_text(shape), binding)
+
+
+def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
+    """The signals that the shown steps define or use."""
+    defined = {s.name for s in view.defined}
+    yield from (s for s in view.defined if not s.display.startswith("-"))
+    for used in view.used:
+        if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
+            yield block.signal(used.name)
+        elif (key := field_key(used.name)) is not None:
+            meaning, unit_, binding = FIELDS[key]
+            frame_ = "F_i" if used.shape[0] == 3 and key != "ones" else "-"
+            yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding)
+
+
+def field_key(name: str) -> str | None:
+    """The field of that name; shapes of one direction and columns of ones have names of their own."""
+    keys = (name, *re.findall(r"^phi_([xyz]_of)_", name), *re.findall(r"_(ones)$", name))
+    return next((key for key in keys if key in FIELDS), None)
+
+
+def _entry(display: str, signals: list[Signal]) -> Entry:
+    first = signals[0]
+    shape = _shape([s.shape for s in signals], first.name)
+    binding = max(s.binding for s in signals)
+    return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, binding)
+
+
+def _shape(shapes: list[tuple[int, int]], name: str) -> str:
+    """The shape, with a letter where links differ."""
+    letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
+    sizes = [{s[d] for s in shapes} for d in (0, 1)]
+    rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)
+    return _shape_text(rows if cols == "1" else f"{rows} × {cols}")
+
+
+def _shape_text(shape: str) -> str:
+    return "" if shape == "-" else ", ".join(f"${part.replace('×', TIMES)}$" for part in shape.split(", "))
+
+
+def displays(table: Mapping[str, Entry] | Iterable[Entry]) -> set[str]:
+    """The symbols that a table explains."""
+    return {e.display for e in table}

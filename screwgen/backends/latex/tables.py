@@ -1,0 +1,120 @@
+"""The tables of a document: links, mode constants, parameters, symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import sympy as sp
+
+from ...algebra.notation import number
+from ...bases import Shapes
+from ...ir.block import Binding
+from ...spec.parameters import Parameter
+from ...spec.robot import Link, Robot
+from ...topology.link_class import LinkClass
+from .content import Table
+from .symbols import Entry
+
+DIRECTION = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+KNOWN = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
+
+NONE = "–"
+"""What stands in a cell where there is nothing to say."""
+
+
+def decimal(value: float) -> str:
+    """A number as a formula."""
+    return f"${number(sp.Float(value) if value != int(value) or abs(value) > 1e6 else sp.Integer(int(value)))}$"
+
+
+def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> Table:
+    """One row per link: its class, joint, shapes and bodies."""
+    head = ("link", "name", "class", "length", "joint axes", "modes: x, y, z, torsion", "bodies, remarks")
+    pairs = zip(robot.links, keys, strict=True)
+    rows = tuple((f"{i}", *_link(link, key), _remarks(link, key)) for i, (link, key) in enumerate(pairs, 1))
+    numbered = tuple((*row[:2], f"{classes.index(key) + 1}", *row[2:]) for row, key in zip(rows, keys, strict=True))
+    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), numbered)
+
+
+def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
+    return f"`{link.name}`", f"{decimal(link.length)} m", _axes(key), _modes(key)
+
+
+def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
+    """The axes of a joint that are not a coordinate axis, with the names that the equations use."""
+    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in axis) for axis in key.axes]
+    return [(axis, rf"\mathbf{{a}}_{{{j}}}") for j, axis in enumerate(exact, 1) if sorted(axis) != [0, 0, 1]]
+
+
+def _axes(key: LinkClass) -> str:
+    return ", ".join(map(_axis, key.axes)) or "welded"
+
+
+def _axis(axis: Sequence[float]) -> str:
+    letters = [name for name, unit in zip("xyz", np.eye(3), strict=True) if tuple(unit) == tuple(axis)]
+    return letters[0] if letters else f"({', '.join(f'{x:.4g}' for x in axis)})"
+
+
+def _modes(key: LinkClass) -> str:
+    counts = ", ".join(str(n) for n in key.counts)
+    return f"{counts} `{'`, `'.join(dict.fromkeys(filter(None, key.bases)))}`" if key.modes else "rigid"
+
+
+def _remarks(link: Link, key: LinkClass) -> str:
+    bodies = [f"{decimal(body.mass)} kg at the {body.at}" for body in link.bodies]
+    stated = {
+        "mount": key.mount_xyz or key.mount_rpy,
+        "armature": key.armature,
+        "joint damping": key.joint_damping,
+        "joint stiffness": key.stiffness,
+        "modal damping": key.damping,
+        "frame off the joint": key.frame_at,
+        "spin inertia": key.spin,
+        "measured frequencies": key.measured,
+    }
+    return "; ".join(bodies + [name for name, present in stated.items() if present])
+
+
+def modes(key: LinkClass) -> Table:
+    """The constants of every mode shape, dimensionless."""
+    head = (
+        "shape",
+        "direction",
+        "no.",
+        "eigenvalue",
+        r"$\int\psi\,ds$",
+        r"$\int s\,\psi\,ds$",
+        r"$\int\psi^{(p)2}\,ds$",
+        r"$\psi(1)$",
+        r"$\psi'(1)$",
+    )
+    rows = (
+        (rf"$\varphi_{{{k + 1}}}$", DIRECTION[direction], f"{i + 1}", *_constants(key.shapes(direction), i))
+        for k, (direction, i) in enumerate(key.directions)
+    )
+    return Table(head, (0.07, 0.15, 0.06, 0.13, 0.12, 0.13, 0.13, 0.1, 0.11), tuple(rows))
+
+
+def _constants(shapes: Shapes, i: int) -> Iterable[str]:
+    columns = (shapes.eigenvalues, shapes.integral, shapes.moment, shapes.stiffness, shapes.tip_value, shapes.tip_slope)
+    return (decimal(column[i]) for column in columns)
+
+
+def parameters(items: Sequence[Parameter]) -> Table:
+    """The numbers of the robot file."""
+    rows = ((f"`{p.name}`", decimal(p.value), plain_unit(p.unit), p.description) for p in items)
+    return Table(("parameter", "value", "unit", "meaning"), (0.35, 0.17, 0.12, 0.36), tuple(rows))
+
+
+def plain_unit(text: str) -> str:
+    """A unit in the spelling of the robot file, as a formula."""
+    replaced = text.replace("·", r"\,").replace("²", "^{2}").replace("³", "^{3}")
+    return rf"$\mathrm{{{replaced}}}$" if text not in ("", "1") else ""
+
+
+def symbols(entries: Iterable[Entry]) -> Table:
+    """Every symbol with what it means, and when it is known."""
+    head = ("symbol", "meaning", "unit", "frame", "shape", "follows from")
+    rows = ((f"${e.display}$", e.meaning, e.unit, e.frame, e.shape, KNOWN.get(e.binding, "")) for e in entries)
+    return Table(head, (0.13, 0.31, 0.15, 0.12, 0.16, 0.13), tuple(tuple(c or NONE for c in row) for row in rows))

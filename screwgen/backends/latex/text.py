@@ -1,0 +1,94 @@
+"""The small markup of a document's text as LaTeX and as HTML."""
+
+from __future__ import annotations
+
+import html
+import re
+
+from ...algebra.plain import LETTERS
+from ..templates import markup
+from . import mathml
+from .layout import Formula
+
+PIECES = re.compile(r"(\$[^$]*\$|`[^`]*`)")
+SPECIAL: dict[str, str] = {
+    "\\": r"\textbackslash{}",
+    "_": r"\_",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "{": r"\{",
+    "}": r"\}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "×": r"$\times$",
+    "²": "$^2$",
+    "³": "$^3$",
+    "⁴": "$^4$",
+    "⁻": "$^-$",
+    "·": r"$\cdot$",
+    "−": "$-$",
+    "–": "--",
+    "≤": r"$\leq$",
+    "≥": r"$\geq$",
+    "≈": r"$\approx$",
+    "√": r"$\surd$",
+    "°": r"$^\circ$",
+    "∫": r"$\int$",
+    "→": r"$\to$",
+    "ᵀ": r"$^\top$",
+}
+LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} - {
+    *("Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega")
+}
+"""Greek letters for which LaTeX has no name."""
+SPECIAL |= {letter: rf"$\{name}$" for name, letter in LETTERS.items() if name not in LATIN}
+RUN = 10
+"""An identifier may be broken after that many characters, and after any that is no letter."""
+
+
+def tex(text: str) -> str:
+    """Text for LaTeX."""
+    return "".join(_tex_piece(p) for p in PIECES.split(text))
+
+
+def _tex_piece(piece: str) -> str:
+    if piece.startswith("$"):
+        return piece
+    if piece.startswith("`"):
+        return rf"\texttt{{{_breakable(piece[1:-1])}}}"
+    return _escaped(piece)
+
+
+def _escaped(text: str) -> str:
+    return "".join(SPECIAL.get(c, c) for c in text)
+
+
+def _breakable(name: str) -> str:
+    parts = re.findall(rf"[A-Za-z0-9]{{1,{RUN}}}|.", name)
+    return r"\allowbreak{}".join(map(_escaped, parts))
+
+
+def tex_rows(formula: Formula) -> str:
+    """Aligned rows of cells."""
+    pairs = max(len(row) + 1 for row in formula) // 2
+    rows = " \\\\\n".join("  " + " & ".join(row) for row in formula)
+    return f"\\begin{{alignat*}}{{{pairs}}}\n{rows}\n\\end{{alignat*}}"
+
+
+def in_html(text: str) -> str:
+    """Text for HTML."""
+    return markup("".join(_html_piece(p) for p in PIECES.split(text)))
+
+
+def _html_piece(piece: str) -> str:
+    if piece.startswith("$"):
+        return mathml.inline(piece[1:-1])
+    if piece.startswith("`"):
+        return f"<code>{html.escape(piece[1:-1])}</code>"
+    return html.escape(piece)
+
+
+def html_rows(formula: Formula) -> str:
+    """A displayed formula as MathML."""
+    return markup(mathml.display(formula))

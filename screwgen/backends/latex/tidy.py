@@ -1,0 +1,141 @@
+"""What a reader sees of an expression: zeros, ones and formalities of the derivation left out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+import numpy as np
+import sympy as sp
+
+from ...algebra import expression as ex
+from ...algebra.components import Array
+from ...algebra.expression import Expression
+
+
+def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr], str]) -> Expression:
+    """``e`` rebuilt: what is zero or identity by ``values`` is put in, and entries get their names."""
+    inner = lambda x: tidy(x, values, scalar)  # noqa: E731
+    match e:
+        case ex.Symbol():
+            return _symbol(e, values[e.name], scalar)
+        case ex.Sum():
+            return ex.add(*(inner(t) for t in e.terms))
+        case ex.Product():
+            return _product(inner(e.left), inner(e.right))
+        case ex.Negative():
+            return _negative(inner(e.arg))
+        case ex.Transpose():
+            return ex.transpose(inner(e.arg))
+        case ex.Hat():
+            return _hat(inner(e.arg))
+        case ex.Block():
+            return _block([[inner(x) for x in row] for row in e.rows])
+        case ex.Trace() | ex.Diagonal() | ex.Root():
+            arg = inner(e.arg)
+            return ex.zeros(*e.shape) if ex.is_zero(arg) else type(e)(arg)
+        case ex.Integral():
+            arg = inner(e.integrand)
+            return ex.zeros(*e.shape) if ex.is_zero(arg) else ex.Integral(arg, e.weight, e.rule)
+        case ex.Rotation():
+            return ex.Rotation(e.axis, inner(e.angle))
+        case ex.Stumpff():
+            return ex.Stumpff(e.order, inner(e.arg))
+    return e
+
+
+def _symbol(e: ex.Symbol, values: Array, scalar: Callable[[sp.Expr], str]) -> Expression:
+    if not any(value != 0 for value in values.flat):
+        return ex.zeros(*e.shape)
+    square = e.shape[0] == e.shape[1] != 1
+    if square and all(value == int(i == j) for (i, j), value in np.ndenumerate(values)):
+        return ex.identity(e.shape[0])
+    return ex.Symbol(e.name, e.shape, scalar(values.item())) if e.name.endswith("]") else e
+
+
+def _product(left: Expression, right: Expression) -> Expression:
+    """A row of blocks times a column of blocks is written out."""
+    if isinstance(left, ex.Block) and isinstance(right, ex.Block) and len(left.rows) == 1:
+        row, column = left.rows[0], [r[0] for r in right.rows if len(r) == 1]
+        if [x.shape[1] for x in row] == [y.shape[0] for y in column]:
+            return ex.add(*(_pair(x, y) for x, y in zip(row, column, strict=True)))
+    return ex.product(left, right)
+
+
+def _pair(x: Expression, y: Expression) -> Expression:
+    """A block times a block; a scalar goes to every term of a sum."""
+    if y.shape != (1, 1):
+        return ex.product(x, y)
+    return ex.add(*(ex.product(y, term) for term in (x.terms if isinstance(x, ex.Sum) else (x,))))
+
+
+def _negative(e: Expression) -> Expression:
+    return e.arg if isinstance(e, ex.Negative) else -e
+
+
+def _hat(e: Expression) -> Expression:
+    """Signs and scalars go before the skew-symmetric matrix."""
+    if isinstance(e, ex.Negative):
+        return _negative(_hat(e.arg))
+    if isinstance(e, ex.Product) and e.left.shape == (1, 1):
+        return ex.product(e.left, _hat(e.right))
+    return ex.hat(e)
+
+
+def _block(rows: list[list[Expression]]) -> Expression:
+    if all(ex.is_zero(x) for row in rows for x in row):
+        return ex.zeros(*ex.block(*rows).shape)
+    if all(ex.is_identity(x) if i == j else ex.is_zero(x) for i, row in enumerate(rows) for j, x in enumerate(row)):
+        return ex.identity(ex.block(*rows).shape[0])
+    column = [row[0] for row in rows]
+    filled = [i for i, x in enumerate(column) if not ex.is_zero(x)]
+    if len(filled) == 1 and all(len(row) == 1 and row[0].shape == (1, 1) for row in rows) and len(rows) == 3:
+        return ex.product(column[filled[0]], ex.unit(filled[0]))
+    return ex.block(*rows) if len(rows) > 1 or len(rows[0]) > 1 else rows[0][0]
+
+
+def symbols(e: Expression) -> Iterator[ex.Symbol]:
+    """The symbols that occur in an expression."""
+    if isinstance(e, ex.Symbol):
+        yield e
+    for part in _parts(e):
+        yield from symbols(part)
+
+
+def _parts(e: Expression) -> list[Expression]:
+    match e:
+        case ex.Sum():
+            return list(e.terms)
+        case ex.Product():
+            return [e.left, e.right]
+        case ex.Block():
+            return [x for row in e.rows for x in row]
+        case ex.Integral():
+            return [e.integrand] + ([e.weight] if e.weight is not None else [])
+        case ex.Rotation():
+            return [e.angle]
+    return [e.arg] if hasattr(e, "arg") else []
+
+
+def has_integral(e: Expression) -> bool:
+    """Whether an integral along the link occurs in an expression."""
+    return isinstance(e, ex.Integral) or any(has_integral(part) for part in _parts(e))
+
+
+def is_elementwise(e: Expression) -> bool:
+    """Whether every entry of ``e`` is an entry of one of its symbols, or a sum of such."""
+    match e:
+        case ex.Sum():
+            return all(is_elementwise(t) for t in e.terms)
+        case ex.Block():
+            return all(is_elementwise(x) for row in e.rows for x in row)
+        case ex.Negative() | ex.Transpose() | ex.Hat():
+            return is_elementwise(e.arg)
+        case ex.Product():
+            return (1, 1) in (e.left.shape, e.right.shape) and is_elementwise(e.left) and is_elementwise(e.right)
+    return isinstance(e, ex.Symbol | ex.Constant)
+
+
+def is_symbols_product(e: Expression) -> bool:
+    """Whether ``e`` is a matrix that is the product of two named matrices."""
+    named = ex.Symbol | ex.Transpose
+    return isinstance(e, ex.Product) and e.shape[1] > 1 and isinstance(e.left, named) and isinstance(e.right, named)

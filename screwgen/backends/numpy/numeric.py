@@ -1,0 +1,196 @@
+"""The NumPy back end: every program as a Python function on doubles. It judges the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+
+from ...algorithms import fused as fuse
+from ...algorithms.dae_functions import DaeFunctions, state_size, unknown_size
+from ...algorithms.functions import (
+    ASSEMBLY,
+    DAE_FORWARD,
+    DAE_RATES,
+    ENERGY,
+    FORWARD,
+    INVERSE,
+    MEASURING,
+    PLACEMENT,
+    PLACES,
+    PROJECTION,
+    SENSITIVITY,
+    Functions,
+)
+from ...algorithms.linearise import slopes
+from ...arguments import array
+from ...errors import SingularError
+from ...ir.program import Program
+from ...spec.parameters import parameters
+from ...topology.chain import Algorithm, Chain
+from .python import compiled
+
+EPSILON = float(np.finfo(float).eps)
+SPRINGS = ("K", "K_q")
+"""Constants of springs: their forces are no part of the mass matrix and would swamp it."""
+
+_COMPILED: dict[int, tuple] = {}
+
+
+def function_of(program: Program):
+    """The Python function of a program, compiled once."""
+    if id(program) not in _COMPILED:
+        _COMPILED[id(program)] = (program, compiled(program))
+    return _COMPILED[id(program)][1]
+
+
+class Numeric:
+    """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values).
+
+    ``q``, ``v``, ``vdot`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6), ``x`` as :func:`state_size` says; None is
+    zero.  Raises :class:`UsageError` on other shapes, :class:`SingularError` naming the link whose joint is singular.
+    """
+
+    def __init__(self, chain: Chain, p: Sequence[float] | None = None):
+        self.chain = chain
+        self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
+        self._made: dict[tuple[Algorithm, ...], DaeFunctions] = {}
+
+    @cached_property
+    def constants(self) -> list[dict[str, list[float]]]:
+        """``M_eta``, ``K``, ``D`` of every link: of its modes; ``M_q``, ``K_q``, ``D_q``: of a sprung joint."""
+        return self._prepared(())
+
+    def _prepared(self, algorithms: Sequence[Algorithm]) -> list[dict[str, list[float]]]:
+        evaluate = lambda _, program, given: function_of(program)(given, EPSILON)[0]  # noqa: E731
+        return fuse.prepared(self.chain, self.p, evaluate, algorithms)
+
+    def _functions(self, *algorithms: Algorithm) -> DaeFunctions:
+        """The functions that run these algorithms alone: others need not be traced for their constants."""
+        if algorithms not in self._made:
+            self._made[algorithms] = DaeFunctions(self.chain, self._prepared(algorithms), self.p[:3], self._apply)
+        return self._made[algorithms]
+
+    def _apply(self, link: int, _: int, program: Program, inputs) -> dict[str, list[float]]:
+        try:
+            outputs, guards = function_of(program)(inputs, EPSILON)
+        except ZeroDivisionError:
+            guards = [0.0]
+        if not all(g > 0 for g in guards):
+            raise SingularError(f"the joint of link '{self.chain.robot.links[link].name}' is singular in this posture")
+        return outputs
+
+    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
+        vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
+        return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def validity(self, q, v, tau, w_ext) -> np.ndarray:
+        """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
+        functions = self._functions(FORWARD, MEASURING)
+        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
+        return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
+
+    def validity_at_rest(self, q, w_ext=None) -> np.ndarray:
+        """The measures (n, 4) where joints and modes are held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
+        functions = self._functions(INVERSE, MEASURING)
+        return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
+        """All nq generalised forces."""
+        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
+        return np.array(self._functions(INVERSE).inverse_dynamics(*given))
+
+    def bias(self, q, v, w_ext) -> np.ndarray:
+        """``h`` of ``M vdot + h = [tau; 0]``."""
+        return self.inverse_dynamics(q, v, None, w_ext)
+
+    def mass_matrix(self, q) -> np.ndarray:
+        """``M`` (nq, nq), column by column from the inverse dynamics."""
+        nq, (q, rest, w_ext) = self.chain.nq, self._rows(q=q, v=None, w_ext=None)
+        stiff = self._functions(INVERSE).constants
+        soft = [c | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
+        still = Functions(self.chain, soft, [0.0] * 3, self._apply)
+        offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
+        columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nq).tolist()]
+        return np.array(columns).reshape(nq, nq).T
+
+    def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m); see :mod:`screwgen.algorithms.linearise`."""
+        vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
+        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
+        found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
+        M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
+        M = np.tril(M) + np.tril(M, -1).T
+        given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
+        return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
+
+    def energy(self, q, v) -> tuple[float, float]:
+        """Kinetic and potential energy, J."""
+        return self._functions(ENERGY).energy(*self._rows(q=q, v=v))
+
+    def link_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotations (n, 3, 3) and positions (n, 3) of the link frames in the inertial frame."""
+        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[0])
+
+    def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
+        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[1])
+
+    def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
+        """Rotation (3, 3) and position (3,) of the last link's tip frame."""
+        R, position = self.tip_poses(q)
+        return R[-1], position[-1]
+
+    # DAE form ---------------------------------------------------------------------------------
+
+    @property
+    def dae_functions(self) -> DaeFunctions:
+        """The functions of the DAE form's rates."""
+        return self._functions(DAE_FORWARD, DAE_RATES)
+
+    def dae_state(self, q, v) -> np.ndarray:
+        """The state ``x`` of the DAE form on the joints."""
+        return np.array(self._functions(PLACEMENT).place(*self._rows(q=q, v=v)))
+
+    def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``xdot`` and the joint wrenches (n, 6), by block elimination."""
+        xdot, _, wrench = self.dae_functions.rates(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def project(self, x) -> np.ndarray:
+        """``x`` taken back onto the joints."""
+        return np.array(self._functions(PROJECTION).project(*self._rows(x=x)))
+
+    def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
+        entries, H, W = self._functions(ASSEMBLY).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        M = np.zeros((unknown_size(self.chain),) * 2)
+        for place, value in entries.items():
+            M[place] = value
+        return M, np.array(H), np.array(W)
+
+    def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
+        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        _, vdot, wrench = self.dae_functions.rates(self._functions(PLACEMENT).place(q, v), tau, w_ext)
+        return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def _rows(self, **given) -> list[list[float]]:
+        """Arrays of the right shapes, flat; zeros for None."""
+        sizes = _sizes(self.chain)
+        return [array(x, name, sizes[name], finite=False).ravel().tolist() for name, x in given.items()]
+
+    def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
+        return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])
+
+
+def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
+    """The shapes of what functions take, by name."""
+    return dict.fromkeys(("q", "v", "vdot"), (chain.nq,)) | {
+        "tau": (chain.n_joints,),
+        "w_ext": (chain.n, 6),
+        "x": (state_size(chain),),
+    }

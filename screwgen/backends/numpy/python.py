@@ -1,0 +1,81 @@
+"""Programs as Python functions on floats: the judge of the other back ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+from ...ir.program import Node, Program
+from ...ir.replay import BINARY
+
+SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+LIMIT = 4.0
+"""Below this squared angle the Stumpff functions are summed, above they are written with sine and cosine."""
+
+TERMS = 14
+
+
+def c4(x: float) -> float:
+    """``c_4(x) = sum_j (-x)^j / (4 + 2 j)!``."""
+    return series(4, x) if x < LIMIT else (math.cos(math.sqrt(x)) - 1.0 + x / 2.0) / (x * x)
+
+
+def c5(x: float) -> float:
+    """``c_5(x) = sum_j (-x)^j / (5 + 2 j)!``."""
+    if x < LIMIT:
+        return series(5, x)
+    s = math.sqrt(x)
+    return (math.sin(s) - s + s * x / 6.0) / (x * x * s)
+
+
+def c6(x: float) -> float:
+    """``c_6``, from c_4 where that has no cancellation."""
+    return series(6, x) if x < LIMIT else (1.0 / 24.0 - c4(x)) / x
+
+
+def c7(x: float) -> float:
+    """``c_7`` likewise from c_5."""
+    return series(7, x) if x < LIMIT else (1.0 / 120.0 - c5(x)) / x
+
+
+def series(order: int, x: float) -> float:
+    """The Stumpff series of an order by Horner's rule."""
+    total = 1.0
+    for j in reversed(range(1, TERMS)):
+        total = 1.0 - x / ((order + 2 * j - 1) * (order + 2 * j)) * total
+    return total / math.factorial(order)
+
+
+NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5, "c6": c6, "c7": c7}
+
+
+def compiled(program: Program) -> Callable[[Mapping[str, list]], tuple[dict[str, list], list[float]]]:
+    """A Python function of the program's inputs, returning its outputs and the values of its guards."""
+    lines = ["def function(inputs, epsilon):"]
+    lines += [f"    i_{k} = inputs[{name!r}]" for k, name in enumerate(program.inputs)]
+    number = {name: k for k, name in enumerate(program.inputs)}
+    lines += [f"    v{n.id} = {_expression(n, number)}" for n in program.nodes]
+    entries = ", ".join(f"{name!r}: [{_list(values)}]" for name, values in program.outputs.items())
+    lines.append(f"    return {{{entries}}}, [{_list(program.guards)}]")
+    scope: dict = dict(NAMESPACE)
+    exec(compile("\n".join(lines), f"<{program.name}>", "exec"), scope)
+    return scope["function"]
+
+
+def _list(values) -> str:
+    return ", ".join(_value(v) for v in values)
+
+
+def _value(v) -> str:
+    return f"v{v.id}" if isinstance(v, Node) else repr(float(v))
+
+
+def _expression(node: Node, number: Mapping[str, int]) -> str:
+    if node.op == "input":
+        return f"i_{number[node.args[0]]}[{node.args[1]}]"
+    if node.op == "epsilon":
+        return "epsilon"
+    args = [_value(a) for a in node.args]
+    if node.op in BINARY:
+        return f"{args[0]} {SYMBOL[node.op]} {args[1]}"
+    return f"-{args[0]}" if node.op == "neg" else f"{node.op}({args[0]})"

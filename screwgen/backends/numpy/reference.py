@@ -1,0 +1,108 @@
+"""Reference values for the self-check of generated code, evaluated with many digits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import mpmath
+import numpy as np
+
+from ...algorithms import fused as fuse
+from ...algorithms.functions import Functions
+from ...errors import SingularError
+from ...ir.program import Program
+from ...ir.replay import run
+from ...topology.chain import Chain
+
+TRIES = 20
+Case = dict[str, list[float]]
+"""A state, its inputs and its results by name."""
+
+
+def cases(chain: Chain, count: int) -> list[Case]:
+    """States and inputs with ``vdot``, wrenches and tip pose: at rest, then in motion."""
+    p, constants = fuse.exact(chain)
+    functions = Functions(chain, constants, p[:3], _apply)
+    found: list[Case] = []
+    for number in range(TRIES):
+        try:
+            found.append(_case(chain, functions, number))
+        except SingularError:
+            if number == TRIES - 1 and not found:
+                raise
+        if len(found) == count:
+            break
+    return found
+
+
+def rounding_error(chain: Chain, case: Case, bits: int) -> float:
+    """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
+
+    Infinite where rounding makes the posture singular.
+    """
+    try:
+        return _rounding_error(chain, case, bits)
+    except SingularError:
+        return math.inf
+
+
+def _rounding_error(chain: Chain, case: Case, bits: int) -> float:
+    with mpmath.workprec(bits):
+        p, constants = fuse.exact(chain)
+        given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext")}
+        rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
+        functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
+        vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
+    m = chain.n_joints
+    parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
+    parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
+    errors = [_deviation(x, reference) for x, reference in parts]
+    return math.inf if any(map(math.isnan, errors)) else max(errors)
+
+
+def _deviation(x: list, reference: list[float]) -> float:
+    scale = max((abs(r) for r in reference), default=0.0)
+    error = float(np.max([abs(float(a) - r) for a, r in zip(x, reference, strict=True)], initial=0.0))
+    return error / scale if scale > 1e-6 else error
+
+
+def _apply_rounded(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
+    return run(program, inputs, lambda op, x: mpmath.nan if op == "sqrt" and x < 0 else fuse.precise(op, x))[0]
+
+
+def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
+    return run(program, inputs, fuse.precise)[0]
+
+
+def _case(chain: Chain, functions: Functions, number: int) -> Case:
+    state = _state(chain, functions, number)
+    exact = {name: [mpmath.mpf(x) for x in entries] for name, entries in state.items()}
+    vdot, wrench = functions.forward_dynamics(exact["q"], exact["v"], exact["tau"], exact["w_ext"])
+    R, position = functions.poses(exact["q"])[1][-1]
+    results = {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
+    return state | {name: [float(x) for x in entries] for name, entries in results.items()}
+
+
+def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[float]]:
+    """A state without pattern: fractional parts of multiples of irrational numbers, at sensible sizes.
+
+    A mode is deflected by what a force of 20 N bends it, so that no stiff mode drowns the rest; the case 0
+    has no external wrench.
+    """
+    draw = lambda k, salt, size: [round(size * _fraction(number, salt, j), 6) for j in range(k)]  # noqa: E731
+    m, n = chain.n_joints, chain.n
+    K = [float(k) for c in functions.constants for k in c["K"]]
+    eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
+    return {
+        "q": draw(m, 1, 1.2) + eta,
+        "v": draw(m, 3, 0.8) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
+        "tau": draw(m, 5, 20.0),
+        "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
+    }
+
+
+def _fraction(number: int, salt: int, j: int) -> float:
+    """A number in (-1, 1)."""
+    x = (number + 1) * 0.6180339887498949 + salt * 0.7548776662466927 + (j + 1) * 0.5698402909980532
+    return 2.0 * (x - int(x)) - 1.0

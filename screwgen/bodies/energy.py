@@ -1,0 +1,31 @@
+"""The energy block of a link."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..algebra.expression import Diagonal, Integral, hat, zeros
+from ..ir.block import Block
+from ..topology.link_class import LinkClass
+from .link import LinkBlock
+
+
+def energy_block(key: LinkClass) -> Block:
+    """Kinetic energy of a link with its base bodies, its stress energy, and what gravity needs.
+
+    ``kinetic = 1/2 ∫ rho A |v + omega x rho + udot|^2 dξ + 1/2 ∫ rho I_p (n^T nu)^2 dξ``,
+    ``stress = 1/2 eta^T K eta``; the weight's potential is ``-g . (m r + R S)``.
+    """
+    b = LinkBlock(key)
+    b.name, b.title = "energy", "Energy"
+    velocity = b.vel + hat(b.omega) @ b.rho + b.udot
+    kinetic = Integral(velocity.T @ velocity, b.rhoA, b.fields.integrate)
+    if key.spin:
+        omega_x = b.entries(b.omega)[0]
+        spin = omega_x + (b.phi_t @ b.etadot if key.counts[3] else zeros(1))
+        kinetic = kinetic + Integral(spin @ spin, b.rhoIp, b.fields.integrate)
+    half = sp.Rational(1, 2)
+    b.step("kinetic", half * kinetic, "T", unit="J", equation="2T", meaning="kinetic energy")
+    stress = b.eta.T @ (Diagonal(b.K) @ b.eta) if key.modes else zeros(1)
+    b.step("stress", half * stress, r"U_{\eta}", unit="J", meaning="stress energy")
+    return b

@@ -1,0 +1,161 @@
+"""Integrals along the link, in closed form.
+
+The field of a link depends on ξ through the generators 1, ξ, φ_k and, more coarsely, through the
+position ``rho`` and the elastic velocity ``udot`` of an element, which are themselves sums of
+generators.  An integrand is a polynomial in these; every monomial's integral is either a *moment*
+that a block has named (``∫ρA ρ dξ = S``), or is expanded into finer ones, down to the constants of
+the basis times powers of l.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import sympy as sp
+
+from ..bases import ORDER, products
+from ..topology.link_class import LinkClass
+
+AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
+STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
+"""Row of the strain vector u_x', u_y'', u_z'', θ_x'."""
+
+XI = sp.Symbol("xi", real=True)
+
+
+class Fields:
+    """The generators of a link class, their basis constants, and the rule that integrates them."""
+
+    def __init__(self, key: LinkClass, length: sp.Symbol, start: sp.Expr):
+        self.key, self.length, self.start = key, length, start
+        self.phi = [sp.Symbol(f"phi_{k + 1}", real=True) for k in range(key.modes)]
+        self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
+        self.coarse: dict[sp.Symbol, sp.Expr] = {}
+        self.moments: dict[tuple, sp.Expr] = {}
+        self._constants = {d: key.shapes(d) for d, _ in key.directions}
+
+    # the shapes as matrices -------------------------------------------------------------------
+
+    def Phi(self, values=None) -> np.ndarray:
+        """The 3 x r matrix of displacement shapes; torsion columns are zero."""
+        return self._matrix(3, lambda d: AXIS.get(d), values or self.phi)
+
+    def twist_row(self) -> np.ndarray:
+        """The 1 x r row of torsion shapes."""
+        return self._matrix(1, lambda d: 0 if d == "torsion" else None, self.phi)
+
+    def strain(self) -> np.ndarray:
+        """The 4 x r strain operator: u_x', u_y'', u_z'' and θ_x' of every mode."""
+        return self._matrix(4, lambda d: STRAIN[d], self.strain_shape)
+
+    def translational(self) -> np.ndarray:
+        """The 1 x r row of displacement shapes regardless of their axis."""
+        return self._matrix(1, lambda d: 0 if d in AXIS else None, self.phi)
+
+    def rotation(self) -> np.ndarray:
+        """Ψ(c), 3 x r: the turn of the tip section, [torsion angle, -u_z', u_y']."""
+        out = np.full((3, self.key.modes), sp.S.Zero, dtype=object)
+        for k, (d, i) in enumerate(self.key.directions):
+            if d == "torsion":
+                out[0, k] = _number(self._constants[d].tip_value[i])
+            elif d.startswith("bending"):
+                row, sign = (2, 1) if d == "bending_y" else (1, -1)
+                out[row, k] = sign * _number(self._constants[d].tip_slope[i]) / self.length
+        return out
+
+    def tip(self) -> np.ndarray:
+        """Φ(c), 3 x r: the displacement of the tip section."""
+        return self.Phi([_number(self._constants[d].tip_value[i]) for d, i in self.key.directions])
+
+    def _matrix(self, rows, row_of, values) -> np.ndarray:
+        out = np.full((rows, self.key.modes), sp.S.Zero, dtype=object)
+        for k, (d, _) in enumerate(self.key.directions):
+            if row_of(d) is not None:
+                out[row_of(d), k] = values[k]
+        return out
+
+    # integration ------------------------------------------------------------------------------
+
+    def name_coarse(self, symbols, expressions) -> None:
+        """Let each symbol stand for a sum of finer generators."""
+        self.coarse.update(zip(np.ravel(symbols), np.ravel(expressions), strict=True))
+
+    def name_moment(self, weight: str, value: sp.Expr, *generators: sp.Symbol) -> None:
+        """Let ``value`` be the integral of ``weight`` times the product of ``generators``."""
+        self.moments[(weight, _key(generators))] = value
+
+    def integrate(self, entry: sp.Expr, weight: str | None) -> sp.Expr:
+        """``∫ weight · entry dξ`` over the link; ``weight`` names a line property (None: 1)."""
+        free = entry.free_symbols
+        generators = {g for g in self._generators() if g in free}
+        if not generators:
+            return sp.S.Zero if entry == 0 else entry * self._moment(weight, ())
+        coefficients: dict[tuple, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(sp.expand(entry)):
+            monomial, rest = [], []
+            for factor in sp.Mul.make_args(term):
+                base, power = factor.as_base_exp()
+                if base in generators:
+                    monomial += [base] * int(power)
+                else:
+                    rest.append(factor)
+            coefficients.setdefault(_key(monomial), []).append(sp.Mul(*rest))
+        return sp.Add(*(sp.Add(*parts) * self._moment(weight, key) for key, parts in coefficients.items()))
+
+    def _generators(self):
+        return itertools.chain(self.coarse, [XI], self.phi, self.strain_shape)
+
+    def _moment(self, weight: str | None, key: tuple) -> sp.Expr:
+        if (weight, key) in self.moments:
+            return self.moments[weight, key]
+        by_name = {g.name: g for g in self._generators()}
+        monomial = [by_name[n] for n in key]
+        for position, generator in enumerate(monomial):
+            if generator in self.coarse:
+                rest = sp.Mul(*monomial[:position], *monomial[position + 1 :])
+                return self.integrate(sp.expand(rest * self.coarse[generator]), weight)
+        value = self._fine(monomial)
+        return value if weight is None else sp.Symbol(weight, real=True) * value
+
+    def _fine(self, monomial: list[sp.Symbol]) -> sp.Expr:
+        """The integral of a product of ξ, φ_k and strain shapes: powers of l times constants of the basis."""
+        l, a = self.length, self.start
+        powers = sum(g == XI for g in monomial)
+        shapes = [self.phi.index(g) for g in monomial if g in self.phi]
+        strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
+        if strains:
+            return self._stiffness(*strains)
+        if not shapes:
+            return sum(sp.binomial(powers, j) * a ** (powers - j) * l ** (j + 1) / (j + 1) for j in range(powers + 1))
+        if len(shapes) == 2 and powers == 0:
+            return l * self.gram(*shapes)
+        if len(shapes) == 1 and powers <= 1:
+            shape, k = self._shape(shapes[0])
+            integral = _number(shape.integral[k])
+            return l * integral if powers == 0 else l * (a * integral + l * _number(shape.moment[k]))
+        raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
+
+    def _shape(self, k: int):
+        direction, i = self.key.directions[k]
+        return self._constants[direction], i
+
+    def gram(self, k: int, m: int) -> sp.Expr:
+        """``∫ psi_k psi_m ds`` of two modes."""
+        (first, i), (second, j) = self._shape(k), self._shape(m)
+        return _number(products(first, second)[i][j])
+
+    def _stiffness(self, k: int, m: int) -> sp.Expr:
+        (direction, i), (shape, _) = self.key.directions[k], self._shape(k)
+        order = ORDER[direction]
+        return _number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
+
+
+def _key(generators) -> tuple[str, ...]:
+    return tuple(sorted(g.name for g in generators))
+
+
+def _number(value) -> sp.Expr:
+    """A basis constant: exact where it is a whole number, else the nearest double."""
+    value = float(value)
+    return sp.Integer(int(value)) if value == int(value) else sp.Float(value)

@@ -1,0 +1,82 @@
+"""Rigid bodies fixed to a section of a link, summed to one mass, first and second moment."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..algebra.expression import Expression, Symbol, Trace, add, block, identity, zeros
+from ..ir.block import Block
+from ..topology.link_class import LinkClass
+
+
+def lumped(b: Block, key: LinkClass, section: str, tag: str) -> tuple[Expression, ...]:
+    """Mass, first moment, second moment ``J`` and inertia ``I = tr(J) 1 - J`` of the bodies at a section.
+
+    Base bodies are taken about the joint point in F_i axes, tip bodies about the tip point in tip-frame
+    axes.  All are zero if the section carries no body.
+    """
+    parts = [_body(b, key, number) for number in key.bodies_at(section)] or [(zeros(1), zeros(3), zeros(3, 3))]
+    frame = "F_i" if section == "base" else "tip frame"
+    about = "joint point" if section == "base" else "tip point"
+    m, S, J = (add(*column) for column in zip(*parts, strict=True))
+    mass = b.step(f"m_{tag}", m, f"m_{tag}", unit="kg", meaning=f"mass of the bodies at the {section}")
+    first = b.step(
+        f"S_{tag}", S, rf"\mathbf{{S}}_{tag}", unit="kg*m", frame=frame, meaning=f"their first moment about the {about}"
+    )
+    second = b.step(
+        f"J_{tag}",
+        J,
+        rf"\boldsymbol{{\Theta}}_{tag}",
+        unit="kg*m^2",
+        frame=frame,
+        symmetric=True,
+        meaning=f"their second moment about the {about}",
+    )
+    inertia = b.step(
+        f"I_{tag}",
+        Trace(second) @ identity(3) - second,
+        rf"\mathbf{{I}}_{tag}",
+        unit="kg*m^2",
+        frame=frame,
+        symmetric=True,
+        meaning=f"their inertia about the {about}",
+    )
+    return mass, first, second, inertia
+
+
+def _body(b: Block, key: LinkClass, number: int) -> tuple[Expression, Expression, Expression]:
+    """One body: ``m``, ``m c`` and ``m c c^T + tr(I_c)/2 1 - I_c``."""
+    body, tag = key.bodies[number], f"{number + 1}"
+    m = b.parameter(f"body{number}_mass", (1, 1), rf"m_{{b{tag}}}", "kg", "-", f"mass of body {tag}")
+    first: Expression = zeros(3)
+    second: Expression = zeros(3, 3)
+    if body.com:
+        com = b.parameter(
+            f"body{number}_com", (3, 1), rf"\mathbf{{c}}_{{b{tag}}}", "m", "section", f"centre of mass of body {tag}"
+        )
+        first, second = m @ com, m @ (com @ com.T)
+    if body.inertia:
+        entries = b.parameter(
+            f"body{number}_inertia",
+            (6, 1),
+            rf"\mathbf{{i}}_{{b{tag}}}",
+            "kg*m^2",
+            "section",
+            f"inertia of body {tag} about its centre of mass: xx, yy, zz, xy, xz, yz",
+        )
+        xx, yy, zz, xy, xz, yz = b.entries(entries)
+        inertia = b.step(
+            f"I_b{tag}",
+            block([xx, xy, xz], [xy, yy, yz], [xz, yz, zz]),
+            rf"\mathbf{{I}}_{{b{tag}}}",
+            unit="kg*m^2",
+            frame="section",
+            symmetric=True,
+            meaning=f"inertia of body {tag} about its centre of mass",
+        )
+        second = second + _second_moment(inertia)
+    return m, first, second
+
+
+def _second_moment(inertia: Symbol) -> Expression:
+    return sp.Rational(1, 2) * (Trace(inertia) @ identity(3)) - inertia

@@ -1,0 +1,330 @@
+"""What the commands do. Arguments come as the user wrote them; errors go up as ScrewgenError."""
+
+from __future__ import annotations
+
+import json as json_format
+import sys
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import PrecisionWarning, SingularError, StoppedError, UsageError
+from ..model import TARGETS, Model, derive
+from ..simulation.state import State, read_state, state_of
+from ..spec.load import one_line
+from ..spec.robot import Robot
+from .output import bar, busy, load_robot, say
+
+
+def check_choice(option: str, given: str, known: Iterable[str]) -> None:
+    """Refuse what is not in `known`."""
+    if given not in known:
+        raise UsageError(f"{option}: there is no '{one_line(given)}'; choose {' or '.join(known)}")
+
+
+# ------------------------------------------------------------------------------ generate
+
+PARAMETERS = ("runtime", "baked")
+LAYOUTS = ("auto", "fused", "modular")
+
+
+def run_generate(
+    robot: str,
+    output: str,
+    targets,
+    parameters: str,
+    layout: str,
+    quiet: bool,
+    batch: bool,
+    derivatives: bool,
+    estimator: bool = False,
+) -> None:
+    """Write the folder and list its files."""
+    for target in targets or ():
+        check_choice("--target", target, TARGETS)
+    check_choice("--parameters", parameters, PARAMETERS)
+    check_choice("--layout", layout, LAYOUTS)
+    for option, asked in (("--batch", batch), ("--derivatives", derivatives), ("--estimator", estimator)):
+        if asked and targets and "c" not in targets:
+            raise UsageError(f"{option} adds to the C, which --target leaves out; add --target c or leave {option} out")
+    if not output:
+        raise UsageError("the folder after -o has no name; name one to write")
+    model = derive(load_robot(robot, quiet))
+    with busy("generating", quiet), _stoppable():
+        wanted = tuple(t for t in TARGETS if not targets or t in targets)
+        asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
+        with warnings.catch_warnings(record=True, action="always", category=PrecisionWarning) as noted:
+            files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)
+    for note in noted:
+        print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
+    say("\n".join(str(Path(output) / name) for name in files), quiet)
+
+
+# ------------------------------------------------------------------------------ simulate
+
+
+def run_simulate(
+    robot: str,
+    duration: float,
+    step: float,
+    output: str,
+    state: str | None,
+    controller: str | None,
+    form: str,
+    integrator: str | None,
+    plot: str | None,
+    every: int,
+    keep: bool,
+    quiet: bool,
+) -> None:
+    """Simulate and store; the run and its picture appear together or not at all, unless a stopped run is kept."""
+    from ..simulation.controllers import read_controller
+    from ..simulation.runs import FORMATS, check_output, outputs
+    from ..simulation.simulate import FORMS as known_forms
+    from ..simulation.simulate import simulate, step_count
+
+    check_output(output, FORMATS)
+    check_choice("--form", form, known_forms)
+    if plot is not None:
+        check_output(plot, (".png",))
+    steps = step_count(duration, step)
+    model = derive(load_robot(robot, quiet))
+    start = _state(state, model)
+    torque = read_controller(controller, model) if controller is not None else start.tau
+    if controller is not None and start.tau.any():
+        raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
+    ways = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
+    with outputs(*filter(None, (None if keep else output, plot))) as streams:
+        with bar("simulating", steps, quiet) as progress, _stoppable():
+            run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
+        if not keep:
+            run.write(streams[0], output)
+        if plot is not None:
+            with busy("drawing", quiet):
+                from ..plotting.plot import png
+
+                streams[-1].write(png(run, model, torque))
+    say("\n".join(filter(None, (output, plot))), quiet)
+
+
+@contextmanager
+def _stoppable() -> Iterator[None]:
+    """An interruption that says what is left becomes an error with that text."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if not stop.args:
+            raise
+        raise StoppedError(str(stop)) from None
+
+
+def _state(path: str | None, model: Model) -> State:
+    return state_of({}, model) if path is None else read_state(path, model)
+
+
+# ------------------------------------------------------------------------------ evaluate
+
+Evaluation = tuple[np.ndarray, np.ndarray]
+
+
+def _numpy_joint(model: Model, s: State) -> Evaluation:
+    return model.numpy().forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+
+
+def _numpy_dae(model: Model, s: State) -> Evaluation:
+    return model.numpy().dae_forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+
+
+def _casadi_joint(model: Model, s: State) -> Evaluation:
+    out = model.casadi()["forward_dynamics"](s.q, s.v, s.tau, s.w_ext.T, model.parameter_values)
+    return np.array(out[0])[:, 0], np.array(out[1]).T
+
+
+def _casadi_dae(model: Model, s: State) -> Evaluation:
+    from ..backends.casadi.functions import modal_functions
+
+    functions, p = modal_functions(model.chain), model.parameter_values
+    x = model.casadi()["dae_state"](s.q, s.v, p)
+    M_eta, K, D = functions["modal_properties"](p)
+    own = slice(model.nq - model.chain.n_given, model.nq)
+    force = K * s.q[own] + D * s.v[own]
+    _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
+    return np.array(vdot)[:, 0], np.array(wrench).T
+
+
+def _c(model: Model, s: State, form: str) -> Evaluation:
+    return model.compile().forward_dynamics(s.q, s.v, s.tau, s.w_ext, form=form)
+
+
+EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
+    ("numpy", "joint"): _numpy_joint,
+    ("numpy", "dae"): _numpy_dae,
+    ("casadi", "joint"): _casadi_joint,
+    ("casadi", "dae"): _casadi_dae,
+    ("c", "joint"): partial(_c, form="joint"),
+    ("c", "dae"): partial(_c, form="dae"),
+}
+"""Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
+
+BACKENDS = ("numpy", "casadi", "c")
+FORMS = ("joint", "dae")
+
+
+def run_evaluate(robot: str, state: str | None, backend: str, form: str, formulation: str) -> None:
+    """Print the JSON of an evaluation."""
+    from ..formulation import FORMULATIONS
+
+    check_choice("--formulation", formulation, FORMULATIONS)
+    check_choice("--backend", backend, BACKENDS)
+    check_choice("--form", form, FORMS)
+    if (backend, form) not in EVALUATIONS:
+        raise UsageError(f"--backend {backend} does not evaluate --form {form}; choose another")
+    if formulation == "printed" and (backend, form) != ("numpy", "joint"):
+        raise UsageError(
+            "--formulation printed is evaluated by NumPy in the joint form; leave out --backend and --form"
+        )
+    evaluated = _printed if formulation == "printed" else partial(_consistent, backend=backend, form=form)
+    print(json_format.dumps(evaluated(load_robot(robot), state), allow_nan=False))
+
+
+def _consistent(robot: Robot, state: str | None, backend: str, form: str) -> dict:
+    model = derive(robot)
+    return evaluation(model, _state(state, model), backend, form)
+
+
+def _printed(robot: Robot, state: str | None) -> dict:
+    """An evaluation with the paper's equations as printed, and which of them changed it."""
+    from ..paper.printed import PrintedModel
+
+    printed = PrintedModel(robot)
+    s = _state(state, printed.model)
+    vdot, wrench = printed.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    own = evaluation(printed.model, s)
+    dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench + 0.0).tolist()}
+    return own | dynamics | {"as_printed": list(printed.as_printed)}
+
+
+def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "joint") -> dict:
+    """Accelerations and joint wrenches by a backend and a form, with the tip pose and energies, as lists.
+
+    Raises SingularError: NumPy's dynamics, which knows the joint, comes first.
+    """
+    judge = model.numpy()
+    judge.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    vdot, wrench = EVALUATIONS[backend, form](model, s)
+    if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
+        raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
+    valid = model.validity(s.q, s.v, s.tau, s.w_ext)
+    valid.warn()
+    R, position = judge.tip_pose(s.q)
+    kinetic, potential = judge.energy(s.q, s.v)
+    return {
+        "vdot": (np.ravel(vdot) + 0.0).tolist(),
+        "wrench": (np.reshape(wrench, (model.n_links, 6)) + 0.0).tolist(),
+        "tip_position": position.tolist(),
+        "tip_rotation": R.tolist(),
+        "kinetic": float(kinetic),
+        "potential": float(potential),
+        "validity": valid.record(),
+    }
+
+
+# ------------------------------------------------------------------------------ analyse
+
+
+def run_analyse(
+    robot: str,
+    states: Sequence[str],
+    samples: int | None,
+    seed: int,
+    step: float,
+    controller: str | None,
+    plot: str | None,
+    json: bool,
+    quiet: bool,
+) -> None:
+    """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
+    from ..simulation.controllers import read_controller
+    from ..simulation.runs import check_output, outputs, suffix
+    from ..studies.analysis import SAMPLES, analyse, sample_states
+    from ..studies.analysis.spectrum import check_step
+
+    check_step(step)
+    if any(suffix(path) == ".npz" for path in states):
+        _analyse_runs(robot, states, json)
+        return
+    if plot is not None:
+        check_output(plot, (".png",))
+    count = (0 if states else SAMPLES) if samples is None else samples
+    model = derive(load_robot(robot, quiet))
+    law = read_controller(controller, model) if controller is not None else None
+    given = {one_line(path): read_state(path, model) for path in states} or {"zero": _state(None, model)}
+    for path, state in given.items():
+        if law is not None and state.tau.any():
+            raise UsageError(f"{path}: tau: is given beside --controller; leave one of them out")
+    given |= sample_states(model, count, seed, hold=law is None)
+    with outputs(*filter(None, (plot,))) as streams:
+        with bar("analysing", len(given), quiet) as progress:
+            found = analyse(model, given, step, law, progress)
+        if plot is not None:
+            from ..plotting.structure import png
+
+            streams[0].write(png(found.structure, model.robot.name))
+    print(found.to_json() if json else found.text())
+
+
+def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
+    """Print how far runs went from the limits of the model."""
+    from ..studies.analysis.runs import read_motion, run_validity
+    from ..studies.analysis.text import limits_of_model
+
+    model = derive(load_robot(robot))
+    found = {one_line(path): run_validity(model, read_motion(path, model)) for path in paths}
+    if json:
+        print(json_format.dumps({path: v.record() for path, v in found.items()}, allow_nan=False))
+    else:
+        print("\n\n".join(limits_of_model(path, v) for path, v in found.items()))
+
+
+# ------------------------------------------------------------------------------ latex
+
+
+def run_latex(robot: str, output: str, quiet: bool) -> None:
+    """Write the equations in the format of the suffix."""
+    from ..simulation.runs import check_output, outputs, suffix
+
+    check_output(output, LATEX)
+    loaded = load_robot(robot, quiet)
+    with busy("typesetting", quiet), outputs(output) as (stream,):
+        stream.write(LATEX[suffix(output)](loaded))
+    say(output, quiet)
+
+
+def _tex(robot) -> bytes:
+    from ..backends.latex import document as latex
+
+    return latex.document(robot).encode()
+
+
+def _html(robot) -> bytes:
+    from ..backends.latex import document as latex
+
+    return latex.html(robot).encode()
+
+
+def _pdf(robot) -> bytes:
+    import tempfile
+
+    from ..backends.latex import document as latex
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "equations.pdf"
+        latex.write_pdf(latex.document(robot), path)
+        return path.read_bytes()
+
+
+LATEX = {".tex": _tex, ".pdf": _pdf, ".html": _html}

@@ -1,0 +1,188 @@
+"""The commands `modes` and `equilibrium`: vibrations about a posture, and the posture in which an arm rests."""
+
+from __future__ import annotations
+
+import json as json_format
+import sys
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import UsageError
+from ..model import Model, derive
+from ..simulation.state import State, read_state, refusals, state_of
+from ..spec.load import one_line
+from ..spec.ranges import within
+from .output import load_robot
+
+if TYPE_CHECKING:
+    from ..studies.convergence import Convergence
+    from ..studies.equilibrium import Equilibrium
+    from ..studies.modes import ModeShapes
+
+
+def state_in(path: str | None, model: Model) -> State:
+    """The state in a file, all zero without."""
+    return state_of({}, model) if path is None else read_state(path, model)
+
+
+def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: str | None) -> None:
+    """Print natural frequencies, one a line or as JSON, and draw the shapes."""
+    from ..simulation.runs import check_output, outputs
+    from ..studies.convergence import convergence
+    from ..studies.modes import mode_shapes
+
+    if plot is not None:
+        check_output(plot, (".png",))
+    model = derive(load_robot(robot))
+    q = state_in(posture, model).q
+    found = mode_shapes(model, q, joints)
+    found.validity.warn()
+    more = convergence(model, q, joints)
+    if plot is not None:
+        from ..plotting.mode_plot import png
+
+        with outputs(plot) as (stream,):
+            stream.write(png(model, q, found))
+    if json:
+        print(json_format.dumps(modes_record(found, more), allow_nan=False))
+        return
+    print("\n".join(modes_table(found, more)) or NO_MODES[joints])
+    if joints == "locked" and (sprung := sprung_joints(model)):
+        springs = f"the springs of {', '.join(sprung)}"
+        print(f"screwgen: note: --joints locked also locks {springs}; --joints free lets them act", file=sys.stderr)
+
+
+def modes_record(found: ModeShapes, more: Convergence) -> dict:
+    """What `modes --json` prints; zeros and nulls first, for the motions that no spring resists."""
+    count = range(len(found.frequencies))
+    return {
+        "frequencies_hz": [*found.rigid * [0.0], *found.frequencies.tolist()],
+        "one_more_mode": [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
+        "short_of": [*found.rigid * [None], *(more.short(k) for k in count)],
+        "validity": found.validity.record(),
+    }
+
+
+def modes_table(found: ModeShapes, more: Convergence) -> list[str]:
+    """A line for each frequency: Hz, its change by one more mode per direction in %, where that mode is wanted most."""
+    lines = [f"{0:<12g} Hz" for _ in range(found.rigid)]
+    for k, f in enumerate(found.frequencies):
+        lines.append(f"{f:<12.6g} Hz {percent(more.total[k]):>14}   {more.short(k) or ''}".rstrip())
+    head = f"{'frequency':15} {'one more mode':>14}   wanted most in"
+    return [head, *lines] if lines else []
+
+
+def percent(change: float) -> str:
+    """A relative change in %, to two digits and no finer than 0.01 %."""
+    size = 100 * abs(change)
+    return "0 %" if size < 0.005 else f"−{size:.2g} %" if size < 9.95 else f"−{size:.0f} %"
+
+
+NO_MODES = {
+    "locked": "no modes: every link is rigid, and --joints locked locks every joint",
+    "free": "no modes: every link is rigid and welded",
+}
+
+
+def sprung_joints(model: Model) -> list[str]:
+    """The joint coordinates that have springs."""
+    from ..studies.modes import stiffness
+
+    return [name for name, k in zip(model.q_names, stiffness(model)[: model.n_joints], strict=False) if k > 0]
+
+
+# ------------------------------------------------------------------------------ equilibrium
+
+
+def run_equilibrium(
+    robot: str, state: str | None, q: str | None, tau: str | None, hold: bool | str, json: bool
+) -> None:
+    """Print where the arm rests, as a report or as JSON."""
+    from ..studies.equilibrium import equilibrium
+
+    model = derive(load_robot(robot))
+    given = state_in(state, model)
+    if given.v.any():
+        raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
+    start = given.q if q is None else numbers("q", q, model.n_joints, "joint angles in rad")
+    torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, "joint torques in N·m")
+    if hold and (tau is not None or given.tau.any()):
+        option = "--tau" if tau is not None else f"{one_line(str(state))}: tau"
+        raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
+    found = equilibrium(model, start, None if hold else torques, given.w_ext, hold)
+    print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
+
+
+def numbers(quantity: str, given: str, size: int, what: str) -> np.ndarray:
+    """`size` numbers in the range of a quantity out of the option of that name, by commas or blanks."""
+    option, words = f"--{quantity}", given.replace(",", " ").split()
+    try:
+        out = np.array([float(word) for word in words])
+    except ValueError:
+        wanted = f"give {size} {what}, as 0.1,-0.2"
+        raise UsageError(f"{option}: '{one_line(given)}' is no list of numbers; {wanted}") from None
+    if len(out) != size or not np.isfinite(out).all():
+        raise UsageError(f"{option}: has {len(out)} numbers; it must have {size} finite {what}, separated by commas")
+    with refusals(option):
+        return np.array([within(quantity)(x) for x in out.tolist()])
+
+
+def record(e: Equilibrium) -> dict:
+    """What `--json` prints."""
+    lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
+    words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
+    words |= {"passive": list(e.passive), "validity": e.validity.record()}
+    return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
+
+
+def text(model: Model, e: Equilibrium) -> str:
+    """The report."""
+    m = model.n_joints
+    angles = "joint angles, held" if e.held else "joint angles"
+    torques = "torques that hold them" if e.held else "torques given"
+    lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
+    units = ["rad, on its spring" if name in e.passive else "rad" for name in model.q_names[:m]]
+    lines += table(angles, model.q_names[:m], e.q[:m], units)
+    lines += table(torques, model.tau_names, e.tau, ["N·m"] * m)
+    lines += [f"{'tip in the inertial frame':29}" + heads(1)]
+    lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
+    titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")
+    lines += ["", f"{'links, components in F_i':29}" + "".join(f"{title:>36}" for title in titles)]
+    lines += [" " * 29 + heads(3)]
+    small = float(np.max(np.abs(e.wrench)))
+    for link, moved, wrench in zip(model.robot.links, e.deflections, e.wrench, strict=True):
+        lines.append(f"  {link.name:27}" + row(1e3 * moved) + row(wrench[:3], small) + row(wrench[3:], small))
+    return "\n".join(lines)
+
+
+def table(title: str, names: list[str], values: np.ndarray, units: list[str]) -> list[str]:
+    rows = [f"  {name:27}{tidy(value, 1.0):>12} {u}" for name, value, u in zip(names, values, units, strict=True)]
+    return [title, *rows, ""] if rows else []
+
+
+def heads(count: int) -> str:
+    """x, y, z over columns."""
+    return "".join(f"{axis:>12}" for axis in "xyz" * count)
+
+
+def row(values: np.ndarray, size: float = 0.0) -> str:
+    """Three numbers side by side; what is nothing beside the largest, or beside `size`, is zero."""
+    size = max(size, float(np.max(np.abs(values))))
+    return "".join(f"{tidy(x, size):>12}" for x in values)
+
+
+def tidy(value: float, size: float) -> str:
+    """A number to five digits; rounding errors beside a number of that size as 0."""
+    return "0" if abs(value) <= 1e-12 * max(size, 1e-3) else f"{value:.5g}"
+
+
+def stability(e: Equilibrium) -> str:
+    names = ", ".join(e.loose)
+    past = ", ".join(e.validity.buckled)
+    return {
+        "stable": f"stable to first order, but beyond the buckling load of {past}" if past else "stable",
+        "neutral": f"neutral, nothing resists a motion of {names}",
+        "unstable": f"unstable, it gives way with {names}",
+        "flutter": "unstable, it flutters under the wrenches that turn with the tips",
+    }[e.stability]

@@ -1,0 +1,299 @@
+"""The command line: options and help texts, and how a command ends. What commands do is in `cli_commands`.
+
+Exit status: 0 done; 2 a request that cannot be met, nothing written; 1 a computation that failed: a singular
+posture, a method that diverged; 130 interrupted. Errors are one line on stderr. Heavy modules are imported by
+the commands that need them, so that help is quick.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+
+from .process import guarded, prepare
+
+EPILOG = (
+    "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
+    "1 a computation that failed, such as a singular posture; 130 interrupted."
+)
+app = typer.Typer(name="screwgen", rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG)
+
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
+StateFile = Annotated[
+    str | None,
+    typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.", show_default=False),
+]
+Form = Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")]
+Json = Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")]
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from .. import __version__
+
+        typer.echo(f"screwgen {__version__}")
+        raise typer.Exit()
+
+
+@app.callback(no_args_is_help=False)
+def screwgen(
+    context: typer.Context,
+    quiet: Quiet = False,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    """Equations of motion of flexible robot arms, derived once: as CasADi functions, standalone C and LaTeX."""
+    context.obj = quiet
+
+
+@app.command(short_help="Write a folder of generated code.", epilog=EPILOG)
+def generate(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.", show_default=False)
+    ],
+    target: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME", help="c, casadi or latex; may be given again. All, if not given.", show_default=False
+        ),
+    ] = None,
+    parameters: Annotated[
+        str,
+        typer.Option(metavar="HOW", help="runtime: the robot's numbers stay variables of the code; baked: constants."),
+    ] = "runtime",
+    layout: Annotated[
+        str,
+        typer.Option(metavar="HOW", help="fused: C in one piece, fast for few links; modular: small; auto chooses."),
+    ] = "auto",
+    batch: Annotated[
+        bool, typer.Option("--batch", help="Also C that steps many scenarios at once, for hosts with vector registers.")
+    ] = False,
+    derivatives: Annotated[
+        bool, typer.Option("--derivatives", help="Also C of the accelerations' derivatives with q, v and tau.")
+    ] = False,
+    estimator: Annotated[
+        bool,
+        typer.Option(
+            "--estimator",
+            help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
+        ),
+    ] = False,
+    quiet: Quiet = False,
+) -> None:
+    """Write a folder of generated code: C99 without heap, CasADi functions, LaTeX equations.
+
+    The folder is written whole or not at all; one that holds files of other origin is refused.
+    """
+    from .commands import run_generate
+
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, batch, derivatives, estimator)
+
+
+@app.command(short_help="Simulate and store the run.", epilog=EPILOG)
+def simulate(
+    context: typer.Context,
+    robot: RobotFile,
+    duration: Annotated[float, typer.Option(metavar="S", help="How long, in seconds.", show_default=False)],
+    step: Annotated[
+        float,
+        typer.Option(metavar="S", help="The time step in seconds; the last may be shorter.", show_default=False),
+    ],
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="FILE", help="run.npz or run.csv.", show_default=False)
+    ],
+    state: StateFile = None,
+    controller: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND:FILE",
+            help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. Without: the state's tau.",
+            show_default=False,
+        ),
+    ] = None,
+    form: Form = "joint",
+    integrator: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="Joint form: euler, semi_implicit, modal_implicit, modal_midpoint (its default), rk4.",
+            show_default=False,
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.", show_default=False)
+    ] = None,
+    every: Annotated[int, typer.Option(metavar="N", min=1, help="Store every N-th step, and the end.")] = 1,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Store while it runs: a stopped run leaves run.part.npy or run.part.csv.")
+    ] = False,
+    quiet: Quiet = False,
+) -> None:
+    """Simulate the robot and store t, q, v, tau, wrench, tip_position and energy at every step."""
+    from .commands import run_simulate
+
+    quiet = quiet or context.obj
+    run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, every, keep, quiet)
+
+
+@app.command(short_help="Print the dynamics at a state, as JSON.", epilog=EPILOG)
+def evaluate(
+    robot: RobotFile,
+    state: StateFile = None,
+    backend: Annotated[
+        str, typer.Option(metavar="NAME", help="numpy, casadi or c, which compiles the generated code.")
+    ] = "numpy",
+    form: Form = "joint",
+    formulation: Annotated[
+        str, typer.Option(metavar="NAME", help="consistent, or printed: the paper's equations as they stand.")
+    ] = "consistent",
+) -> None:
+    """Print accelerations, joint wrenches, tip pose and energies at a state, as JSON."""
+    from .commands import run_evaluate
+
+    run_evaluate(robot, state, backend, form, formulation)
+
+
+@app.command(short_help="Print natural frequencies.", epilog=EPILOG)
+def modes(
+    robot: RobotFile,
+    posture: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
+    ] = None,
+    joints: Annotated[str, typer.Option(metavar="HOW", help="locked, springs and all, or free.")] = "locked",
+    json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
+    ] = None,
+) -> None:
+    """Print the natural frequencies in Hz at rest, without gravity, and how far one more mode would move them."""
+    from .linear import run_modes
+
+    run_modes(robot, posture, joints, json, plot)
+
+
+@app.command(short_help="Find where the arm rests under gravity.", epilog=EPILOG)
+def equilibrium(
+    robot: RobotFile,
+    q: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NUMBERS",
+            help="Joint angles, rad, as 0.1,-0.2: those held, or where the search starts. Zero without.",
+            show_default=False,
+        ),
+    ] = None,
+    tau: Annotated[
+        str | None,
+        typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m. Zero without.", show_default=False),
+    ] = None,
+    hold: Annotated[bool, typer.Option("--hold", help="Hold joints without springs; the torques follow.")] = False,
+    hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,
+    state: StateFile = None,
+    json: Json = False,
+) -> None:
+    """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
+    Joints are free under torques and springs, or held, but for passive ones on springs. --state gives q, tau, w_ext.
+    """
+    from .linear import run_equilibrium
+
+    run_equilibrium(robot, state, q, tau, "all" if hold_all else hold, json)
+
+
+@app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)
+def analyse(
+    context: typer.Context,
+    robot: RobotFile,
+    state: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FILE", help="A state, or a run.npz: its limits; may be given again.", show_default=False),
+    ] = None,
+    samples: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N", min=0, max=10000, help="Random states besides; 20 if no --state is given.", show_default=False
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the random states.")] = 0,
+    step: Annotated[float, typer.Option(metavar="S", help="The time step whose growth is reported.")] = 1e-3,
+    controller: Annotated[
+        str | None,
+        typer.Option(metavar="KIND:FILE", help="pd:gains.toml: closes the loop, torques held.", show_default=False),
+    ] = None,
+    plot: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Draw the structure of M_sys, as .png.", show_default=False)
+    ] = None,
+    json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Report whether the equations are well posed: rank and condition of M_sys, definiteness, spectrum, step limits."""
+    from .commands import run_analyse
+
+    run_analyse(robot, state or [], samples, seed, step, controller, plot, json, quiet or context.obj)
+
+
+@app.command(short_help="Write the equations as .tex, .pdf or .html.", epilog=EPILOG)
+def latex(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[
+        str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.", show_default=False)
+    ],
+    quiet: Quiet = False,
+) -> None:
+    """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
+    from .commands import run_latex
+
+    run_latex(robot, output, quiet or context.obj)
+
+
+@app.command(short_help="Show the paper's equations, checked.", epilog=EPILOG)
+def paper(
+    context: typer.Context,
+    label: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).", show_default=False),
+    ] = None,
+    errata: Annotated[bool, typer.Option("--errata", help="The errata, not the equations.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print as JSON, formulas in LaTeX.")] = False,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md.", show_default=False
+        ),
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Show the paper's printed equations: what holds, what fails, and what holds instead, judged by numbers.
+
+    Without a label: the list. With labels: equations printed, derived, their difference; errata with their figures.
+    """
+    from .paper import run_paper
+
+    run_paper(label or (), errata, json, output, quiet or context.obj)
+
+
+# ------------------------------------------------------------------------------ the process
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line (default: this process's) and return its exit status."""
+    if arguments is None:
+        prepare()
+    return guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
+
+
+def _command(arguments: list[str]) -> int:
+    command = typer.main.get_command(app)
+    status = command.main(arguments, prog_name="screwgen", standalone_mode=False)
+    if status == 130:
+        raise KeyboardInterrupt
+    sys.stdout.flush()
+    return status if isinstance(status, int) else 0

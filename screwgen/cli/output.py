@@ -1,0 +1,56 @@
+"""What a user sees while and after work is done: progress on a terminal's stderr, file names on stdout."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from ..spec.advice import advice
+from ..spec.load import load, one_line
+from ..spec.robot import Robot
+
+
+def say(text: str, quiet: bool) -> None:
+    """A summary on stdout."""
+    if text and not quiet:
+        print(text)
+
+
+def load_robot(path: str, quiet: bool = False) -> Robot:
+    """The robot in a file, with a note on stderr on whatever in it is seldom meant."""
+    robot = load(path)
+    for line in () if quiet else advice(robot):
+        print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
+    return robot
+
+
+def shows_progress(quiet: bool) -> bool:
+    """Whether somebody watches."""
+    return not quiet and sys.stderr is not None and sys.stderr.isatty()
+
+
+@contextmanager
+def busy(what: str, quiet: bool) -> Iterator[None]:
+    """A spinner, while work of unknown length is done."""
+    if not shows_progress(quiet):
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(what):
+        yield
+
+
+@contextmanager
+def bar(what: str, total: int, quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
+    """A progress bar, as the function `(done, total)` to call; None where nobody watches."""
+    if not shows_progress(quiet):
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda done, _: progress.update(task, completed=done)

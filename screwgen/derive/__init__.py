@@ -1,1 +1,0 @@
-"""The derivation: from the kinematics of a link class to its blocks, in sympy."""

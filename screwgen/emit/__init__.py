@@ -1,1 +1,0 @@
-"""The back ends: one file each, none knows another."""

@@ -1,0 +1,172 @@
+"""From a block's sympy components to nodes of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from ..algebra.functions import stumpff
+from .block import Binding, Block, Step
+from .program import Array, Tracer, Value, give_label
+
+
+def lower(
+    block: Block,
+    inputs: Mapping[str, Array],
+    outputs: Sequence[str],
+    tracer: Tracer,
+    constant: Callable[[str], Value] | None = None,
+) -> dict[str, Array]:
+    """Record the steps of ``block`` that ``outputs`` need and return the outputs' entries.
+
+    ``inputs`` holds arrays of nodes or floats for the block's inputs (others are passed over).  With
+    ``constant``, whatever follows from the parameters alone is not recorded but asked for by its label:
+    that slice of the block is the ``prepare`` program.
+    """
+    known = _Known(block, constant)
+    for name, array in inputs.items():
+        if name not in block.inputs:
+            continue
+        for symbol, value in zip(block.values[name].flat, np.asarray(array, dtype=object).flat, strict=True):
+            known[symbol.name] = value
+    for step in needed(block, outputs, known, constant is not None):
+        with tracer.section(title(step)):
+            for symbol, expression in step.assignments:
+                value = recipe(expression)(known, tracer)
+                give_label(value, symbol.name)
+                known[symbol.name] = value
+    return {name: _array(block.values[name], known, tracer) for name in outputs}
+
+
+def title(step: Step) -> str:
+    """What a section says of its step."""
+    number = f" ({step.equation})" if step.equation else ""
+    return f"{step.signal.name}: {step.signal.meaning}{number}"
+
+
+def needed(block: Block, outputs: Sequence[str], given: Mapping, sliced: bool) -> list[Step]:
+    """The steps that ``outputs`` depend on, in their order; with ``sliced`` only those of the state.
+
+    ``given`` holds the names of the symbols that need no step.
+    """
+    wanted = {s.name for name in outputs for entry in block.values[name].flat for s in entry.free_symbols}
+    kept = []
+    for step in reversed(block.steps.values()):
+        if sliced and step.signal.binding <= Binding.PARAMETER:
+            continue
+        if any(name in wanted and name not in given for name in step.uses):
+            kept.append(step)
+            wanted.update(*(read for name, read in step.uses.items() if name in wanted))
+    return kept[::-1]
+
+
+class _Known(dict):
+    """Values by the names of symbols; parameter-level ones are fetched on demand as named constants."""
+
+    def __init__(self, block: Block, constant: Callable[[str], Value] | None):
+        super().__init__()
+        self.block, self.constant = block, constant
+
+    def __missing__(self, name: str) -> Value:
+        if self.constant is not None and self.block.bindings[sp.Symbol(name, real=True)] <= Binding.PARAMETER:
+            return self.constant(name)
+        raise KeyError(f"block {self.block.name}: no value for {name}")
+
+
+def _array(entries: Array, known: Mapping, tracer: Tracer) -> Array:
+    out = np.empty(entries.shape, dtype=object)
+    for index, entry in np.ndenumerate(entries):
+        out[index] = recipe(entry)(known, tracer)
+    return out
+
+
+# ------------------------------------------------------------------------------ one expression
+
+Recipe = Callable[[Mapping[str, Value], Tracer], Value]
+"""Records an expression: takes the values of its symbols by name, and the tracer."""
+
+
+@cache
+def recipe(e: sp.Expr) -> Recipe:
+    """How a sympy expression becomes nodes, grouped as it is written; read once, however often it is recorded."""
+    if e.is_Symbol:
+        name = e.name
+        return lambda known, _: known[name]
+    if e.is_Number or e.is_NumberSymbol:
+        number = float(e)
+        return lambda *_: number
+    if e.is_Add:
+        return _sum(e)
+    if e.is_Mul:
+        return _product(e)
+    if e.is_Pow:
+        return _power(recipe(e.base), e.exp)
+    if isinstance(e, stumpff):
+        order, argument = int(e.args[0]), recipe(e.args[1])
+        return lambda known, tracer: _stumpff(order, argument(known, tracer), tracer)
+    if isinstance(e, sp.sin | sp.cos):
+        function, angle = type(e).__name__, recipe(e.args[0])
+        return lambda known, tracer: tracer.call(function, angle(known, tracer))
+    raise TypeError(f"cannot lower {e}")
+
+
+def _sum(e: sp.Add) -> Recipe:
+    """Positive terms first, so that a sum need not begin with a sign."""
+    signed = [(t.could_extract_minus_sign(), t) for t in e.args]
+    (_, leading), *others = sorted(signed, key=lambda pair: pair[0])
+    first, rest = recipe(leading), [(minus, recipe(-t if minus else t)) for minus, t in others]
+
+    def record(known, tracer):
+        total = first(known, tracer)
+        for minus, term in rest:
+            value = term(known, tracer)
+            total = total - value if minus else total + value
+        return total
+
+    return record
+
+
+def _product(e: sp.Mul) -> Recipe:
+    coefficient, rest = e.as_coeff_Mul()
+    ordered = rest.as_ordered_factors()
+    below = [f for f in ordered if f.is_Pow and f.exp.is_number and f.exp.is_negative]
+    number = float(coefficient)
+    factors, divisors = [recipe(f) for f in ordered if f not in below], [recipe(1 / f) for f in below]
+
+    def record(known, tracer):
+        total: Value = number
+        for factor in factors:
+            total = total * factor(known, tracer)
+        for divisor in divisors:
+            total = total / divisor(known, tracer)
+        return total
+
+    return record
+
+
+def _power(base: Recipe, exponent: sp.Expr) -> Recipe:
+    if exponent == sp.Rational(1, 2):
+        return lambda known, tracer: tracer.call("sqrt", base(known, tracer))
+    if not exponent.is_Integer:
+        raise TypeError(f"cannot lower the power {exponent}")
+    count, inverted = abs(int(exponent)), exponent < 0
+
+    def record(known, tracer):
+        power = value = base(known, tracer)
+        for _ in range(count - 1):
+            power = power * value
+        return 1.0 / power if inverted else power
+
+    return record
+
+
+def _stumpff(order: int, x: Value, tracer: Tracer) -> Value:
+    """``c_k`` from the primitives ``c_4`` and ``c_5`` by ``c_k = 1/k! - x c_{k+2}``."""
+    if order in (4, 5):
+        return tracer.call(f"c{order}", x)
+    if order > 5:
+        raise ValueError(f"no primitive for the Stumpff function of order {order}")
+    return float(1 / sp.factorial(order)) - x * _stumpff(order + 2, x, tracer)

@@ -1,0 +1,163 @@
+"""The rows of the assembled system that a joint contributes, (58)-(63)."""
+
+from __future__ import annotations
+
+from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
+from ..algebra.screw import diagonal_blocks, lever, twice
+from ..ir.block import Block
+from ..topology.link_class import LinkClass
+
+LINK = "F_i"
+TIP = "parent's tip frame"
+MIXED = "rad/s^2, m/s^2, N*m"
+
+
+def joint_rows_block(key: LinkClass) -> Block:
+    """The six completed rows of a joint: ``P`` (compatibility, differentiated once), and what the motors supply.
+
+    ``P (J_B Vdot_i - X Vdot_T - J_B beta) + [A A^+ tau_w - A^+T (tau - J_m qddot - b qdot - k q); 0] = 0``
+    with ``qddot = A^+ (omegadot_i - R^T omegadot_T - beta_omega)``: the projector (43) has rank 6 - m, the
+    motors' rows complete it.
+    """
+    b = Block("joint_rows", "Rows of the joint")
+    m = key.joints
+    R = b.input("R_rel", (3, 3), r"\mathbf{R}_{(i-1)i}", "-", TIP, "rotation of F_i relative to the parent's tip frame")
+    A = b.input("A", (3, m), r"\mathbf{A}_i", "-", LINK, "columns: the joint's axes", numbered=(1,))
+    A_plus = b.input("A_plus", (m, 3), r"\mathbf{A}_i^{+}", "-", LINK, "pseudo-inverse of the axes", numbered=(0,))
+    beta = b.input(
+        "beta",
+        (6, 1),
+        r"\boldsymbol{\beta}_i",
+        "rad/s^2, m/s^2",
+        LINK,
+        "acceleration that the velocities cause at the joint",
+    )
+    b_P = b.input("b_P", (6, 1), r"\mathbf{b}_{T,i-1}", "rad/s^2, m/s^2", TIP, "acceleration bias of the parent's tip")
+    tau = b.input("tau", (m, 1), r"\boldsymbol{\tau}_i", "N*m", "-", "joint torques")
+    X = b.step(
+        "X",
+        twice(R.T) @ lever(_offset(b, key)),
+        r"\mathbf{X}_i",
+        unit="-, m",
+        frame=LINK,
+        equation="49",
+        meaning="twist of the joint point in F_i axes from the parent's tip twist",
+    )
+    J_B = b.step(
+        "J_B",
+        lever(joint_point(b, key)),
+        r"\mathbf{J}_B",
+        unit="-, m",
+        frame=LINK,
+        equation="47",
+        meaning="twist of the joint point from that of F_i",
+    )
+    N = b.step(
+        "N",
+        A @ A_plus if m else zeros(3, 3),
+        r"\mathbf{N}_i",
+        unit="-",
+        frame=LINK,
+        meaning="projector onto the joint's axes",
+    )
+    b.step(
+        "P",
+        diagonal_blocks(identity(3) - N, identity(3)),
+        r"\mathbf{P}_i",
+        unit="-",
+        frame=LINK,
+        equation="43",
+        meaning="projector onto what the joint blocks",
+    )
+    free = identity(3) - N
+    if key.armature:
+        J_m = b.parameter(
+            "armature", (m, 1), r"\mathbf{j}_m", "kg*m^2", "-", "rotor inertias seen at the joint", numbered=(0,)
+        )
+        free = free + A_plus.T @ Diagonal(J_m) @ A_plus
+    P_c = b.step(
+        "P_c",
+        diagonal_blocks(free, identity(3)),
+        r"\mathbf{P}_{c,i}",
+        unit="-, kg*m^2",
+        frame=LINK,
+        equation="43",
+        meaning="P with the rotor inertias about the axes",
+    )
+    b.step(
+        "joint_w",
+        diagonal_blocks(N, zeros(3, 3)),
+        r"\mathbf{M}_{\mathcal{W},i}",
+        unit=MIXED,
+        equation="59",
+        meaning="columns of the joint's wrench",
+    )
+    b.step(
+        "joint_V", P_c @ J_B, r"\mathbf{M}_{V,i}", unit=MIXED, equation="59", meaning="columns of the link's twist rate"
+    )
+    PX = b.step(
+        "PX",
+        P_c @ X,
+        r"\mathbf{M}_{T,i}",
+        unit=MIXED,
+        equation="59",
+        meaning="columns of the parent's tip, with a minus sign",
+    )
+    passive = _passive(b, key)
+    bias = -(P_c @ J_B @ beta) - PX @ b_P
+    b.step(
+        "joint_H",
+        bias + stack(A_plus.T @ passive, zeros(3)) if passive is not None else bias,
+        r"\mathbf{H}_{p,i}",
+        unit=MIXED,
+        equation="61",
+        meaning="what the velocities, springs and dampers leave in the joint's rows",
+    )
+    b.step(
+        "joint_W",
+        stack(A_plus.T @ tau if m else zeros(3), zeros(3)),
+        r"\boldsymbol{\mathcal{W}}_{p,i}",
+        unit="N*m",
+        equation="62",
+        meaning="the motors' torques in the joint's rows",
+    )
+    return b
+
+
+def _passive(b: Block, key: LinkClass) -> Expression | None:
+    """``b qdot + k q``: what damper and spring need; nothing if there are none."""
+    total: Expression | None = None
+    for present, name, state, display in (
+        (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.stiffness, "joint_stiffness", "q", r"\mathbf{q}_i"),
+    ):
+        if present:
+            column = b.parameter(
+                name,
+                (key.joints, 1),
+                rf"\mathbf{{{name[6]}}}_q",
+                "N*m*s/rad, N*m/rad",
+                "-",
+                name.replace("_", " "),
+                numbered=(0,),
+            )
+            motion = b.input(
+                state, (key.joints, 1), display, "rad, rad/s", "-", "joint coordinates or rates", numbered=(0,)
+            )
+            term = Diagonal(column) @ motion
+            total = term if total is None else total + term
+    return total
+
+
+def _offset(b: Block, key: LinkClass) -> Expression:
+    if not key.mount_xyz:
+        return zeros(3)
+    return b.parameter("mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point")
+
+
+def joint_point(b: Block, key: LinkClass) -> Expression:
+    """The joint point in F_i."""
+    if not key.frame_at:
+        return zeros(3)
+    f = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
+    return stack(-f, zeros(1), zeros(1))

@@ -1,1 +1,0 @@
-"""From mathematics with meaning to straight-line programs without."""

@@ -1,0 +1,267 @@
+"""From a robot to everything: the compiler's stages in one place.
+
+robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedule -> NumPy, CasADi, C, LaTeX
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from .algorithms.dae_functions import dae_names
+from .algorithms.scope import common, derived
+from .arguments import Given
+from .backends.numpy.numeric import Numeric
+from .errors import PrecisionWarning, UsageError
+from .folder import check_folder, write_folder
+from .ir.block import Block
+from .paper.z_functions import cauchy_names
+from .spec.parameters import coordinate_names, parameters
+from .spec.robot import Robot
+from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
+from .topology.chain import Chain
+from .validity import Validity
+from .version import __version__ as VERSION
+
+TARGETS = ("c", "casadi", "latex")
+
+
+class Model:
+    """A robot with its derived blocks; every product is made when it is first asked for."""
+
+    def __init__(self, robot: Robot):
+        self.robot = robot
+        self.chain = Chain(robot)
+        names = coordinate_names(robot)
+        self.q_names, self.v_names = list(names.q), list(names.v)
+        self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
+        self.parameter_names = [p.name for p in parameters(robot)]
+        self.parameter_values = [p.value for p in parameters(robot)]
+
+    @property
+    def version(self) -> str:
+        """The version of the tool that derived the model."""
+        return VERSION
+
+    @property
+    def nq(self) -> int:
+        """The number of coordinates: joint angles, then modal coordinates."""
+        return self.chain.nq
+
+    @property
+    def n_links(self) -> int:
+        return self.chain.n
+
+    @property
+    def n_joints(self) -> int:
+        """The number of joint coordinates, which is the number of torques."""
+        return self.chain.n_joints
+
+    def blocks(self, link: int) -> dict[str, Block]:
+        """The derived blocks of a link (those of its class, and those that all links share) by name."""
+        return derived(self.chain.keys[link]) | common()
+
+    @property
+    def dae_names(self) -> dict[str, list[str]]:
+        """The names of the entries of ``x`` and ``z`` of the DAE form."""
+        return dae_names(self.chain)
+
+    @property
+    def cauchy_names(self) -> dict[str, list[str]]:
+        """The names of the entries of ``x_c`` and of the unknowns ``q_sys`` of the Z-form."""
+        return cauchy_names(self.chain)
+
+    @cached_property
+    def _casadi(self) -> Mapping:
+        from .backends.casadi import functions as casadi
+        from .backends.casadi import motion as casadi_motion
+        from .paper import z_casadi as casadi_z
+
+        makers = casadi.functions(self.chain) | casadi.dae_functions(self.chain) | casadi_z.z_functions(self.chain)
+        makers |= casadi_motion.motion_functions(self.chain)
+        found = casadi.Functions(
+            makers
+            | {
+                "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
+                "dae": lambda: casadi.dae(self.chain, found["assemble"]),
+            }
+        )
+        return found
+
+    def casadi(self) -> Mapping:
+        """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
+
+        Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
+        ``modal_midpoint``, ``step_<method>`` one of another method of :data:`screwgen.integrators.methods.METHODS`.
+        ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
+        ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
+        """
+        return self._casadi
+
+    def acados(self, form="joint", parameters="runtime", w_ext=False):
+        """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
+
+        ``form``: ``"joint"``: x = [q; v] (2 nq), ``f_expl_expr`` and ``f_impl_expr``, z empty; ``"dae"``: x and z of
+        :attr:`dae_names`, so that joint wrenches can be constrained, ``f_impl_expr`` alone.  u: the joint torques.
+        ``parameters``: ``"runtime"`` (the symbols p) or ``"baked"`` (numbers of the robot file); ``w_ext``: whether the
+        external tip wrenches are parameters behind them, link by link [τ; F], or zero.
+        Of the DAE the joints drift by the integrator's error; start at ``casadi()["dae_state"](q, v, p)``.
+        """
+        from .backends.casadi.acados import acados
+
+        return acados(self.chain, self.casadi(), form, parameters, w_ext)
+
+    @cached_property
+    def _linearisation(self):
+        from .backends.casadi.linear import linearisation
+
+        return linearisation(self.chain)
+
+    def linearise(
+        self, q, v=None, tau=None, w_ext=None, parameters=None, outputs=OUTPUTS, inputs=INPUTS
+    ) -> LinearModel:
+        """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
+
+        ``q`` (nq, or the joints alone), ``v`` (nq), ``tau`` (n_joints), ``w_ext`` (n, 6): zero where left out;
+        ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
+        ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``,
+        ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
+        ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
+        neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
+        ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.
+        Raises UsageError, and SingularError that names the joint.
+        """
+        return linearise(self.chain, self._linearisation, q, v, tau, w_ext, parameters, outputs, inputs)
+
+    def validity(self, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
+        """How far every link is from the limits of the first-order model, in a state.
+
+        ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
+        the order of ``parameter_names``, the file's by default.  Raises SingularError that names the joint.
+        """
+        v, tau = np.zeros(self.nq) if v is None else v, np.zeros(self.n_joints) if tau is None else tau
+        w_ext = np.zeros((self.n_links, 6)) if w_ext is None else w_ext
+        return Validity(self._link_names, self.numpy(parameters).validity(q, v, tau, w_ext))
+
+    def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
+        """The same where the posture ``q`` (nq,) is held against gravity and ``w_ext`` (n, 6)."""
+        return Validity(self._link_names, self.numpy(parameters).validity_at_rest(q, w_ext))
+
+    @property
+    def _link_names(self) -> tuple[str, ...]:
+        return tuple(link.name for link in self.robot.links)
+
+    @cached_property
+    def statics(self):
+        """The CasADi function ``(q, w_ext, p) -> (potential, force, stiffness, weight, wrench, tip)`` of rest."""
+        from .backends.casadi.linear import statics
+
+        return statics(self.chain)
+
+    def write(
+        self,
+        folder,
+        targets=TARGETS,
+        parameters="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=False,
+        estimator=False,
+    ) -> list[str]:
+        """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
+
+        ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
+        ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
+        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
+        ``estimator``: also a Kalman filter in C, with the derivatives that it needs.  Writes all or nothing;
+        refuses a folder that holds files it did not write (:class:`UsageError`).
+        """
+        check_folder(Path(folder))
+        makers = {
+            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator),
+            "casadi": self._casadi_files,
+            "latex": self._latex_files,
+        }
+        unknown = [t for t in targets if t not in makers]
+        if unknown:
+            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(TARGETS)}")
+        files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
+        return write_folder(folder, files, tuple(targets))
+
+    def c_files(
+        self, parameters="runtime", layout="auto", batch=False, derivatives=False, estimator=False
+    ) -> dict[str, bytes]:
+        """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
+
+        Raises :class:`UsageError` where double precision will not.
+        """
+        from .backends.c.project import CProject
+
+        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator)
+        files = {name: text.encode() for name, text in project.files().items()}
+        if lost := project.check["lost"]:
+            said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
+            warnings.warn(f"{said}; compile it as double", PrecisionWarning, stacklevel=2)
+        return files
+
+    def compile(
+        self,
+        layout="auto",
+        precision="double",
+        derivatives=False,
+        flags: Sequence[str] = ("-O2",),
+        cache: bool | str | os.PathLike = True,
+        parameters="runtime",
+    ):
+        """The C, compiled and loaded: a :class:`screwgen.runtime.compiled.Compiled`, functions on NumPy arrays.
+
+        ``layout``, ``parameters`` and ``derivatives``: as :meth:`write` takes them; ``precision``: ``"double"`` or
+        ``"single"``; ``flags`` of the compiler (CC, else cc); ``cache``: a folder for compiled libraries, True for
+        that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
+        :class:`ScrewgenError` where there is no compiler.
+        """
+        from .runtime.compiled import compile_model
+
+        return compile_model(self, layout, precision, derivatives, flags, cache, parameters)
+
+    @cached_property
+    def _compiled(self):
+        """What runs are stepped in."""
+        return self.compile()
+
+    def _casadi_files(self) -> dict[str, bytes]:
+        from .backends.casadi.functions import casadi_files
+
+        found = self.casadi()
+        written = {name: found[name] for name in found if not name.startswith("step_")}
+        return casadi_files(self.robot, written, self.parameter_names, VERSION)
+
+    def _latex_files(self) -> dict[str, bytes]:
+        from .backends.latex import document as latex
+
+        name = self.robot.name
+        return {f"{name}.tex": latex.document(self.robot).encode(), f"{name}.html": latex.html(self.robot).encode()}
+
+    def _repr_html_(self) -> str:
+        """The equations, as a notebook shows them."""
+        from .backends.latex import document as latex
+
+        return latex.notebook(self.robot)
+
+    def numpy(self, p: Given = None) -> Numeric:
+        """The functions on NumPy arrays, at the file's parameters or at ``p``."""
+        return Numeric(self.chain, self.chain.parameters.vector(p))
+
+    def __reduce__(self) -> tuple[Callable, tuple[Robot]]:
+        """What was said is pickled; the rest is made again from it."""
+        return type(self), (self.robot,)
+
+
+def derive(robot: Robot) -> Model:
+    """Derive a robot's model.  Cheap: blocks are derived per link class, when they are needed."""
+    return Model(robot)

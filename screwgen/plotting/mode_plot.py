@@ -1,0 +1,172 @@
+"""Mode shapes of an arm in its posture as a picture: a view in space per mode, the arm at rest behind it.
+
+Links with torsion modes carry cross-sections, which turn as the sections do.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from scipy.spatial.transform import Rotation
+
+from ..errors import UsageError
+from ..studies.modes import ModeShapes, stiffness
+from . import look
+from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
+from .motion import centrelines, modal_columns, twist
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..model import Model
+
+MOST, COLUMNS, GRID, PANEL = 6, 3, 6, (4.4, 3.8)
+STATIONS = np.linspace(0.0, 1.0, 25)
+"""Places along a link at which it is drawn, base to tip."""
+SPARSE, DENSE = 12, 4
+"""Stations from one cross-section to the next, where many links have them, and where at most two have."""
+AMPLITUDE, TURN = 0.15, 0.7
+"""The largest displacement drawn, over the size of the arm, or the largest turn of a section, rad."""
+WIDTH = 0.025
+"""Half a side of a cross-section, over the size of the arm."""
+STEP = 1e-6
+"""m: the displacement from which the linear one is taken."""
+REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
+WORDS = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+
+
+class Shape(NamedTuple):
+    """How the arm moves in a mode: of the centrelines and, where links have torsion modes, of their sections."""
+
+    motion: np.ndarray
+    """(n, stations, 3) m."""
+    turns: dict[int, np.ndarray]
+    """Of each link with torsion modes (stations,) rad: about its centreline."""
+
+    def scaled(self, factor: float) -> Shape:
+        """The shape, larger."""
+        return Shape(factor * self.motion, {i: factor * turn for i, turn in self.turns.items()})
+
+
+def png(model: Model, q: np.ndarray, found: ModeShapes) -> bytes:
+    """The picture as PNG, the same bytes every time, without date or version."""
+    return look.png(figure(model, q, found))
+
+
+@styled
+def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
+    """The lowest modes, up to six of them; raises UsageError where there are none."""
+    count = min(len(found.frequencies), MOST)
+    if not count:
+        raise UsageError("there are no modes to draw: every link is rigid and no joint has a spring; leave out --plot")
+    rest, frames = centrelines(model, q, STATIONS), model.numpy().link_pose(q)[0]
+    rows = -(-count // COLUMNS)
+    more = f", the lowest {count} of {len(found.frequencies)} modes" if count < len(found.frequencies) else ""
+    out = canvas(-(-count // rows) * PANEL[0], rows * PANEL[1] + 0.8, f"Mode shapes of {model.robot.name}{more}")
+    spaces = rooms(out, filled(out.add_gridspec(rows, GRID), count, COLUMNS))
+    _legend(out, any(modal_columns(model, i, "torsion") for i in range(model.n_links)))
+    for k, axes in enumerate(into_space(out, spaces)):
+        shape, title = found.shapes[:, k], f"{k + 1}: {found.frequencies[k]:.4g} Hz"
+        points = _draw(axes, rest, frames, amplified(rest, field(model, q, shape)))
+        fit(axes, points, title, meaning(model, shape))
+    return out
+
+
+# ------------------------------------------------------------------------------ what moves
+
+
+def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
+    """The motion of the arm, linear in the mode, of arbitrary size."""
+    size = np.max(np.abs(shape))
+    there, back = (q + sign * STEP / size * shape for sign in (1, -1))
+    motion = (centrelines(model, there, STATIONS) - centrelines(model, back, STATIONS)) / (2 * STEP)
+    R, (R_there, R_back) = (model.numpy().link_pose(q)[0], (model.numpy().link_pose(x)[0] for x in (there, back)))
+    turns = {}
+    for i in range(model.n_links):
+        if modal_columns(model, i, "torsion"):
+            rolls = R[i].T @ (R_there[i] - R_back[i]) / (2 * STEP)
+            turns[i] = rolls[2, 1] + twist(model, shape[None] / size, i, STATIONS)[0]
+    return Shape(motion, turns)
+
+
+def amplified(rest: np.ndarray, shape: Shape) -> Shape:
+    """The shape in proportion to the arm, by what moves most, section or centreline; its greatest part positive."""
+    size = np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
+    largest = shape.motion.reshape(-1, 3)[np.argmax(np.linalg.norm(shape.motion, axis=2))]
+    turns = np.concatenate([*shape.turns.values(), [0.0]])
+    parts = np.array([largest[np.argmax(np.abs(largest))], turns[np.argmax(np.abs(turns))]])
+    reach = np.array([np.linalg.norm(largest) / (AMPLITUDE * size), abs(parts[1]) / TURN])
+    return shape.scaled(np.copysign(1 / reach.max(), parts[reach.argmax()]) if reach.max() > 1e-9 else 0.0)
+
+
+def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float) -> np.ndarray:
+    """The corners (stations, 5, 3), m, of square sections across a centreline; the first corner closes the square.
+
+    `line` (stations, 3), m; `frame` (3, 3): the link's axes at rest; `turn` (stations,) rad: about the centreline.
+    """
+    tangent = np.gradient(line, axis=0)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    up = Rotation.from_rotvec(turn[:, None] * frame[:, 0]).apply(frame[:, 1])
+    up -= np.sum(up * tangent, axis=1, keepdims=True) * tangent
+    up /= np.linalg.norm(up, axis=1, keepdims=True)
+    side = np.cross(tangent, up)
+    return np.stack([line + width * (a * up + b * side) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))], 1)
+
+
+def meaning(model: Model, shape: np.ndarray) -> str:
+    """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
+    energies: dict[str, float] = {}
+    for name, energy in zip(model.q_names, stiffness(model) * shape**2, strict=True):
+        link, kind, *direction = name.partition("[")[0].split(".")
+        what = f"{WORDS[direction[0]]} of {link}" if kind == "eta" else f"joint spring of {link}"
+        energies[what] = energies.get(what, 0.0) + energy
+    what = max(energies, key=energies.__getitem__)
+    return f"{what}, {100 * energies[what] / sum(energies.values()):.0f} % of its energy"
+
+
+# ------------------------------------------------------------------------------ how it is drawn
+
+
+def _draw(axes: Axes, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
+    """The arm at rest and at both ends of the vibration; what to frame, (N, 3) m."""
+    points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
+    for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):
+        now = shape.scaled(share)
+        line = rest + now.motion
+        points.append(line)
+        axes.plot(*line.reshape(-1, 3).T, color=color, linewidth=weight)
+        if share >= 0:
+            axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
+            axes.plot(*line[-1, -1], "D", color=color, markersize=5)
+            for i, turn in now.turns.items():
+                corners = sections(line[i], frames[i], turn, width)
+                _sections(axes, corners, DENSE if len(now.turns) <= 2 else SPARSE, color)
+                points.append(corners)
+    elevation, azimuth = view(np.diff(rest, axis=1), shape.motion[:, 1:])
+    axes.view_init(elev=elevation, azim=azimuth)
+    return np.concatenate([x.reshape(-1, 3) for x in points])
+
+
+def _sections(axes: Axes, corners: np.ndarray, step: int, color: str) -> None:
+    """The edges along a link, and the squares across it."""
+    for edge in range(4):
+        axes.plot(*corners[:, edge].T, color=color, linewidth=0.6)
+    for square in corners[::step]:
+        axes.plot(*square.T, color=color, linewidth=0.9)
+
+
+def _legend(out: Figure, torsion: bool) -> None:
+    marks = [dict(marker="o", label="joint"), dict(marker="D", label="tip")]
+    if torsion:
+        marks.append(dict(marker="s", label="cross-section", fillstyle="none"))
+    handles = [
+        Line2D([], [], color=REST, linewidth=1.6, label="at rest"),
+        Line2D([], [], color=MOVED, linewidth=1.8, label="mode, enlarged"),
+        Line2D([], [], color=OTHER, linewidth=0.9, label="half a period later"),
+        *(Line2D([], [], linestyle="none", color=GREY, markersize=5, **mark) for mark in marks),
+    ]
+    title = "each mode from the side that shows it"
+    fitted_legend(out, handles, 0.95 * out.bbox.width, loc="outside lower center", title=title, title_fontsize=8)

@@ -1,0 +1,144 @@
+"""What a motion looks like: poses and twists of the links, displacement fields, the tip's deformation, spectra.
+
+Every function takes the coordinates of N samples, as a run holds them: `q`, `v` (N, nq).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..errors import UsageError
+from ..spec.parameters import coordinate_names
+from ..spec.robot import DIRECTIONS, Modes
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+LATERAL = DIRECTIONS[:3]
+"""The directions that move the centreline: along x, y and z of F_i."""
+
+
+class Screws(NamedTuple):
+    """Poses and twists of n links at N samples, in body-fixed components."""
+
+    theta: np.ndarray
+    """(N, n, 3) rad: exponential coordinates of R_oi, the rotation vector that turns the inertial axes to F_i."""
+    r: np.ndarray
+    """(N, n, 3) m: origin of F_i from the inertial origin, in F_i components, `R_oi^T p_i`."""
+    omega: np.ndarray
+    """(N, n, 3) rad/s: angular velocity of F_i, in F_i components."""
+    v: np.ndarray
+    """(N, n, 3) m/s: velocity of the origin of F_i, in F_i components."""
+
+
+def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Sequence[float] | None = None) -> Screws:
+    """Exponential coordinates and twists of all links, (5) and (twist)."""
+    q, v = _samples(model, q, "q"), _samples(model, v, "v")
+    n, r = model.n_links, model.nq - model.n_joints
+    x = _mapped(model.casadi()["dae_state"], q, v, _values(model, p))
+    poses = x[:, : 7 * n].reshape(-1, n, 7)
+    twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)
+    turns = Rotation.from_quat(poses[..., :4].reshape(-1, 4), scalar_first=True)
+    theta, place = turns.as_rotvec(), turns.inv().apply(poses[..., 4:].reshape(-1, 3))
+    return Screws(theta.reshape(-1, n, 3), place.reshape(-1, n, 3), twists[..., :3], twists[..., 3:])
+
+
+def displacements(model: Model, q: np.ndarray, link: int, points: Sequence[float]) -> np.ndarray:
+    """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
+
+    `points`: places along the link as s in [0, 1], base to tip.
+    """
+    q, modes = _samples(model, q, "q"), model.robot.links[link].modes
+    out = np.zeros((len(q), len(points), 3))
+    for k, direction in enumerate(LATERAL):
+        if columns := modal_columns(model, link, direction):
+            out[:, :, k] = q[:, columns] @ _shapes(modes, direction, tuple(map(float, points)))
+    return out
+
+
+def twist(model: Model, q: np.ndarray, link: int, points: Sequence[float]) -> np.ndarray:
+    """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`."""
+    q, columns = _samples(model, q, "q"), modal_columns(model, link, "torsion")
+    return q[:, columns] @ _shapes(model.robot.links[link].modes, "torsion", tuple(map(float, points)))
+
+
+def centrelines(model: Model, q: np.ndarray, points: Sequence[float]) -> np.ndarray:
+    """The centrelines (n, points, 3) of all links at the coordinates `q` (nq,), inertial frame, m."""
+    (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
+    for i, link in enumerate(model.robot.links):
+        place = displacements(model, q[None], i, points)[0]
+        place[:, 0] += link.length * points - (link.frame_at or 0.0)
+        lines.append(r[i] + place @ R[i].T)
+    return np.array(lines)
+
+
+@lru_cache(maxsize=64)
+def _shapes(modes: Modes, direction: str, points: tuple[float, ...]) -> np.ndarray:
+    """The mode shapes of a direction at points (count, points)."""
+    return np.array(modes.shapes(direction).evaluate(points)).reshape(getattr(modes, direction), len(points))
+
+
+def modal_columns(model: Model, link: int, direction: str) -> list[int]:
+    """The columns of `q` with the modal coordinates of a link in one of `DIRECTIONS`."""
+    start = f"{model.robot.links[link].name}.eta.{direction}["
+    return [k for k, name in enumerate(coordinate_names(model.robot).q) if name.startswith(start)]
+
+
+def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
+    """The coordinates (N, nq) of the same joint angles with straight links."""
+    out = np.zeros_like(_samples(model, q, "q"))
+    out[:, : model.n_joints] = q[:, : model.n_joints]
+    return out
+
+
+def tip_deformation(model: Model, q: np.ndarray, p: Sequence[float] | None = None) -> np.ndarray:
+    """How far (N, 3), m, the last tip is from where straight links at the same joint angles would hold it.
+
+    In inertial components; the slope of a link's tip, which tilts the links after it, counts.
+    """
+    return tip_position(model, q, p) - tip_position(model, undeformed(model, q), p)
+
+
+def tip_position(model: Model, q: np.ndarray, p: Sequence[float] | None = None) -> np.ndarray:
+    """The last tip (N, 3), m, in the inertial frame."""
+    return _mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, p), output=1)
+
+
+def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tuple[np.ndarray, np.ndarray]:
+    """Frequencies (K,) in Hz and amplitudes (K, m) of even samples `x` (N, m) at `t` (N,), in the unit of `x`.
+
+    The mean is taken off; a sine of amplitude a on a line of the grid shows as a. `taper`: under a Hann window, which
+    keeps strong lines from leaking into others but plays down the ends; without, what dies out early counts in full.
+    """
+    x = np.reshape(np.asarray(x, float), (len(t), -1))
+    step = (t[-1] - t[0]) / max(len(t) - 1, 1)
+    if len(t) < 4 or np.abs(np.diff(t) - step).max() > 1e-6 * step:
+        raise UsageError("a spectrum needs at least four samples at even distances in time")
+    window = np.ones(len(t))
+    if taper:
+        window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(len(t)) / len(t))
+    weighted = window[:, None] * (x - np.average(x, axis=0, weights=window))
+    return np.fft.rfftfreq(len(t), step), 2 * np.abs(np.fft.rfft(weighted, axis=0)) / window.sum()
+
+
+def _values(model: Model, p: Sequence[float] | None) -> np.ndarray:
+    return np.array(model.parameter_values if p is None else p, float)
+
+
+def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
+    x = np.asarray(x, float)
+    if x.ndim != 2 or x.shape[1] != model.nq:
+        raise UsageError(f"{name} has shape {x.shape}; it must be (samples, {model.nq})")
+    return x
+
+
+def _mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
+    """An output of a CasADi function for every sample (N, …); the last argument, `p`, is one for all."""
+    *rows, p = rows
+    out = function.map(len(rows[0]))(*(x.T for x in rows), np.tile(p, (len(rows[0]), 1)).T)
+    return np.array(out[output] if isinstance(out, tuple) else out).T

@@ -1,0 +1,270 @@
+"""A run at a glance: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from ..simulation.inputs import started
+from ..simulation.runs import Run, check_output, outputs
+from . import look
+from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
+from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
+from .motion import centrelines
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..model import Model
+
+COLUMNS, GRID = 3, 6
+"""Panels in a row, and columns of the grid below them, which hold one to three panels without a gap."""
+PANEL = (4.6, 2.9)
+SPACE = (2, 4)
+"""Rows and columns of the grid for the arm in space; the first panels stand beside it."""
+POSTURES, STATIONS = 5, np.linspace(0.0, 1.0, 17)
+"""In how many postures the arm is drawn, and at which places along each link."""
+GOAL = dict(linewidth=4.5, alpha=0.28, solid_capstyle="butt")
+BOUND = dict(linewidth=0.9, linestyle=(0, (7, 2, 1, 2)))
+PATH = dict(color=INK, linewidth=0.9)
+EARLIER = dict(color=PALE, linewidth=1.6)
+MARK = dict(marker="o", linestyle="none", markersize=6)
+START, END = PALETTE[2], PALETTE[3]
+
+
+class Line(NamedTuple):
+    """A curve over time: its label where it has one of its own, colour and style, and what it is to follow and keep."""
+
+    values: np.ndarray
+    color: Any
+    style: str = "-"
+    label: str | None = None
+    goal: np.ndarray | None = None
+    bound: float | None = None
+
+
+class Panel(NamedTuple):
+    """One set of axes over time."""
+
+    title: str
+    symbol: str
+    unit: str
+    lines: list[Line]
+
+    @property
+    def largest(self) -> float:
+        """The largest magnitude of all, in SI units."""
+        return max(float(np.abs(line.values).max()) for line in self.lines)
+
+
+@styled
+def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
+    """The figure of a run; what is zero throughout is said, not drawn.
+
+    `model`: that of the run, to draw the arm. `controller`: its set points (`reference(t)`) and torque limits
+    (`tau_max`) are drawn where it states them.
+    """
+    shown, silent = sift(panels(run, controller))
+    below = max(len(shown) - SPACE[0], 0)
+    rows = SPACE[0] + -(-below // COLUMNS)
+    out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run))
+    if silent:
+        out.supxlabel(f"zero throughout: {', '.join(silent)}", fontsize=look.SMALL, color=GREY)
+    grid = out.add_gridspec(rows, GRID)
+    beside = min(len(shown), SPACE[0])
+    cells = [grid[k * SPACE[0] // beside : (k + 1) * SPACE[0] // beside, SPACE[1] :] for k in range(beside)]
+    cells += filled(grid, below, COLUMNS, SPACE[0])
+    for panel, cell in zip(shown, cells, strict=True):
+        _curves(out.add_subplot(cell), panel, run.t)
+    space = grid[: SPACE[0], : SPACE[1] if shown else GRID].subgridspec(2, 1, height_ratios=(8, 1))
+    room = look.rooms(out, [space[0]])
+    _key(out.add_subplot(space[1]), run, shown, model is not None)
+    if run.wrench.shape[1] > len(PALETTE):
+        _links(out, run.wrench.shape[1])
+    for axes in look.into_space(out, room):
+        _space(axes, run, model)
+    return out
+
+
+def save(run: Run, path: str | os.PathLike[str], model: Model | None = None, controller: Any = None) -> None:
+    """Write the figure as a .png file, the same bytes every time; arguments as of `figure`. Raises UsageError."""
+    check_output(path, (".png",))
+    with outputs(path) as (stream,):
+        stream.write(png(run, model, controller))
+
+
+def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
+    """The figure as PNG, without date or version; arguments as of `figure`."""
+    return look.png(figure(run, model, controller))
+
+
+# ------------------------------------------------------------------------------ what is shown
+
+
+def panels(run: Run, controller: Any = None) -> list[Panel]:
+    """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
+    q, norms = partial(_lines, run, run.q, run.q_names), partial(_norms, run)
+    kinetic, potential = run.energy.T
+    energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
+    energy.append(Line(kinetic + potential, INK, "--", "total"))
+    angles = _with(q(".joint["), "goal", _goals(run, controller))
+    torques = _with(_lines(run, run.tau, run.tau_names, ".torque["), "bound", _bounds(controller))
+    place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
+    return [
+        Panel("Joint angles", "q", "rad", angles),
+        Panel("Joint torques", "τ", "N·m", torques),
+        Panel("Bending in y", "η", "m", q(".eta.bending_y[")),
+        Panel("Bending in z", "η", "m", q(".eta.bending_z[")),
+        Panel("Axial modes", "η", "m", q(".eta.axial[")),
+        Panel("Torsion modes", "η", "rad", q(".eta.torsion[")),
+        Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
+        Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
+        Panel("Energy", "E", "J", energy),
+        Panel("Tip, inertial frame", "r", "m", place),
+    ]
+
+
+def sift(given: list[Panel]) -> tuple[list[Panel], list[str]]:
+    """The panels with something to show, and the titles of those that are zero throughout."""
+    full = [panel for panel in given if panel.lines]
+    return [p for p in full if p.largest > NOTHING], [p.title.lower() for p in full if p.largest <= NOTHING]
+
+
+def link_names(run: Run) -> list[str]:
+    """The names of the links, base to tip."""
+    return [name.rpartition(".")[0] for name in run.wrench_names[::6]]
+
+
+def color(link: int, n: int) -> tuple | str:
+    """The colour of a link: by name while there are few, on a scale from base to tip when there are many."""
+    return PALETTE[link % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * link / (n - 1))
+
+
+def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
+    """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link."""
+    links = link_names(run)
+    found = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
+    return [
+        Line(values[:, k], color(links.index(link), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
+        for k, link, member in found
+    ]
+
+
+def _norms(run: Run, part: slice) -> list[Line]:
+    n = run.wrench.shape[1]
+    return [Line(np.linalg.norm(run.wrench[:, i, part], axis=1), color(i, n)) for i in range(n)]
+
+
+def _with(lines: list[Line], field: str, values: np.ndarray | None) -> list[Line]:
+    """The lines with a field each from `values`, where there are any."""
+    if values is None or len(values) != len(lines):
+        return lines
+    return [line._replace(**{field: value}) for line, value in zip(lines, values, strict=True)]
+
+
+def _goals(run: Run, controller: Any) -> np.ndarray | None:
+    """The set points (n_joints, N), rad, of a controller that states them."""
+    law = started(controller, run.q[0])
+    if not hasattr(law, "reference"):
+        return None
+    times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
+    return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
+
+
+def _bounds(controller: Any) -> np.ndarray | None:
+    """The torque limits (n_joints,), N·m, of a controller that states them."""
+    bounds = getattr(controller, "tau_max", None)
+    return None if bounds is None else np.array(bounds, float)
+
+
+# ------------------------------------------------------------------------------ how it is drawn
+
+
+def _headline(run: Run) -> str:
+    steps = len(run.t) - 1
+    return f"{run.name}: {run.t[-1]:g} s in {steps} step{'s' if steps != 1 else ''}"
+
+
+def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
+    goals = [line.goal for line in panel.lines if line.goal is not None]
+    bounds = [line.bound for line in panel.lines if line.bound is not None]
+    fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds)
+    for line in panel.lines:
+        for values, options in ((line.goal, GOAL), (line.values, {"linestyle": line.style, "label": line.label})):
+            if values is not None:
+                x, y = thin(t, values)
+                axes.plot(x, fitted.factor * y, color=line.color, **options)
+        if line.bound is not None:
+            for sign in (-1, 1):
+                axes.axhline(sign * fitted.factor * line.bound, color=line.color, **BOUND)
+    over_time(axes, t, panel.title, f"{panel.symbol} ({fitted.unit})", fitted)
+    legend_above(axes)
+
+
+def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
+    """What colours and styles mean, for all panels, in a strip of its own."""
+    links, lines = link_names(run), [line for panel in shown for line in panel.lines if line.label is None]
+    n, every = len(links), (run.t[-1] - run.t[0]) / (POSTURES - 1)
+    entries = [(name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)]
+    for style, word in zip(STYLES[1:], ("second", "third", "fourth"), strict=True):
+        if any(line.style == style for line in lines):
+            entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
+    if any(line.goal is not None for line in lines):
+        entries.append(("set point", GOAL))
+    if any(line.bound is not None for line in lines):
+        entries.append(("torque limit", BOUND))
+    entries.append(("path of the tip", PATH))
+    entries += [(name, MARK | dict(color=shade)) for name, shade in (("its start", START), ("its end", END))]
+    if arm:
+        entries.append((f"the arm before, every {every:.3g} s", EARLIER))
+    handles = [Line2D([], [], label=name, **{"color": GREY} | style) for name, style in entries]
+    axes.axis("off")
+    fitted_legend(axes, handles, 0.95 * SPACE[1] / GRID * axes.figure.bbox.width, loc="center")
+
+
+def _links(out: Figure, n: int) -> None:
+    """The link's number as a colour bar."""
+    shades = ScalarMappable(Normalize(1, n), colormaps["viridis"])
+    ticks = sorted({round(x) for x in np.linspace(1, n, 6)})
+    out.colorbar(shades, ax=out.axes, label="link, from base to tip", ticks=ticks, pad=0.01, aspect=60)
+
+
+def _space(axes: Axes, run: Run, model: Model | None) -> None:
+    """The arm in some postures and the path of its tip, true to scale; without a model the path alone."""
+    path = run.tip_position[np.linspace(0, len(run.t) - 1, min(len(run.t), 2000)).round().astype(int)]
+    axes.plot(*path.T, **PATH)
+    for place, shade in ((path[:1], START), (path[-1:], END)):
+        axes.plot(*place.T, color=shade, zorder=5, **MARK)
+    points = [path]
+    if model is not None:
+        rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
+        postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
+        _arm(axes, postures)
+        points.append(postures.reshape(-1, 3))
+    points = np.concatenate(points)
+    _, size, direction = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])
+    axes.view_init(elev=elevation, azim=azimuth)
+    what = "The path of the tip" if model is None else "The arm and the path of its tip"
+    look.fit(axes, points, f"{what}, true to scale")
+
+
+def _arm(axes: Axes, postures: np.ndarray) -> None:
+    """Postures (K, n, stations, 3): the earlier ones pale, the last one link by link in their colours."""
+    n = postures.shape[1]
+    for links in postures[:-1]:
+        axes.plot(*links.reshape(-1, 3).T, **EARLIER)
+        axes.plot(*links[:, 0].T, "o", color=PALE, markersize=3)
+    for i, link in enumerate(postures[-1]):
+        end = postures[-1, i + 1, :1] if i + 1 < n else link[-1:]
+        axes.plot(*np.concatenate([link, end]).T, color=color(i, n), linewidth=2.4)
+        axes.plot(*link[:1].T, "o", color=color(i, n), markersize=4.5)
+    axes.plot(*postures[0, 0, :1].T, "s", color=INK, markersize=7)

@@ -1,0 +1,188 @@
+"""The batch of the generated C, compiled for this machine and loaded: many scenarios at once."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from ..backends.c.project import METHODS, CProject
+from ..errors import ScrewgenError, UsageError
+from ..model import Model
+from .compiled import STATUS
+from .library import load
+from .memory import pointer
+from .pace import FIRST, slices
+
+FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
+"""Without contraction a machine with wider registers gives the same numbers."""
+
+OK, NONFINITE, SINGULAR = range(3)
+"""The statuses of a scenario."""
+
+BLOCK = 16
+"""As many scenarios as any register has lanes: a thread's share is a multiple."""
+
+_written: WeakKeyDictionary[Model, dict[str, str]] = WeakKeyDictionary()
+_loaded: WeakKeyDictionary[Model, dict[bool, CompiledBatch]] = WeakKeyDictionary()
+
+
+class _Batch(ctypes.Structure):
+    """``<robot>_batch`` of the generated C."""
+
+    _fields_ = (
+        ("count", ctypes.c_int),
+        ("stride", ctypes.c_int),
+        ("own_constants", ctypes.c_int),
+        ("q", ctypes.c_void_p),
+        ("v", ctypes.c_void_p),
+        ("hold", ctypes.c_int),
+        ("tau", ctypes.c_void_p),
+        ("tau_period", ctypes.c_size_t),
+        ("w_ext", ctypes.c_void_p),
+        ("w_ext_period", ctypes.c_size_t),
+        ("q_path", ctypes.c_void_p),
+        ("v_path", ctypes.c_void_p),
+        ("status", ctypes.c_void_p),
+        ("fault", ctypes.c_void_p),
+        ("completed", ctypes.c_void_p),
+    )
+
+
+class CompiledBatch:
+    """The batch of a robot in a shared library; arrays have the scenarios last.
+
+    Raises :class:`ScrewgenError` where there is no C compiler or it does not take the flags.
+    """
+
+    def __init__(self, model: Model, single=False, flags=FLAGS, compiler: str | None = None):
+        self.model, self.real = model, np.float32 if single else np.float64
+        name = model.robot.name
+        define = [f"-D{name.upper()}_REAL_FLOAT"] if single else []
+        self.library = load(_files(model), [*flags, *define], compiler)
+
+    def constants(self, p: np.ndarray) -> np.ndarray:
+        """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).
+
+        Raises :class:`UsageError` naming the first whose parameters no robot has.
+        """
+        p, failed = np.ascontiguousarray(p, self.real), ctypes.c_int()
+        out = np.zeros((len(p), self.library.shim_constants_size()), np.uint8)
+        if status := self.library.shim_prepare(pointer(p), len(p), pointer(out), ctypes.byref(failed)):
+            raise UsageError(
+                f"parameters of scenario {failed.value}: {STATUS[status]}; lengths, masses and stiffnesses must be > 0"
+            )
+        return out
+
+    def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str, threads: int) -> tuple:
+        """Fill the paths ``q``, ``v`` (periods + 1, nq, batch) from their first rows on.
+
+        ``tau`` and ``w_ext`` are (periods, n, batch), or (1, n, batch) for all periods.  Returns, for every
+        scenario, status, link at fault and steps done, (batch,) each.  Can be interrupted.
+        """
+        status, fault, done = (np.full(q.shape[2], x, np.int32) for x in (OK, -1, 0))
+        task = _Task(q, v, tau, w_ext, constants, hold, q[0].copy(), v[0].copy(), status, fault)
+        real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
+        number, dt = METHODS.index(method), real(dt)
+
+        def call(first: int, size: int, k: int, periods: int) -> None:
+            """Some periods of the scenarios from `first` on."""
+            own = task.constants[first if len(constants) > 1 else 0 :]
+            batch, made = task.part(first, size, k), np.zeros(size, np.int32)
+            batch.completed = pointer(made)
+            if failed := self.library.shim_batch(number, pointer(own), ctypes.byref(batch), dt, periods):
+                raise ScrewgenError(f"the generated C reports: {STATUS[failed]}")
+            done[first : first + size] += made
+
+        _in_threads(call, blocks(q.shape[2], threads), len(q) - 1)
+        return status, fault, done
+
+
+class _Task(NamedTuple):
+    """What a batch reads and writes."""
+
+    q: np.ndarray
+    v: np.ndarray
+    tau: np.ndarray
+    w_ext: np.ndarray
+    constants: np.ndarray
+    hold: int
+    q_now: np.ndarray
+    v_now: np.ndarray
+    status: np.ndarray
+    fault: np.ndarray
+
+    def part(self, first: int, size: int, k: int) -> _Batch:
+        """The scenarios from `first` on, from period k on."""
+        count, held = self.q.shape[2], {}
+        for name in ("tau", "w_ext"):
+            values = getattr(self, name)
+            varies = len(values) > 1
+            held[name] = pointer(values[k if varies else 0, :, first:])
+            held[f"{name}_period"] = values[0].size if varies else 0
+        return _Batch(
+            count=size,
+            stride=count,
+            own_constants=int(len(self.constants) > 1),
+            q=pointer(self.q_now[:, first:]),
+            v=pointer(self.v_now[:, first:]),
+            hold=self.hold,
+            q_path=pointer(self.q[k + 1, :, first:]),
+            v_path=pointer(self.v[k + 1, :, first:]),
+            status=pointer(self.status[first:]),
+            fault=pointer(self.fault[first:]),
+            **held,
+        )
+
+
+def blocks(count: int, threads: int) -> list[tuple[int, int]]:
+    """The first scenario and the number of them for every thread; a block fills the lanes of registers."""
+    size = -(-count // (threads * BLOCK)) * BLOCK
+    return [(first, min(size, count - first)) for first in range(0, count, max(size, 1))]
+
+
+def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tuple[int, int]], periods: int) -> None:
+    """Work on blocks of scenarios, each in a thread, by parts between which all can be stopped.
+
+    The threads are Python's, which C leaves to run: those of OpenMP do not survive a fork.
+    """
+    stop = threading.Event()
+
+    def work(first: int, size: int) -> None:
+        for k, part in slices(periods, max(1, FIRST // size)):
+            if stop.is_set():
+                break
+            call(first, size, k, part)
+
+    if len(shares) == 1:
+        return work(*shares[0])
+    with ThreadPoolExecutor(max(1, len(shares))) as pool:
+        try:
+            for done in [pool.submit(work, *share) for share in shares]:
+                done.result()
+        finally:
+            stop.set()
+
+
+def _files(model: Model) -> dict[str, str]:
+    """What a batch is compiled from; written once per model."""
+    if model not in _written:
+        project, name = CProject(model.chain, model.version, batch=True), model.robot.name
+        library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
+        files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
+        _written[model] = files | {"shim.c": project.shim("batch_shim.c")}
+    return _written[model]
+
+
+def compiled_batch(model: Model, single: bool) -> CompiledBatch:
+    """The batch of a model, compiled when it is first asked for."""
+    known = _loaded.setdefault(model, {})
+    if single not in known:
+        known[single] = CompiledBatch(model, single)
+    return known[single]
+

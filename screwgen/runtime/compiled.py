@@ -1,0 +1,295 @@
+"""The generated C, compiled and loaded: its functions on NumPy arrays."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from ..algorithms.dae_functions import state_size, unknown_size
+from ..arguments import Given, choice, seconds, whole
+from ..backends.c.project import METHODS, CProject
+from ..backends.c.shim import shims
+from ..errors import ScrewgenError, SingularError, UsageError
+from ..topology.chain import Chain
+from .library import load
+from .memory import Array, Memory, pointer
+from .pace import slices
+
+__all__ = ["STATUS", "Compiled", "CompiledStepper"]
+
+STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
+SINGULAR = 2
+PRECISIONS = ("double", "single")
+LAYOUTS = ("auto", "fused", "modular")
+BINDINGS = ("runtime", "baked")
+FORMS = ("joint", "dae")
+NO_METHOD = "in the generated C there is no integrator"
+
+
+class Derived(Protocol):
+    """What is compiled: :class:`screwgen.Model`."""
+
+    chain: Chain
+    parameter_values: list[float]
+
+    @property
+    def version(self) -> str: ...
+
+
+class LeanProject(CProject):
+    """The C without the reference values of its self-check, which take as long as all the rest."""
+
+    reference = ()
+    check = {"tolerance": {"double": "", "single": ""}, "lost": ""}  # noqa: RUF012
+
+
+class Compiled(Memory):
+    """A robot's C in a shared library.  Arrays are those of the NumPy back end; precision may be single.
+
+    Numbers go from the caller's arrays straight into the structs of the C, and from there into ``out`` or new arrays:
+    nothing lies between where an array has the shape and the number type of the library; other numbers are converted,
+    in one row or in the shape named, but for axes of length 1.  ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,),
+    ``w_ext`` (n, 6), ``vdot`` (nq,), ``wrench`` (n, 6), ``tip_rotation`` (3, 3), ``tip_position`` (3,) are views of
+    those structs as the last call left them.
+
+    An instance keeps its state in memory of its own.  Threads may share one: their calls take turns.  To compute at
+    the same time, give each a :meth:`fresh` one.  A pickled one is compiled again, or found in the cache,
+    where it arrives.
+
+    ``cache``: as :func:`screwgen.runtime.library.load` takes it.  Raises :class:`ScrewgenError` where there is no C compiler or
+    a call does not return OK, :class:`SingularError` naming the link whose joint is singular, and
+    :class:`UsageError` on arrays of another shape.
+    """
+
+    def __init__(
+        self,
+        model: Derived,
+        layout="auto",
+        parameters="runtime",
+        single=False,
+        flags: Sequence[str] = ("-O2",),
+        compiler: str | None = None,
+        derivatives=False,
+        cache: bool | str | os.PathLike = False,
+    ):
+        self._said = (layout, parameters, single, tuple(flags), compiler, derivatives, cache)
+        self.model, self.chain, self.single = model, model.chain, single
+        self.real = np.dtype(np.float32 if single else np.float64)
+        self.project = LeanProject(self.chain, model.version, parameters, layout, derivatives=derivatives)
+        define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
+        self.library = load(self.project.files() | shims(self.project), [*flags, *define], compiler, cache)
+        self._place()
+        self.prepare(None)
+
+    def __reduce__(self) -> tuple[Callable, tuple]:
+        return _compiled_anew, (self.model, self._said, self.p)
+
+    def fresh(self, p: Given = None) -> Compiled:
+        """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""
+        out = object.__new__(Compiled)
+        out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_linearise_memory"})
+        out._place()
+        out.prepare(p)
+        return out
+
+    def prepare(self, p: Given) -> None:
+        """Set the parameters (None: the robot file's values); where they are refused the last ones stay."""
+        values = None if p is None else self.chain.parameters.vector(p)
+        given = None if values is None else values.astype(self.real)
+        with self._lock:
+            before = self._buffer.copy()
+            try:
+                self.check(self.library.shim_prepare(self.memory, None if given is None else pointer(given)))
+            except ScrewgenError:
+                self._buffer[:] = before
+                raise
+            self.p = values
+
+    # joint form -------------------------------------------------------------------------------
+
+    def forward_dynamics(
+        self, q, v, tau=None, w_ext=None, form="joint", out: tuple[Array, Array] | None = None
+    ) -> tuple[Array, Array]:
+        """``vdot`` (nq,) and the joint wrenches (n, 6); torques and tip wrenches left out are zero."""
+        call = self._forward if form == "joint" else self._forward_in[choice(form, FORMS, "there is no form")]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            if status := call(self.memory):
+                self.check(status)
+            if out is None:
+                return self.vdot.copy(), self.wrench.copy()
+            return self._given(out, (self.vdot, self.wrench))
+
+    def complete_dynamics(self, q, v, tau=None, w_ext=None, form="joint"):
+        """``vdot``, wrenches, rotation (3, 3) and position (3,) of the last tip."""
+        call = self._forward_in[choice(form, FORMS, "there is no form")]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            self.check(call(self.memory))
+            return tuple(x.copy() for x in (self.vdot, self.wrench, self.tip_rotation, self.tip_position))
+
+    def validity(self, q, v, tau=None, w_ext=None) -> Array:
+        """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            self.check(self.library.shim_watched(self.memory))
+            return self._measures.copy()
+
+    def accelerations(self, q, v, tau=None, w_ext=None, out: Array | None = None) -> Array:
+        """``vdot`` alone."""
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            if status := self._accelerations(self.memory):
+                self.check(status)
+            return self.vdot.copy() if out is None else self._given((out,), (self.vdot,))[0]
+
+    def energy(self, q, v) -> tuple[float, float]:
+        """Kinetic and potential energy, J."""
+        with self._lock:
+            self._set(q, v)
+            self.check(self.library.shim_energy(self.memory))
+            kinetic, potential = self._energy.tolist()
+            return kinetic, potential
+
+    def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
+        """``vdot`` (nq,) and its partial derivatives with q, v (nq, nq) and tau (nq, m).
+
+        Needs ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
+        """
+        if not self.project.with_derivatives:
+            raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
+        nq, m = self.chain.nq, self.chain.n_joints
+        arrays = [np.zeros(shape, self.real) for shape in (nq, (nq, nq), (nq, nq), (nq, m))]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            self.check(self.library.shim_linearise(self.memory, self._linearise_memory, *map(pointer, arrays)))
+        return tuple(arrays)
+
+    @cached_property
+    def _linearise_memory(self):
+        self.library.shim_linearise_size.restype = ctypes.c_size_t
+        return ctypes.create_string_buffer(self.library.shim_linearise_size())
+
+    def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
+        """The forces on all coordinates (nq,) and the joint wrenches (n, 6) that a motion needs."""
+        c = self.chain
+        force, wrench = np.zeros(max(c.nq, 1), self.real), np.zeros((c.n, 6), self.real)
+        given = self._in(vdot, (c.nq,), "vdot")
+        with self._lock:
+            self._set(q, v, None, w_ext)
+            self.check(self.library.shim_inverse(self.memory, *map(pointer, (given, force, wrench))))
+        return force[: c.nq], wrench
+
+    def mass_matrix(self, q) -> Array:
+        """``M`` (nq, nq)."""
+        size = max(self.chain.nq, 1)
+        M = np.zeros((size, size), self.real)
+        with self._lock:
+            self._set(q, self._no_v)
+            self.check(self.library.shim_mass_matrix(self.memory, pointer(M)))
+        return M[: self.chain.nq, : self.chain.nq]
+
+    def step(self, q, v, tau, w_ext, dt: float, method="rk4", count=1) -> tuple[Array, Array]:
+        """The state after ``count`` steps of the joint form, the input held; long work can be interrupted."""
+        nq = self.chain.nq
+        q, v = self._in(q, (nq,), "q"), self._in(v, (nq,), "v")
+        self._steps(self.library.shim_step, method, count, dt, (*self._input(tau, w_ext), q, v))
+        return q[:nq], v[:nq]
+
+    def _steps(self, call: Callable[..., int], method: str, count: int, dt: float, arrays: Sequence[Array]) -> None:
+        """Steps in parts; the last of the arrays are the state."""
+        number, dt = METHODS.index(choice(method, METHODS, NO_METHOD)), self._real(seconds(dt, "dt"))
+        places = [pointer(x) for x in arrays]
+        for _, part in slices(whole(count, "count", 0)):
+            with self._lock:
+                self.check(call(self.memory, number, part, dt, *places))
+
+    # DAE form ---------------------------------------------------------------------------------
+
+    def dae_state(self, q, v) -> Array:
+        """The state ``x`` of the DAE form."""
+        x = np.zeros(state_size(self.chain), self.real)
+        with self._lock:
+            self._set(q, v)
+            self.check(self.library.shim_dae_state(self.memory, pointer(x)))
+        return x
+
+    def dae_step(self, x, tau, w_ext, dt: float, method="rk4", count=1) -> Array:
+        """``x`` after ``count`` steps of the DAE form, each projected, the input held."""
+        x = self._in(x, (state_size(self.chain),), "x")
+        self._steps(self.library.shim_dae_step, method, count, dt, (*self._input(tau, w_ext), x))
+        return x
+
+    def assemble(self, x, tau, w_ext) -> tuple[Array, Array, Array]:
+        """``M_sys`` (dense), ``H_sys`` and ``W_sys``."""
+        size, rows, columns = unknown_size(self.chain), *self._pattern()
+        values, H, W = np.zeros(len(rows), self.real), np.zeros(size, self.real), np.zeros(size, self.real)
+        arrays = (self._in(x, (state_size(self.chain),), "x"), *self._input(tau, w_ext), values, H, W)
+        with self._lock:
+            self.check(self.library.shim_assemble(self.memory, *map(pointer, arrays)))
+        M = np.zeros((size, size), self.real)
+        for j in range(size):
+            M[rows[columns[j] : columns[j + 1]], j] = values[columns[j] : columns[j + 1]]
+        return M, H, W
+
+    def _pattern(self) -> tuple[Array, Array]:
+        rows = np.zeros(self.project.context["nnz"], np.int32)
+        columns = np.zeros(unknown_size(self.chain) + 1, np.int32)
+        self.library.shim_pattern(pointer(rows), pointer(columns))
+        return rows, columns
+
+    def _real(self, value: float):
+        return ctypes.c_float(value) if self.single else ctypes.c_double(value)
+
+    def check(self, status: int) -> None:
+        """Raise the error of a status that is not OK."""
+        if status == SINGULAR:
+            link = self.chain.robot.links[self.library.shim_fault(self.memory)].name
+            raise SingularError(f"the joint of link '{link}' is singular in this posture")
+        if status:
+            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
+
+
+def compile_model(
+    model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str
+) -> Compiled:
+    """What :meth:`screwgen.Model.compile` does."""
+    choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
+    for name, given, known in choices:
+        choice(given, known, f"{name}: there is no")
+    if isinstance(flags, str):
+        raise UsageError("flags is a string; give a sequence such as ('-O3', '-march=native')")
+    single = precision == "single"
+    return Compiled(model, layout, parameters, single, tuple(flags), derivatives=derivatives, cache=cache)
+
+
+def _compiled_anew(model: Derived, said: tuple, p: Array | None) -> Compiled:
+    """What a pickled instance becomes."""
+    *options, derivatives, cache = said
+    out = Compiled(model, *options, derivatives=derivatives, cache=cache)
+    out.prepare(p)
+    return out
+
+
+class CompiledStepper:
+    """A stepper of :mod:`screwgen.simulation` that steps the joint form in the generated C."""
+
+    default = "modal_implicit"
+
+    def __init__(self, compiled: Compiled, model: Derived, integrator: str, p):
+        self.compiled, self.integrator = compiled, integrator
+        compiled.prepare(p)
+
+    def initial(self, q, v):
+        return np.array(q, float), np.array(v, float)
+
+    def step(self, state, tau, w_ext, dt: float):
+        return self.compiled.step(*state, tau, w_ext, dt, self.integrator)
+
+    def coordinates(self, state):
+        return state

@@ -1,0 +1,206 @@
+"""Shared libraries of generated C: compiled once, kept by content in a folder of the user's, and loaded.
+
+The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so
+that one which was cut short is known without loading it; it is built aside and renamed, so that processes which build
+the same at once do not meet. Where the folder cannot be written, a library is built in a temporary one, and so it is
+where others than this user and root can write: what lies there would run as this user. The folder may be deleted at
+any time.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import shlex
+import shutil
+import stat
+import subprocess
+import tempfile
+import time
+import warnings
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+
+from ..errors import ScrewgenError
+from ..files import open_regular
+from ..spec.load import one_line
+
+FLAGS = ("-std=c99", "-fPIC", "-shared")
+PROGRAMS = ("main.c", "check.c")
+"""Sources that are no part of a library."""
+
+MAX_ENTRIES = 256
+"""Beyond so many the entries that were not used for longest are deleted."""
+
+ABANDONED = 24 * 3600.0
+"""A folder in which nothing was built for so many seconds belongs to a process that was killed."""
+
+ROOT = 0
+"""The system's user, who can do anything anyway."""
+
+DIGEST = hashlib.sha256().digest_size
+
+
+def load(
+    files: Mapping[str, str], flags: Sequence[str], compiler: str | None = None, cache: bool | str | os.PathLike = True
+) -> ctypes.CDLL:
+    """The library of C files by name, from the cache if it is there.
+
+    `compiler`: by default the environment's CC, else cc. `cache`: a folder, True for the user's (`cache_folder`), or
+    False to build and forget. Raises ScrewgenError where there is no compiler or it fails.
+    """
+    used = {n: text for n, text in files.items() if n.endswith((".c", ".h")) and n not in PROGRAMS}
+    command = compiler_command(compiler)
+    key = _key(used, tuple(flags), command)
+    folder = cache_folder() if cache is True else Path(cache) if cache else None
+    if folder is not None and _trusted(folder):
+        if library := _kept(folder, key):
+            return library
+        with suppress(OSError):
+            return _build_and_keep(folder, key, used, command, flags)
+    with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
+        return ctypes.CDLL(str(_compiled(Path(place), used, command, flags)))
+
+
+def cache_folder() -> Path | None:
+    """Where libraries are kept: SCREWGEN_CACHE, else screwgen in XDG_CACHE_HOME or ~/.cache; None without a home."""
+    if named := os.environ.get("SCREWGEN_CACHE"):
+        return Path(named).absolute()
+    base = os.environ.get("XDG_CACHE_HOME")
+    if base and os.path.isabs(base):
+        return Path(base) / "screwgen"
+    try:
+        return Path.home() / ".cache" / "screwgen"
+    except RuntimeError:
+        return None
+
+
+def compiler_command(compiler: str | None = None) -> list[str]:
+    """The compiler and its leading arguments; raises ScrewgenError where there is none."""
+    text, command = _named(compiler)
+    if not command or shutil.which(command[0]) is None:
+        raise ScrewgenError(f"no C compiler '{text}'; install gcc or name one in the environment variable CC")
+    return command
+
+
+def has_compiler() -> bool:
+    """Whether there is a C compiler; raises ScrewgenError where CC is no command at all."""
+    command = _named(None)[1]
+    return bool(command) and shutil.which(command[0]) is not None
+
+
+def _named(compiler: str | None) -> tuple[str, list[str]]:
+    """How the compiler is called, and in words."""
+    text = compiler or os.environ.get("CC") or "cc"
+    try:
+        return text, shlex.split(text)
+    except ValueError as error:
+        raise ScrewgenError(f"the C compiler {text!r} is no command ({error}); mend the quotes in CC") from None
+
+
+def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]) -> Path:
+    """Write the files into a folder and compile them; raises ScrewgenError where the compiler fails."""
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    sources = sorted(name for name in files if name.endswith(".c") and name not in PROGRAMS)
+    with ThreadPoolExecutor(min(os.cpu_count() or 1, len(sources))) as pool:
+        list(pool.map(lambda name: _run([*command, *FLAGS[:2], *flags, "-c", name], folder), sources))
+    objects = [f"{name[:-2]}.o" for name in sources]
+    _run([*command, *FLAGS, *flags, "-o", "model.so", *objects, "-lm"], folder)
+    return folder / "model.so"
+
+
+def _run(command: list[str], folder: Path) -> None:
+    done = _called(command, folder)
+    if done.returncode:
+        lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
+        said = next((line for line in lines if "error" in line), lines[0])
+        raise ScrewgenError(f"{command[0]} failed on the generated C: {said}")
+
+
+def _called(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """The compiler, called; what it says may be in any encoding. Raises ScrewgenError where it cannot be started."""
+    said = {"capture_output": True, "text": True, "errors": "replace", "stdin": subprocess.DEVNULL}
+    try:
+        return subprocess.run(command, cwd=folder, **said)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ScrewgenError(f"the C compiler {command[0]} cannot be run: {reason}; name another one in CC") from None
+
+
+# ------------------------------------------------------------------------------ entries
+
+
+def _key(files: Mapping[str, str], flags: tuple[str, ...], command: Sequence[str]) -> str:
+    digest = hashlib.sha256()
+    for part in (*_identity(tuple(command), flags), *flags, *(x for item in sorted(files.items()) for x in item)):
+        digest.update(f"{len(part)}:".encode() + part.encode())
+    return digest.hexdigest()
+
+
+@lru_cache(maxsize=32)
+def _identity(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ...]:
+    """What tells a compiler, its version, its target and what flags such as -march=native mean on this machine."""
+    asked = ([*command, "--version"], [*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
+    return (*command, *(_called(line).stdout for line in asked))
+
+
+def _trusted(folder: Path) -> bool:
+    """Whether the cache, made if it is not there, is one where nobody else can plant a library; says so if not."""
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if _private(folder.stat()):
+            return True
+    except OSError:
+        return False
+    what = f"{one_line(str(folder))} is no cache of compiled models: others can write in it, or own it"
+    warnings.warn(f"{what}; chmod go-w it, or name another folder in SCREWGEN_CACHE", stacklevel=2)
+    return False
+
+
+def _private(status: os.stat_result) -> bool:
+    """Whether a folder or file is this user's or the system's, and writable for no one else."""
+    own = not hasattr(os, "geteuid") or status.st_uid in (ROOT, os.geteuid())
+    return own and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
+    """The library of an entry; None where there is none, or none that is whole and fits this machine."""
+    path = folder / f"{key}.so"
+    try:
+        with open_regular(path) as stream:
+            ours, data = _private(os.fstat(stream.fileno())), stream.read()
+        if not ours or hashlib.sha256(data[:-DIGEST]).digest() != data[-DIGEST:]:
+            return None
+        library = ctypes.CDLL(str(path))
+    except OSError:
+        return None
+    with suppress(OSError):
+        os.utime(path)
+    return library
+
+
+def _build_and_keep(folder: Path, key: str, files, command, flags) -> ctypes.CDLL:
+    """Build in a temporary folder inside the cache, put the entry in its place and load it; raises OSError."""
+    with tempfile.TemporaryDirectory(prefix="building-", dir=folder) as place:
+        built = _compiled(Path(place), files, command, flags)
+        with built.open("ab") as stream:
+            stream.write(hashlib.sha256(built.read_bytes()).digest())
+        built.chmod(0o700)
+        os.replace(built, folder / f"{key}.so")
+    _prune(folder)
+    return ctypes.CDLL(str(folder / f"{key}.so"))
+
+
+def _prune(folder: Path) -> None:
+    with suppress(OSError):
+        entries = sorted(folder.glob("*.so"), key=lambda path: path.stat().st_mtime, reverse=True)
+        for path in entries[MAX_ENTRIES:]:
+            path.unlink()
+        for path in folder.glob("building-*"):
+            if time.time() - path.stat().st_mtime > ABANDONED:
+                shutil.rmtree(path, ignore_errors=True)

@@ -1,0 +1,110 @@
+"""The memory of a compiled model: views of the structs of its C, and arrays on their way in and out."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import threading
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..arguments import array
+from ..bodies.validity import MEASURES
+from ..errors import UsageError
+from ..topology.chain import Chain
+
+FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy", "measures")
+"""What the library says about its memory: its size, and where these are, in bytes."""
+
+CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
+"""What memoryviews say to values that are no arrays of their shape and number type."""
+
+Array = np.ndarray
+
+
+class Memory:
+    """What one instance of a library works in, and a lock for it."""
+
+    chain: Chain
+    library: ctypes.CDLL
+    real: np.dtype
+
+    def _place(self) -> None:
+        """Allocate the memory and find the views in it."""
+        self._lock = threading.Lock()
+        c, offsets = self.chain, (ctypes.c_size_t * len(FIELDS))()
+        self.library.shim_layout(offsets)
+        place = dict(zip(FIELDS, offsets, strict=True))
+        self._buffer = np.zeros(place["size"] + 64, np.uint8)
+        start = -self._buffer.ctypes.data % 64
+        self.memory = ctypes.c_void_p(self._buffer.ctypes.data + start)
+
+        def view(name: str, *shape: int) -> Array:
+            size = math.prod(shape) * self.real.itemsize
+            return self._buffer[start + place[name] :][:size].view(self.real).reshape(shape)
+
+        self.q, self.v, self.vdot = (view(name, c.nq) for name in ("q", "v", "vdot"))
+        self.tau, self.w_ext, self.wrench = view("tau", c.n_joints), view("w_ext", c.n, 6), view("wrench", c.n, 6)
+        self.tip_rotation, self.tip_position = view("tip_rotation", 3, 3), view("tip_position", 3)
+        self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
+        self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)
+        self._w_ext = memoryview(self.w_ext.reshape(-1))
+        self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nq, c.n_joints, 6 * c.n))
+        self._w_shape = self.w_ext.shape
+        self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
+        self._forward_in = {"joint": self._forward, "dae": self.library.shim_dae_forward}
+
+    def _set(self, q, v, tau=None, w_ext=None) -> None:
+        """Into the structs by memoryviews, which take arrays of their type and length, and leave all else."""
+        try:
+            self._q[:] = q
+            self._v[:] = v
+            self._tau[:] = self._no_tau if tau is None else tau
+            if w_ext is None:
+                self._w_ext[:] = self._no_w_ext
+            elif w_ext.shape == self._w_shape:
+                self._w_ext[:] = w_ext.ravel()
+            else:
+                self._take(q, v, tau, w_ext)
+        except CONVERTED:
+            self._take(q, v, tau, w_ext)
+
+    def _given(self, out: Sequence[Array], values: Sequence[Array]) -> Sequence[Array]:
+        """The caller's arrays with the values in them, if all of them can hold them."""
+        real = self.real
+        try:
+            for place, value in zip(out, values, strict=True):
+                if place.dtype is not real or place.shape != value.shape:
+                    self._check_out(out, values)
+            for place, value in zip(out, values):  # noqa: B905
+                place[...] = value
+        except (ValueError, TypeError, AttributeError):
+            raise UsageError(f"out cannot be written to; give arrays of {real} for vdot and wrench") from None
+        return out
+
+    def _check_out(self, out: Sequence[Array], values: Sequence[Array]) -> None:
+        """Refuse arrays that cannot hold the values."""
+        for place, value, name in zip(out, values, ("vdot", "wrench"), strict=False):
+            if place.dtype.kind != "f":
+                raise UsageError(f"out: {name} holds {place.dtype}; give an array of {self.real}")
+            if place.shape != value.shape:
+                raise UsageError(f"out: {name} has the shape {place.shape}; it must be {value.shape}")
+
+    def _take(self, q, v, tau, w_ext) -> None:
+        """Any numbers of the right count into the structs; None is zero."""
+        given = {"q": (q, self.q), "v": (v, self.v), "tau": (tau, self.tau), "w_ext": (w_ext, self.w_ext)}
+        for name, (values, place) in given.items():
+            place[...] = array(values, name, place.shape, finite=False)
+
+    def _input(self, tau, w_ext):
+        return self._in(tau, (self.chain.n_joints,), "tau"), self._in(w_ext, (self.chain.n, 6), "w_ext")
+
+    def _in(self, values, shape: tuple[int, ...], name: str) -> Array:
+        """Numbers as a new array for the C; zeros for None."""
+        out = array(values, name, shape, finite=False).astype(self.real)
+        return out if out.size else np.zeros(1, self.real)
+
+
+def pointer(array: Array) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)

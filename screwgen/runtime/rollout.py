@@ -1,0 +1,221 @@
+"""Rollouts: many motions of one robot at once, for sampling MPC, Monte-Carlo studies and learning."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arguments import Given, choice, real_numbers, seconds, whole
+from ..backends.c.project import METHODS
+from ..errors import UsageError
+from ..model import Model
+from ..validity import Validity
+from .batch import OK, SINGULAR, compiled_batch
+from .compiled import NO_METHOD
+from .rollout_validity import watched
+
+MAX_BYTES = 4 * 2**30
+
+
+@dataclass(frozen=True, repr=False)
+class Rollout:
+    """The motions of a batch of scenarios; SI units, radians.
+
+    ``t`` (steps + 1,): sample times; ``q``, ``v`` (batch, steps + 1, nq): coordinates, joints then modes, and
+    their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
+    went through, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
+    joint or mode could not be solved for; that scenario keeps its last good state from there on.
+    ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
+    """
+
+    t: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    status: np.ndarray
+    completed: np.ndarray
+    fault: np.ndarray
+    links: tuple[str, ...]
+    validity: Validity
+    """The largest measures of the model's limits: bending at all samples, the loads at some, the fastest among them."""
+
+    def __repr__(self) -> str:
+        count, samples, _ = self.q.shape
+        stopped = f", {count - self.ok.sum()} stopped: see report()" if not self.ok.all() else ""
+        return f"<Rollout of {count} scenarios, {samples - 1} steps to {self.t[-1]:.6g} s{stopped}>"
+
+    @property
+    def ok(self) -> np.ndarray:
+        """Which scenarios went through (batch,)."""
+        return self.status == OK
+
+    @property
+    def x(self) -> np.ndarray:
+        """The states [q; v], (batch, steps + 1, 2 nq)."""
+        return np.concatenate([self.q, self.v], axis=2)
+
+    def report(self) -> list[str]:
+        """One line for every scenario that stopped: when, and why."""
+        return [self._line(i) for i in np.flatnonzero(~self.ok)]
+
+    def _line(self, i: int) -> str:
+        why = "its state or a result is not finite"
+        if self.status[i] == SINGULAR:
+            link = self.links[self.fault[i]]
+            why = f"link '{link}' cannot be solved for: its joint is singular in this posture, or the motion diverged"
+        return f"scenario {i} stopped at t = {self.t[self.completed[i]]:.6g} s: {why}"
+
+
+def rollout(
+    model: Model,
+    x0: Any,
+    tau: Any = None,
+    *,
+    step: float,
+    steps: int | None = None,
+    substeps: int = 1,
+    w_ext: Any = None,
+    integrator: str = "modal_midpoint",
+    parameters: Given = None,
+    threads: int = 1,
+    single: bool = False,
+) -> Rollout:
+    """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
+
+    `x0`: initial states [q; v], (batch, 2 nq), or (2 nq,) for all. `tau`: joint torques in N·m, (batch, steps,
+    n_joints); (steps, n_joints) for all scenarios; (n_joints,) for all and held; zero by default. `w_ext`: tip
+    wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
+    `step` seconds, which the integrator (of `screwgen.backends.c.project.METHODS`) divides into `substeps` steps. `steps` is
+    needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those
+    that differ by name, each a number or (batch,). `threads`: cores; the results do not depend on it.
+    `single`: in single precision, about half the time.
+
+    The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
+    Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
+    A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
+    on arguments that make no sense, ScrewgenError where the C cannot be compiled.
+    """
+    _check_numbers(step, steps, substeps, threads)
+    choice(integrator, METHODS, NO_METHOD)
+    given = {
+        "x0": _array(x0, "x0", (2 * model.nq,), "(batch, 2 nq) or (2 nq,)"),
+        "tau": _sequence(tau, "tau", (model.n_joints,)),
+        "w_ext": _sequence(w_ext, "w_ext", (model.n_links, 6)),
+        "parameters": _parameters(parameters, model),
+    }
+    count = _common({name: len(a) for name, a in given.items()}, "scenarios")
+    periods = _periods(steps, {"tau": np.shape(tau)[:-1], "w_ext": np.shape(w_ext)[:-2]})
+    _check_size(count, periods, model)
+    return _run(model, given, count, periods, step, substeps, integrator, threads, single)
+
+
+def _run(model, given, count, periods, step, substeps, integrator, threads, single) -> Rollout:
+    batch = compiled_batch(model, single)
+    x = np.broadcast_to(given["x0"], (count, 2 * model.nq)).T
+    path = np.empty((2, periods + 1, model.nq, count), batch.real)
+    path[:, 0] = x.reshape(2, model.nq, count)
+    constants = batch.constants(given["parameters"])
+    inputs = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
+    status, fault, done = batch.run(*path, *inputs, constants, step / substeps, substeps, integrator, threads)
+    q, v = path.transpose(0, 3, 1, 2)
+    t = step * np.arange(periods + 1)
+    links = tuple(link.name for link in model.robot.links)
+    validity = watched(model, given, t, q, v)
+    validity.warn(stacklevel=3)
+    return Rollout(t, q, v, status, done // substeps, fault, links, validity)
+
+
+def _rows(values: np.ndarray, count: int, real) -> np.ndarray:
+    """A sequence (batch or 1, periods, n) with the scenarios last: (periods, n, batch)."""
+    whole = np.broadcast_to(values, (count, *values.shape[1:]))
+    return np.ascontiguousarray(whole.transpose(1, 2, 0), real)
+
+
+# ------------------------------------------------------------------------------ what is given
+
+
+def _check_numbers(step: float, steps: int | None, substeps: int, threads: int) -> None:
+    seconds(step, "step")
+    for name, value, least in (("steps", steps, 0), ("substeps", substeps, 1), ("threads", threads, 1)):
+        if value is not None:
+            whole(value, name, least)
+
+
+def _floats(values: Any, name: str) -> np.ndarray:
+    out = real_numbers(values)
+    if out is None:
+        raise UsageError(f"{name} is not an array of numbers; give nested lists of one length, or an array")
+    return out
+
+
+def _ends_in(array: np.ndarray, shape: tuple[int, ...], more: int) -> bool:
+    """Whether the last axes are ``shape``, with at most ``more`` before them."""
+    lead = array.ndim - len(shape)
+    return 0 <= lead <= more and array.shape[lead:] == shape
+
+
+def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.ndarray:
+    """An array with one axis in front of ``shape``."""
+    out = _floats(values, name)
+    if not _ends_in(out, shape, 1):
+        ending = f", here ending in {shape}" if shape else ""
+        raise UsageError(f"{name} has the shape {out.shape}; it must be {allowed}{ending}")
+    return out if out.ndim > len(shape) else out[None]
+
+
+def _sequence(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
+    """An input as (batch or 1, periods or 1, entries)."""
+    out = np.zeros(shape) if values is None else _floats(values, name)
+    if not _ends_in(out, shape, 2):
+        raise UsageError(
+            f"{name} has the shape {out.shape}; it must be (batch, steps), (steps) or nothing before {shape}"
+        )
+    lead = (1,) * (len(shape) + 2 - out.ndim) + out.shape[: out.ndim - len(shape)]
+    return out.reshape(*lead, math.prod(shape))
+
+
+def _parameters(given: Given, model: Model) -> np.ndarray:
+    """Parameter vectors, (batch or 1, n)."""
+    known = model.chain.parameters
+    if isinstance(given, Mapping):
+        columns = {
+            name: _array(value, f"parameters['{name}']", (), "a number or (batch,)") for name, value in given.items()
+        }
+        count = _common({f"parameters['{name}']": len(c) for name, c in columns.items()}, "scenarios")
+        out = np.tile(known.values, (count, 1))
+        for name, column in columns.items():
+            out[:, known.place(name)] = column
+    else:
+        out = _array(known.values if given is None else given, "parameters", known.values.shape, "(batch, n) or (n,)")
+    known.check(out)
+    return out
+
+
+def _common(lengths: Mapping[str, int], what: str) -> int:
+    """The one length that is not 1."""
+    several = {name: n for name, n in lengths.items() if n != 1}
+    if len(set(several.values())) > 1:
+        text = ", ".join(f"{name} {n}" for name, n in several.items())
+        raise UsageError(f"the numbers of {what} differ: {text}; give one number of them, or one for all")
+    return next(iter(several.values()), 1)
+
+
+def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
+    """How many steps there are; ``leads`` are the axes (batch, steps) of the inputs, none where one is held."""
+    lengths = {name: lead[-1] for name, lead in leads.items() if lead}
+    if steps is None:
+        if not lengths:
+            raise UsageError("nothing says how many steps there are; give steps, or a sequence of torques")
+        return _common(lengths, "steps")
+    if wrong := [f"{name} has {n}" for name, n in lengths.items() if n not in (1, steps)]:
+        raise UsageError(f"steps is {steps}, but {wrong[0]}; give one number of steps, or one input for all")
+    return steps
+
+
+def _check_size(count: int, periods: int, model: Model) -> None:
+    size = 16 * count * (periods + 1) * max(model.nq, 1)
+    if size > MAX_BYTES:
+        raise UsageError(f"the rollout would take {size / 1e9:.0f} GB; take fewer scenarios or steps")

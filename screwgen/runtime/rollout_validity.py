@@ -1,0 +1,59 @@
+"""Rollouts and the limits of the model: all samples are looked at for bending, some for the loads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..bodies.validity import MEASURES
+from ..model import Model
+from ..simulation.integrate import Evaluator
+from ..validity import Validity, Watch
+
+SPREAD = 32
+"""Samples, evenly spaced, whose axial loads and rotations are evaluated, besides those at which a link bends most and
+the joints turn fastest."""
+
+
+def watched(
+    model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray
+) -> Validity:
+    """The largest measures of a batch of motions `q`, `v` (batch, samples, nq) at the times `t` (samples,).
+
+    `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
+    """
+    watch = Watch([link.name for link in model.robot.links])
+    count, samples, _ = q.shape
+    if not count or samples < 2:
+        return watch.validity()
+    chosen = set(np.linspace(0, count * samples - 1, min(SPREAD, count * samples)).astype(int).tolist())
+    chosen.add(int(np.argmax(np.abs(v[..., : model.n_joints]).sum(axis=2))))
+    bending = [_bending(model, i, given["parameters"], q) for i in range(model.n_links)]
+    chosen |= {int(np.argmax(size)) for sizes in bending for size in sizes}
+    evaluate = Evaluator(model.casadi()["validity"])
+    at = lambda name, k, j: _of(given[name], k, min(j, samples - 2))  # noqa: E731
+    for k, j in sorted((divmod(c, samples) for c in chosen), key=lambda place: place[1]):
+        inputs = (q[k, j], v[k, j], at("tau", k, j), at("w_ext", k, j), _of(given["parameters"], k))
+        watch(t[j], evaluate(*inputs)[0].reshape(-1, len(MEASURES)))
+    return watch.validity()
+
+
+def _of(values: np.ndarray, *place: int) -> np.ndarray:
+    """An entry of what may be one for all."""
+    for k in place:
+        values = values[max(k, 0) if len(values) > 1 else 0]
+    return values
+
+
+def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndarray]:
+    """Deflection over length and slope of a link, (batch, samples) each; none for a link that cannot bend."""
+    values, offset = model.blocks(i)["validity"].values, model.n_joints + model.chain.eta_offset[i]
+    if "length" not in values:
+        return []
+    length = p[:, model.parameter_names.index(f"{model.robot.links[i].name}.length")][:, None]
+    unit = {values["length"].item(): 1}
+    eta = q[..., offset : offset + model.chain.keys[i].modes]
+    shapes = (values[f"{name}_shapes"] for name in MEASURES[:2])
+    rows = (np.array([[float(x.subs(unit)) for x in row] for row in shape]) for shape in shapes)
+    return [np.linalg.norm(eta @ row.T, axis=2) / length for row in rows]

@@ -1,0 +1,218 @@
+"""Controllers: functions `(t, q, v) -> tau`, and the files that describe them."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import UsageError
+from ..spec.load import DEEP_KEY, one_line, syntax_error
+from ..spec.messages import unknown
+from ..spec.ranges import within
+from ..spec.values import array, refuse, shown
+from .state import read_text, refusals, sized
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+Controller = Callable[[float, np.ndarray, np.ndarray], Sequence[float]]
+
+UNITS = {"kp": "N·m/rad", "kd": "N·m·s/rad", "q_des": "rad", "tau_max": "N·m"}
+REQUIRED = ("kp", "kd", "q_des")
+KEYS = (*UNITS, "duration", "waypoints", "gravity")
+
+
+class Holding:
+    """The joint torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
+
+    They are those of the model at its nominal parameters, the links bent as they are when the arm rests there: what a
+    controller with encoders alone can know.
+    """
+
+    TOLERANCE, STEPS = 1e-12, 30
+
+    def __init__(self, model: Model, p: Sequence[float] | None = None):
+        self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
+        self.p = np.array(model.parameter_values if p is None else p, float)
+        self.still = np.zeros((6, model.n_links))
+
+    def __call__(self, q: Sequence[float]) -> np.ndarray:
+        """The torques (n_joints,), N·m, at the joint angles `q` (n_joints,), rad."""
+        m = self.count
+        x = np.append(np.asarray(q, float)[:m], np.zeros(self.nq - m))
+        for _ in range(self.STEPS):
+            _, force, K, *_ = self.statics(x, self.still, self.p)
+            force, K = np.array(force)[:, 0], np.array(K)[m:, m:]
+            step = np.linalg.solve(K, -force[m:])
+            x[m:] += step
+            if np.abs(step).max(initial=0.0) <= self.TOLERANCE * np.abs(x[m:]).max(initial=0.0):
+                break
+        return force[:m]
+
+
+@dataclass(frozen=True)
+class PD:
+    """A proportional-derivative law about a reference, one entry per joint coordinate.
+
+    `tau = kp (q_ref − q) + kd (v_ref − v) + gravity(q)`, limited to `±tau_max` where that is given. `kp` in N·m/rad,
+    `kd` in N·m·s/rad, `q_des` in rad. With `duration` (s) the reference travels from `q_start` to `q_des` along a
+    minimum-jerk path; without, it is `q_des` at rest. A run fills `q_start` in through `starting_at`.
+
+    `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
+    the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
+    angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
+    Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
+    """
+
+    kp: tuple[float, ...]
+    kd: tuple[float, ...]
+    q_des: tuple[float, ...]
+    duration: float | None = None
+    tau_max: tuple[float, ...] | None = None
+    q_start: tuple[float, ...] | None = None
+    waypoints: tuple[tuple[float, tuple[float, ...]], ...] = ()
+    gravity: Callable[[np.ndarray], np.ndarray] | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("kd", "kp", "tau_max", "q_start"):
+            value = getattr(self, name)
+            if value is not None and np.size(value) != np.size(self.q_des):
+                raise UsageError(
+                    f"PD: {name} has length {np.size(value)}; q_des has {np.size(self.q_des)}, one per joint"
+                )
+        with refusals("PD"):
+            for name in (*UNITS, "q_start"):
+                value = getattr(self, name)
+                if value is not None:
+                    object.__setattr__(self, name, _angles(name, value, np.size(self.q_des), (name,)))
+            if self.duration is not None:
+                object.__setattr__(self, "duration", within("duration")(self.duration, at=("duration",)))
+        if self.waypoints and (self.duration, self.q_des) != self.waypoints[-1]:
+            raise UsageError("PD: the last of the waypoints is not (duration, q_des); make it so")
+
+    def starting_at(self, q: Sequence[float]) -> PD:
+        """The same law for a run that starts at `q` (nq,)."""
+        return replace(self, q_start=tuple(float(x) for x in q[: len(self.q_des)]))
+
+    @property
+    def plain(self) -> bool:
+        """Whether gains, one goal and limits are all there is."""
+        return not self.waypoints and self.gravity is None
+
+    @property
+    def set_points(self) -> tuple[tuple[float, tuple[float, ...]], ...]:
+        """When (s) the reference is where (rad) at rest, ascending: its start, if it travels, to its goal."""
+        if self.duration is None or self.q_start is None:
+            return ((0.0, self.q_des),)
+        return ((0.0, self.q_start), *(self.waypoints or ((self.duration, self.q_des),)))
+
+    def reference(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Joint coordinates (rad) and rates (rad/s) that the law follows at the time `t` (s)."""
+        points = self.set_points
+        k = next((k for k in range(1, len(points)) if t < points[k][0]), None)
+        if k is None:
+            return np.array(points[-1][1], float), np.zeros(len(self.q_des))
+        (begin, start), (end, goal) = ((x, np.array(q, float)) for x, q in points[k - 1 : k + 1])
+        s = max((t - begin) / (end - begin), 0.0)
+        place, rate = s**3 * (10 - 15 * s + 6 * s**2), 30 * (s * (1 - s)) ** 2 / (end - begin)
+        return start + place * (goal - start), rate * (goal - start)
+
+    def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The joint torques, N·m."""
+        n = len(self.q_des)
+        q_ref, v_ref = self.reference(t)
+        tau = np.array(self.kp) * (q_ref - q[:n]) + np.array(self.kd) * (v_ref - v[:n])
+        if self.gravity is not None:
+            tau = tau + self.gravity(q[:n])
+        return tau if self.tau_max is None else np.clip(tau, -np.array(self.tau_max), np.array(self.tau_max))
+
+
+def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
+    """The law in the TOML file at `path`: `kp`, `kd`, `q_des`, one number per joint coordinate.
+
+    `duration` (s) and `tau_max` are optional. In place of `q_des` and `duration`: `waypoints`, an array of
+    `{ t = …, q = […] }` with ascending times. `gravity = true` adds the torques that hold the arm at the measured joint
+    angles. Raises UsageError, `<file>: <key>: <fault>; <what is allowed>`.
+    """
+    file = one_line(os.fsdecode(path))
+    data = _toml(read_text(path, "a TOML file"), file)
+    with refusals(file):
+        for key in data:
+            if key not in KEYS:
+                raise refuse(unknown(key, KEYS), (key,))
+        given = _goal(data, model.n_joints)
+        for key in REQUIRED:
+            if key not in given:
+                raise refuse(f"is missing; state {model.n_joints} numbers, one per joint, {UNITS[key]}", (key,))
+        values = {key: given[key] for key in UNITS if key in given}
+        law = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
+        law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
+        return PD(
+            **law, duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None
+        )
+
+
+def _gravity(given: dict[str, Any], model: Model) -> Holding | None:
+    wanted = given.get("gravity", False)
+    if not isinstance(wanted, bool):
+        raise refuse(f"is {shown(wanted)}; it must be true or false", ("gravity",))
+    return Holding(model) if wanted else None
+
+
+def _goal(data: dict[str, Any], n: int) -> dict[str, Any]:
+    """What the file states, with the last of its way points as the goal."""
+    if "waypoints" not in data:
+        return data
+    for key in ("q_des", "duration"):
+        if key in data:
+            raise refuse("is given beside waypoints, the last of which says it; leave one of them out", (key,))
+    points: list[tuple[float, tuple[float, ...]]] = []
+    for i, point in enumerate(array(data["waypoints"], "an array of tables { t = …, q = […] }", at=("waypoints",))):
+        at = ("waypoints", i)
+        if not (isinstance(point, dict) and set(point) == {"t", "q"}):
+            raise refuse(f"is {shown(point)}; it must be a table of t and q, as {{ t = 0.5, q = […] }}", at)
+        t, q = within("duration")(point["t"], at=(*at, "t")), _angles("q_des", point["q"], n, (*at, "q"))
+        if points and t <= points[-1][0]:
+            raise refuse(f"is {t}; it must be later than the one before it, {points[-1][0]} s", (*at, "t"))
+        points.append((t, q))
+    if not points:
+        raise refuse("is empty; state at least one { t = …, q = […] }", ("waypoints",))
+    return data | {"waypoints": tuple(points), "duration": points[-1][0], "q_des": points[-1][1]}
+
+
+def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
+    """One number for each joint, of the unit and the range of a key."""
+    check = within("q" if key.startswith("q_") else key)
+    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, 'rad')}", check))
+
+
+def _toml(text: str, file: str) -> dict[str, Any]:
+    try:
+        if DEEP_KEY.search(text):
+            raise RecursionError
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise UsageError(f"{file}: {syntax_error(str(error), text)}") from None
+    except RecursionError:
+        raise UsageError(f"{file}: is nested too deeply; a gains file has no such depth") from None
+    except ValueError as error:
+        raise UsageError(f"{file}: a value cannot be read ({one_line(str(error))}); use TOML 1.0") from None
+
+
+CONTROLLERS = {"pd": read_pd}
+
+
+def read_controller(text: str, model: Model) -> Controller:
+    """The controller that `KIND:FILE` names, such as `pd:gains.toml`; raises UsageError."""
+    kind, colon, path = text.partition(":")
+    known = ", ".join(f"{name}:FILE" for name in CONTROLLERS)
+    if kind not in CONTROLLERS:
+        raise UsageError(f"there is no controller '{one_line(kind)}'; known: {known}")
+    if not (colon and path):
+        raise UsageError(f"the controller '{one_line(text)}' names no file; write {known}")
+    return CONTROLLERS[kind](path, model)

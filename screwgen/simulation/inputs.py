@@ -1,0 +1,72 @@
+"""What acts on an arm during a run: torques and wrenches from functions, constants or nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..arguments import fits, real_numbers
+from ..errors import ScrewgenError, UsageError
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def started(controller: Any, q0: np.ndarray) -> Any:
+    """The controller at the start of a run: one with `starting_at(q)` is asked for itself there."""
+    return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
+
+
+class Inputs:
+    """Torques (n_joints,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
+
+    def __init__(self, model: Model, controller: Any, w_ext: Any):
+        self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
+        self.sources = (
+            _source(controller, "the controller", (model.n_joints,)),
+            _source(w_ext, "w_ext", (model.n_links, 6)),
+        )
+
+    def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        torque, wrench = self.sources
+        return torque(t, q, v), wrench(t, q, v)
+
+
+def _source(given: Any, name: str, shape: tuple[int, ...]) -> Callable:
+    if callable(given):
+        return lambda t, q, v: _shaped(given(t, q.copy(), v.copy()), name, shape)
+    constant = np.zeros(shape) if given is None else _shaped(given, name, shape)
+    return lambda t, q, v: constant
+
+
+def _shaped(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
+    out = floats(values, name)
+    if not fits(out.shape, shape):
+        raise UsageError(f"{name} gives an array of shape {out.shape}; it must give {shape}")
+    return out.reshape(shape)
+
+
+def floats(values: Any, name: str) -> np.ndarray:
+    """An array of finite numbers; raises UsageError."""
+    out = real_numbers(values)
+    if out is None:
+        raise UsageError(f"{name} gives something else than numbers; it must give an array of numbers")
+    if not np.isfinite(out).all():
+        raise UsageError(f"{name} gives a NaN or an infinity; it must give finite numbers")
+    return out
+
+
+class at_time:
+    """Puts the time in front of an error inside."""
+
+    def __init__(self, t: float):
+        self.t = t
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: type | None, error: BaseException | None, _: object) -> None:
+        if isinstance(error, ScrewgenError):
+            raise type(error)(f"t = {self.t:.6g} s: {error}") from None

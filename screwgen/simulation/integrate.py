@@ -1,0 +1,182 @@
+"""Time steps of the joint form: the accelerations that a method is made of, and the stepper that applies it.
+
+The torques and external wrenches are held over a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+import numpy as np
+
+from ..errors import DivergedError, UsageError
+from ..integrators.methods import METHODS, Motion
+
+if TYPE_CHECKING:
+    from ..model import Model
+    from ..validity import Watch
+
+LIMIT = 1e9
+"""A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
+
+
+class Stepper(Protocol):
+    """What a run needs to know of a form of the equations; a state is whatever the form keeps."""
+
+    default: str
+    """The integrator to take where none is asked for."""
+
+    def initial(self, q: np.ndarray, v: np.ndarray) -> object:
+        """The state at the coordinates `q` (nq,) and rates `v` (nq,)."""
+
+    def step(self, state: object, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> object:
+        """The state `dt` seconds later under torques (n_joints,) and tip wrenches (n, 6), both held.
+
+        Raises SingularError or DivergedError.
+        """
+
+    def coordinates(self, state: object) -> tuple[np.ndarray, np.ndarray]:
+        """`q` (nq,) and `v` (nq,) of a state."""
+
+
+class Evaluator:
+    """A CasADi function on NumPy arrays without copies on the way: some 10 µs a call less."""
+
+    def __init__(self, function):
+        self.inputs = [np.zeros(function.numel_in(i)) for i in range(function.n_in())]
+        self.outputs = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
+        self.places = [np.array(function.sparsity_out(i).find(), int) for i in range(function.n_out())]
+        self.sizes = [function.numel_out(i) for i in range(function.n_out())]
+        self.buffer, self.evaluate = function.buffer()
+        for i, x in enumerate(self.inputs):
+            self.buffer.set_arg(i, memoryview(x))
+        for i, x in enumerate(self.outputs):
+            self.buffer.set_res(i, memoryview(x))
+
+    def __call__(self, *values: np.ndarray) -> list[np.ndarray]:
+        """The outputs, flat (column by column), for the inputs: (n, 6) arrays stand for 6 x n."""
+        for x, value in zip(self.inputs, values, strict=True):
+            x[:] = np.ravel(value)
+        self.evaluate()
+        out = [np.zeros(size) for size in self.sizes]
+        for x, places, values in zip(out, self.places, self.outputs, strict=True):
+            x[places] = values
+        return out
+
+
+class Dynamics:
+    """Accelerations and joint wrenches of the joint form; methods choose what acts within modes and sprung joints.
+
+    `M`, `K`, `D` (n_given,): inertia, stiffness and damping of the coordinates that have forces of their own, the last
+    of `q`: the modes, and where a joint has a spring or a damper all coordinates.
+    """
+
+    def __init__(self, model: Model, p: Sequence[float]):
+        functions = modal_functions(model.chain)
+        self.p, self.n_given, self.n_links = np.array(p, float), model.chain.n_given, model.n_links
+        self.evaluate = Evaluator(functions["modal_dynamics"])
+        self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+
+    def own(self, x: np.ndarray) -> np.ndarray:
+        """The part of `q` or `v` that has forces of its own."""
+        return x[len(x) - self.n_given :]
+
+    def inertia(self, h: float) -> np.ndarray:
+        """What resists the accelerations of these coordinates where their forces are implicit over `h` seconds."""
+        return self.M + h * self.D + h**2 * self.K
+
+    def force(self, q: np.ndarray, v: np.ndarray, h: float, K: np.ndarray, D: np.ndarray) -> np.ndarray:
+        """Their force `h` after `q`, `v` (nq, ...) but for the accelerations' part; `K` and `D` of matching shape."""
+        return K * (self.own(q) + h * self.own(v)) + D * self.own(v)
+
+    def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
+        """`vdot` (nq,) and the joint wrenches (6 n,)."""
+        return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
+
+    def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+        """Inertia and force of the coordinates that have forces of their own, (n_given,) each."""
+        return self.M, self.force(q, v, 0.0, self.K, self.D)
+
+    def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
+        """`vdot` (nq,) with the forces of modes and joints that it leads to `h` after `q, v`; all else at `there`."""
+        force = self.force(q, v, h, self.K, self.D)
+        return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
+
+
+@lru_cache(maxsize=4)
+def modal_functions(chain):
+    """`emit.casadi.modal_functions` of a chain, built once for all who step it."""
+    from ..backends.casadi import functions as casadi
+
+    return casadi.modal_functions(chain)
+
+
+class Held(NamedTuple):
+    """The accelerations while torques and external wrenches are held."""
+
+    dynamics: Dynamics
+    tau: np.ndarray
+    w_ext: np.ndarray
+
+    def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return self.dynamics.explicit(q, v, self.tau, self.w_ext)[0]
+
+    def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
+        return self.dynamics.implicit(q, v, self.tau, self.w_ext, h, there or (q, v))
+
+
+# ------------------------------------------------------------------------------ the stepper
+
+
+def check_integrator(name: str) -> None:
+    """Refuse a name that is none of `METHODS`."""
+    if name not in METHODS:
+        raise UsageError(f"there is no integrator '{name}' in the joint form; known: {', '.join(METHODS)}")
+
+
+def diverged(name: str) -> DivergedError:
+    """The error of an integrator that does not hold at its step."""
+    remedy = f"take a smaller step, or {JointStepper.default}"
+    if name == JointStepper.default:
+        remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
+    return DivergedError(f"the integrator '{name}' diverged; {remedy}")
+
+
+def left(name: str, watch: Watch) -> DivergedError:
+    """The error of a run in which a link bends by its own length, by an integrator."""
+    if watch.jumped:
+        return diverged(name)
+    return watch.left("" if name.startswith("modal_") else name)
+
+
+class JointState(NamedTuple):
+    """Coordinates (nq,) and rates (nq,)."""
+
+    q: np.ndarray
+    v: np.ndarray
+
+
+class JointStepper:
+    """Steps of the joint form; constraints hold by construction."""
+
+    default = "modal_midpoint"
+
+    def __init__(self, model: Model, integrator: str, p: Sequence[float]):
+        check_integrator(integrator)
+        self.name, self.method, self.dynamics = integrator, METHODS[integrator], Dynamics(model, p)
+        self.judge = model.numpy(p)
+
+    def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
+        return JointState(np.array(q, float), np.array(v, float))
+
+    def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
+        new = JointState(*self.method(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
+        if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
+            self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
+            raise diverged(self.name)
+        return new
+
+    def coordinates(self, state: JointState) -> tuple[np.ndarray, np.ndarray]:
+        return state.q, state.v

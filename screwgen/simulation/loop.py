@@ -1,0 +1,155 @@
+"""The loop of a run in the generated C: many steps a call, or one where Python gives the torques."""
+
+from __future__ import annotations
+
+import ctypes
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..backends.c.project import METHODS
+from ..errors import ScrewgenError, SingularError, UsageError
+from ..runtime.compiled import SINGULAR, Compiled
+from ..runtime.library import has_compiler
+from ..runtime.pace import slices
+from ..validity import FAR
+from .controllers import PD
+from .inputs import at_time
+from .integrate import LIMIT, JointState, JointStepper, diverged, left
+from .recording import WATCH, Table, Task
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+LEFT = 16
+"""``SHIM_LEFT`` of the library."""
+
+RUNAWAY = 1e4
+"""A state with a number beyond this (rad, m, per second) is that of a method that diverges, not of a posture."""
+
+
+class _PD(ctypes.Structure):
+    """``shim_pd`` of the library."""
+
+    _fields_ = (
+        *((name, ctypes.c_void_p) for name in ("kp", "kd", "goal", "start", "limit")),
+        ("duration", ctypes.c_double),
+    )
+
+
+class _Run(ctypes.Structure):
+    """``shim_run`` of the library."""
+
+    _fields_ = (
+        ("method", ctypes.c_int),
+        ("steps", ctypes.c_int),
+        ("every", ctypes.c_int),
+        ("step", ctypes.c_double),
+        ("duration", ctypes.c_double),
+        ("most", ctypes.c_double),
+        ("pd", ctypes.c_void_p),
+        ("sampling", ctypes.c_int),
+        ("watch", ctypes.c_int),
+        ("far", ctypes.c_double),
+        *((name, ctypes.c_void_p) for name in ("largest", "at", "first")),
+    )
+
+
+def instance(model: Model, p: np.ndarray) -> Compiled:
+    """The model in C with memory of its own at the parameters `p`; compiled when it is first asked for."""
+    compiled = model._compiled
+    try:
+        return compiled.fresh(p)
+    except ScrewgenError:
+        said = "parameters: no robot has these; lengths and stiffnesses must be > 0 and masses >= 0"
+        raise UsageError(said) from None
+
+
+def available(model: Model) -> bool:
+    """Whether the model can be had in C; says so where the compiler that is there fails."""
+    try:
+        if "_compiled" not in vars(model) and not has_compiler():
+            return False
+        return model._compiled is not None
+    except ScrewgenError as error:
+        warnings.warn(f"the run goes on in NumPy: {error}", stacklevel=4)
+        return False
+
+
+class Loop:
+    """Runs of the joint form by an integrator, in C."""
+
+    def __init__(self, compiled: Compiled, integrator: str):
+        self.compiled, self.integrator = compiled, integrator
+
+    def __call__(self, task: Task, table: Table) -> None:
+        """Fill the table."""
+        c, self.task, self.table = self.compiled, task, table
+        number = METHODS.index(self.integrator)
+        arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
+        run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
+        self.plan = _Run(*run, WATCH, FAR, *arrays)
+        c.q[:], c.v[:] = task.q0, task.v0
+        with at_time(0.0):
+            c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
+        if task.progress:
+            task.progress(0, task.steps)
+        if type(task.law) is PD and task.law.plain and not task.given.wrenches_vary:
+            self._take_law(task.law)
+        asked = self.plan.pd is None and (task.given.torques_vary or task.given.wrenches_vary)
+        (self._ask if asked else self._sweep)(task)
+
+    def _take_law(self, law: PD) -> None:
+        """Run a PD law in the C; the arrays must live as long as the run."""
+        path = law.duration is not None and law.q_start is not None
+        arrays = (law.kp, law.kd, law.q_des, law.q_start if path else None, law.tau_max)
+        self._arrays = [None if a is None else np.array(a, float) for a in arrays]
+        self._law = _PD(*(None if a is None else a.ctypes.data for a in self._arrays), law.duration if path else 0.0)
+        self.plan.pd = ctypes.addressof(self._law)
+
+    def _sweep(self, task: Task) -> None:
+        """All in C, as many steps a call as take about a slice of time."""
+        for k, count in slices(task.steps + 1):
+            self._call(k, count)
+            self.table.filled(task.rows(k + count))
+            if task.progress:
+                task.progress(min(k + count, task.steps), task.steps)
+
+    def _ask(self, task: Task) -> None:
+        """Step by step, torques or wrenches from Python."""
+        c, often = self.compiled, max(1, task.steps // 200)
+        for k in range(task.steps + 1):
+            with at_time(task.time(k)):
+                c.tau[:], c.w_ext[:] = task.given(task.time(k), c.q, c.v)
+            self._call(k, 1)
+            self.table.filled(task.rows(k + 1))
+            if task.progress and k and (k % often == 0 or k == task.steps):
+                task.progress(k, task.steps)
+
+    def _call(self, k: int, count: int) -> None:
+        """The steps k to k + count - 1 and their samples."""
+        rows, status = self.table.rows, ctypes.c_int()
+        place = ctypes.c_void_p(rows.ctypes.data + rows.strides[0] * self.task.rows(k))
+        call = self.compiled.library.shim_run_steps
+        done = call(self.compiled.memory, ctypes.byref(self.plan), k, count, place, ctypes.byref(status))
+        if status.value:
+            self.table.filled(self.task.rows(k + done) + (not self.plan.sampling and self.task.sampled(k + done)))
+            self._fail(k + done, status.value)
+
+    def _fail(self, k: int, status: int) -> None:
+        """Say why step k failed: NumPy's step from the same state knows."""
+        c, task, p = self.compiled, self.task, self.table.p
+        q, v = c.q.copy(), c.v.copy()
+        with at_time(task.time(k)):
+            if status == LEFT:
+                raise left(self.integrator, self.table.watch)
+            tau, w_ext = task.given(task.time(k), q, v) if self.plan.pd else (c.tau.copy(), c.w_ext.copy())
+            if k < task.steps:
+                JointStepper(c.model, self.integrator, p).step(JointState(q, v), tau, w_ext, task.reach(k))
+            if max(np.abs(q).max(initial=0.0), np.abs(v).max(initial=0.0)) > RUNAWAY:
+                raise diverged(self.integrator)
+            if status == SINGULAR:
+                c.check(status)
+            c.model.numpy(p).forward_dynamics(q, v, tau, w_ext)
+            raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")

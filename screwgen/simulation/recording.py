@@ -1,0 +1,252 @@
+"""What a run keeps while it grows: a table with a row per sample, and a file that a stopped run leaves behind.
+
+The file of a run that is stored to `run.npz` is `run.part.npy` until it ends: a NumPy array with the fields of `Run`
+that `numpy.load` reads at any moment, also while the run goes on and after it was killed. That of `run.csv` is
+`run.part.csv`; where a run is killed its last line may be cut. At most `AGE` seconds of computing are not yet in it.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
+
+import numpy as np
+
+from ..bodies.validity import MEASURES
+from ..errors import ScrewgenError, SingularError, UsageError
+from ..files import create
+from ..spec.load import one_line
+from ..validity import Watch
+from .inputs import Inputs
+from .integrate import Dynamics, Evaluator, modal_functions
+from .runs import Run, csv_header, csv_lines, suffix, unwritable
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+MAX_BYTES = 4 * 2**30
+WATCH = 8
+"""Steps after which, at the latest, a run is looked at for the limits of the model."""
+AGE = 0.25
+"""Samples wait this long, in seconds, to be stored together."""
+
+BLOCK = 4096
+"""Samples that are written at once."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """A run to make: `steps` steps of `step` seconds that end at `duration`, every `every`-th sampled, and the end.
+
+    `q0`, `v0` (nq,): where it starts; `given`: what acts on the arm; `law`: the controller behind its torques;
+    `progress`: to be called with steps done and all, or None.
+    """
+
+    steps: int
+    step: float
+    duration: float
+    every: int
+    q0: np.ndarray
+    v0: np.ndarray
+    given: Inputs
+    law: object
+    progress: Callable[[int, int], None] | None
+
+    def time(self, k: int) -> float:
+        """When step k begins, s."""
+        return k * self.step if k < self.steps else self.duration
+
+    def reach(self, k: int) -> float:
+        """How long step k is, s."""
+        return self.step if k < self.steps - 1 else self.duration - self.time(k)
+
+    def rows(self, k: int) -> int:
+        """How many samples there are when step k is to come; number `steps` is the end."""
+        return -(-min(k, self.steps) // self.every) + (k > self.steps)
+
+
+    def sampled(self, k: int) -> bool:
+        """Whether step k, or number `steps`, the end, is a sample."""
+        return k % self.every == 0 or k == self.steps
+
+
+Walk = Callable[[Task, "Table"], None]
+"""A way to make a run."""
+
+
+class Table:
+    """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, energy."""
+
+    def __init__(self, model: Model, times: np.ndarray, p: np.ndarray):
+        self.model, self.times, self.p = model, times, p
+        widths = {"t": 1, "q": model.nq, "v": model.nq, "tau": model.n_joints}
+        widths |= {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
+        ends = np.cumsum(list(widths.values()))
+        self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
+        self.width = int(ends[-1])
+        if (size := 8 * len(times) * self.width) > MAX_BYTES:
+            raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
+        self.rows = np.empty((len(times), self.width))
+        self.watch = Watch([link.name for link in model.robot.links])
+        self.store: Store | None = None
+
+    @property
+    def shapes(self) -> dict[str, tuple[int, ...]]:
+        """The shape of every quantity in one sample."""
+        sizes = {name: (place.stop - place.start,) for name, place in self.places.items()}
+        return sizes | {"t": (), "wrench": (self.model.n_links, 6)}
+
+    def filled(self, count: int) -> None:
+        """Say that the first `count` rows are there."""
+        if self.store is not None:
+            self.store.filled(count)
+
+    def run(self) -> Run:
+        """The run."""
+        m = self.model
+        arrays = {name: self.rows[:, place] for name, place in self.places.items()}
+        arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
+        names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+        return Run(m.robot.name, **arrays, **names, validity=self.watch.validity())
+
+
+class Recorder:
+    """Samples of a motion by CasADi's functions."""
+
+    def __init__(self, table: Table):
+        functions, self.table = table.model.casadi(), table
+        self.dynamics = Dynamics(table.model, table.p)
+        modal = modal_functions(table.model.chain)
+        self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
+        self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
+
+    def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
+        """The joint wrenches; None where a link bends by more than its length."""
+        wrench, motion = self.watched(q, v, tau, w_ext, *self.dynamics.modes(q, v), self.table.p)
+        measures = self.measures(q, wrench, motion, self.table.p)[0]
+        return wrench if self.table.watch(t, measures.reshape(-1, len(MEASURES))) else None
+
+    def __call__(self, row: int, q: np.ndarray, v: np.ndarray, wrench: np.ndarray, tau: np.ndarray) -> None:
+        """Keep a sample."""
+        p = self.table.p
+        tip, energy = self.tip_pose(q, p)[1], self.energy(q, v, p)
+        self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *energy])
+        self.table.filled(row + 1)
+
+    def check(self) -> None:
+        """Raise SingularError where a joint wrench is no number."""
+        if not np.isfinite(self.table.rows[:, self.table.places["wrench"]]).all():
+            raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")
+
+
+# ------------------------------------------------------------------------------ the file
+
+
+def part_of(path: str | os.PathLike[str]) -> Path:
+    """Where a run that is stored to `path` is kept until it ends."""
+    target = Path(os.path.realpath(path))
+    return target.with_suffix({".npz": ".part.npy", ".csv": ".part.csv"}[suffix(path)])
+
+
+@contextmanager
+def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
+    """Store the table's samples as they come (no path: nowhere); what comes to its end takes its place at `path`.
+
+    An error, or the interruption, then says which file is left.
+    """
+    if path is None:
+        yield
+        return
+    part = part_of(path)
+    stream = _claimed(part, path)
+    try:
+        with stream:
+            table.store = Store(table, stream, suffix(path) == ".csv")
+            try:
+                yield
+            finally:
+                table.store.append()
+        if suffix(path) == ".csv":
+            os.replace(part, os.path.realpath(path))
+        else:
+            table.run().save(path)
+            part.unlink()
+    except OSError as error:
+        raise unwritable(path, error) from None
+    except (ScrewgenError, KeyboardInterrupt) as error:
+        if table.store is None or not table.store.count:
+            raise
+        reason = str(error) or "interrupted"
+        raise type(error)(f"{reason}; {one_line(part.name)} keeps the run until then") from None
+    finally:
+        if table.store is None or not table.store.count:
+            with suppress(OSError):
+                part.unlink()
+
+
+def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
+    """The new file of a run that is stored to `path`, as private as what is there; raises UsageError."""
+    try:
+        return create(part, like=path)
+    except FileExistsError:
+        kept = "is there already: it keeps a run that was stopped, or one that still goes on"
+        raise UsageError(f"{one_line(str(part))}: {kept}; move it away, or choose another output") from None
+    except OSError as error:
+        raise unwritable(path, error) from None
+
+
+class Store:
+    """The file of a run that is not at its end."""
+
+    def __init__(self, table: Table, stream: BinaryIO, text: bool):
+        self.table, self.stream, self.text = table, stream, text
+        self.dtype = np.dtype([(name, "<f8", shape) for name, shape in table.shapes.items()])
+        self.count, self.ready, self.clock = 0, 0, time.monotonic()
+        self.end = stream.write(csv_header(_columns(table.model)) if text else npy_header(self.dtype, 0))
+        stream.flush()
+
+    def filled(self, count: int) -> None:
+        """Append the rows before `count`, now and then."""
+        self.ready = count
+        if count - self.count > BLOCK or time.monotonic() - self.clock > AGE:
+            self.append()
+
+    def append(self) -> None:
+        """All rows that are ready, block by block. What an interruption leaves half done is done again."""
+        while self.count < self.ready:
+            rows = self.table.rows[self.count : min(self.count + BLOCK, self.ready)]
+            data = b"".join(csv_lines(rows)) if self.text else rows.astype("<f8", copy=False).tobytes()
+            self._write(self.end, data)
+            self.count, self.end = self.count + len(rows), self.end + len(data)
+            if not self.text:
+                self._write(0, npy_header(self.dtype, self.count))
+        self.clock = time.monotonic()
+
+    def _write(self, place: int, data: bytes) -> None:
+        """At once: the count in front of the data follows them, so that the file is whole at any moment."""
+        self.stream.seek(place)
+        self.stream.write(data)
+        self.stream.flush()
+
+
+def _columns(model: Model) -> tuple[str, ...]:
+    return Run.column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
+
+
+def npy_header(dtype: np.dtype, count: int) -> bytes:
+    """The header of an array of `count` records in NumPy's format 1.0, as long for any count."""
+    text = repr({"descr": dtype.descr, "fortran_order": False, "shape": (count,)})
+    longest = len(text) - len(str(count)) + 20
+    size = 64 * math.ceil((10 + longest + 1) / 64) - 10
+    return b"\x93NUMPY\x01\x00" + size.to_bytes(2, "little") + text.ljust(size - 1).encode() + b"\n"
+
+
+def sample_times(times: np.ndarray, every: int) -> np.ndarray:
+    """Those of every `every`-th step, and the last."""
+    return np.append(times[:-1][::every], times[-1])

@@ -1,0 +1,174 @@
+"""Runs: what a simulation leaves behind, and how it comes to rest in files that are whole or not there."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from .. import notebook
+from ..errors import UsageError
+from ..files import create
+from ..spec.load import one_line
+from ..validity import Validity
+
+ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
+NAMES = ("q_names", "v_names", "tau_names", "wrench_names")
+TIP_NAMES = ("tip_position.x", "tip_position.y", "tip_position.z")
+ENERGY_NAMES = ("energy.kinetic", "energy.potential")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Run:
+    """A simulated motion: N samples of a robot with n links; SI units, radians.
+
+    `t` (N,); `q`, `v` (N, nq): coordinates, joints then modes, and rates; `tau` (N, n_joints): the torques held
+    from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
+    the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame;
+    `energy` (N, 2): kinetic, potential. The names belong to the columns.
+    """
+
+    name: str
+    t: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    tau: np.ndarray
+    wrench: np.ndarray
+    tip_position: np.ndarray
+    energy: np.ndarray
+    q_names: tuple[str, ...]
+    v_names: tuple[str, ...]
+    tau_names: tuple[str, ...]
+    wrench_names: tuple[str, ...]
+    validity: Validity | None = None
+    """How far the motion went from the limits of the model; files do not hold it."""
+
+    def __repr__(self) -> str:
+        joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
+        return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
+
+    def _repr_html_(self) -> str:
+        """Where the coordinates and the tip began, ended, and were in between."""
+        names = (*self.q_names, *TIP_NAMES)
+        values = np.column_stack([self.q, self.tip_position]).T
+        rows = ((name, x[0], x[-1], x.min(), x.max()) for name, x in zip(names, values, strict=True))
+        return notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of the columns of `table`."""
+        return self.column_names(*(getattr(self, name) for name in NAMES))
+
+    @staticmethod
+    def column_names(*names: Sequence[str]) -> tuple[str, ...]:
+        """The names of the columns of `table`, of a run with these `NAMES`."""
+        return ("t", *(x for group in names for x in group), *TIP_NAMES, *ENERGY_NAMES)
+
+    @property
+    def table(self) -> np.ndarray:
+        """Everything side by side, (N, columns)."""
+        return np.column_stack([getattr(self, name).reshape(len(self.t), -1) for name in ARRAYS])
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a .npz file (keys as the attributes, and the names) or a .csv table with a header.
+
+        A file that is there is replaced, at once and only when the new one is whole. Raises UsageError.
+        """
+        check_output(path, FORMATS)
+        with outputs(path) as (stream,):
+            self.write(stream, path)
+
+    def write(self, stream: BinaryIO, path: str | os.PathLike[str]) -> None:
+        """Write to `stream` in the format of the suffix of `path`."""
+        FORMATS[suffix(path)](self, stream)
+
+
+def write_npz(run: Run, stream: BinaryIO) -> None:
+    arrays = {name: getattr(run, name) for name in ARRAYS}
+    np.savez(stream, **arrays, **{name: np.array(getattr(run, name), dtype=str) for name in NAMES})
+
+
+def write_csv(run: Run, stream: BinaryIO) -> None:
+    stream.write(csv_header(run.columns))
+    stream.writelines(csv_lines(run.table))
+
+
+def csv_header(columns: Sequence[str]) -> bytes:
+    """The first line of a CSV table."""
+    return (",".join(columns) + "\n").encode()
+
+
+def csv_lines(rows: np.ndarray) -> Iterator[bytes]:
+    """The other lines: numbers in the shortest form that reads back bit for bit."""
+    for row in rows:
+        yield (",".join(map(repr, row.tolist())) + "\n").encode()
+
+
+FORMATS: dict[str, Callable[[Run, BinaryIO], None]] = {".npz": write_npz, ".csv": write_csv}
+
+
+# ------------------------------------------------------------------------------ files
+
+
+def suffix(path: str | os.PathLike[str]) -> str:
+    """The suffix of a path in lower case, `.npz`."""
+    return os.path.splitext(os.fsdecode(path))[1].lower()
+
+
+def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] | dict) -> None:
+    """Refuse, before any work is done, a path that cannot be written: suffix, folder, kind of file."""
+    shown = one_line(os.fsdecode(path))
+    if suffix(path) not in suffixes:
+        raise UsageError(f"{shown or 'the output'}: has an unknown suffix; it must end in {' or '.join(suffixes)}")
+    try:
+        target = Path(os.path.realpath(path))
+        if not target.parent.is_dir():
+            raise UsageError(f"{shown}: its folder does not exist; create it first")
+        if target.is_dir():
+            raise UsageError(f"{shown}: is a directory; name a file in it")
+        if target.exists() and not target.is_file():
+            raise UsageError(f"{shown}: is not a regular file; choose another name")
+    except (OSError, ValueError) as error:
+        raise unwritable(path, error) from None
+
+
+def unwritable(path: str | os.PathLike[str], error: Exception) -> UsageError:
+    """The error for an output that the system refuses."""
+    reason = getattr(error, "strerror", None) or str(error)
+    return UsageError(f"{one_line(os.fsdecode(path))}: cannot be written ({one_line(reason)}); choose another place")
+
+
+@contextmanager
+def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
+    """Streams to temporary files beside `paths`, which take their places together when all went well.
+    A file that is there keeps its mode.
+
+    The temporary files are opened at once, so that a folder that cannot be written is refused before the work;
+    they are removed when the work fails. Raises UsageError.
+    """
+    targets = [Path(os.path.realpath(path)) for path in paths]
+    parts = [t.with_name(f".{t.name[:40]}.{secrets.token_hex(4)}.part") for t in targets]
+    try:
+        with ExitStack() as stack:
+            yield [stack.enter_context(_opened(*names)) for names in zip(parts, targets, paths, strict=True)]
+        for part, target in zip(parts, targets, strict=True):
+            os.replace(part, target)
+    except OSError as error:
+        raise unwritable(paths[0], error) from None
+    finally:
+        for part in parts:
+            with suppress(OSError):
+                part.unlink()
+
+
+def _opened(part: Path, target: Path, path: str | os.PathLike[str]) -> BinaryIO:
+    try:
+        return create(part, like=target)
+    except OSError as error:
+        raise unwritable(path, error) from None

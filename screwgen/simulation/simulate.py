@@ -1,0 +1,184 @@
+"""Simulation: steps of a form of the equations by a method, sampled into a run."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..arguments import MAX_STEPS, Given, choice, seconds, whole
+from ..errors import DivergedError, UsageError
+from ..validity import ModelLeftError
+from . import loop
+from .controllers import Controller
+from .dae import DaeStepper
+from .inputs import Inputs, at_time, floats, started
+from .integrate import JointStepper, Stepper, check_integrator, left
+from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
+from .runs import FORMATS, Run, check_output
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+FORMS: dict[str, type[Stepper]] = {"joint": JointStepper, "dae": DaeStepper}
+"""The forms of the equations: name -> stepper, made with (model, integrator, p)."""
+
+BACKENDS = ("c", "numpy")
+RELATIVE_SLACK = 1e-9
+"""A duration this close to a multiple of the step is one."""
+
+Wrenches = Callable[[float, np.ndarray, np.ndarray], Any]
+
+
+def simulate(
+    model: Model,
+    duration: float,
+    step: float,
+    q0: Sequence[float] | None = None,
+    v0: Sequence[float] | None = None,
+    controller: Controller | Sequence[float] | None = None,
+    w_ext: Wrenches | Sequence[Sequence[float]] | None = None,
+    integrator: str | None = None,
+    form: str = "joint",
+    parameters: Given = None,
+    progress: Callable[[int, int], None] | None = None,
+    *,
+    backend: str | None = None,
+    every: int = 1,
+    store: str | os.PathLike[str] | None = None,
+) -> Run:
+    """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
+
+    `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
+    (n_joints,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
+    constants. `integrator`: one of `integrate.METHODS` in the joint form, modal_midpoint if none is named.
+    `parameters`: all values, or those that differ from the file's by name. `progress(done, all)` is called
+    now and then. A run has steps + 1 samples, or with `every` those of every so many steps and of the end; where
+    `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
+
+    `backend`: "c" steps the joint form in the generated C, compiled when it is first needed and kept (`library`);
+    constants and :class:`PD` stay in it, other controllers are called from it. "numpy" steps in Python. By default
+    "c" in the joint form where there is a compiler. The numbers agree to rounding.
+
+    `store`: a .npz or .csv file for the run, which grows meanwhile as `run.part.npy` (`numpy.load` reads it, its
+    fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
+
+    The samples, and every eighth step at least, are watched for the limits of the model: `run.validity`, and a
+    :class:`ModelValidityWarning` where one is passed.
+
+    Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
+    inverted, DivergedError when the method does not hold at this step, ModelLeftError, which is one too, when a link
+    bends by more than its length.
+    """
+    steps, p = step_count(duration, step), model.chain.parameters.vector(parameters)
+    if store is not None:
+        check_output(store, FORMATS)
+    every = whole(every, "every", 1)
+    walk = (_c_walk if _in_c(backend, form, model) else _numpy_walk)(model, integrator, form, p)
+    q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
+    law = started(controller, q0)
+    given = Inputs(model, law, w_ext)
+    table = Table(model, sample_times(time_grid(duration, step), every), p)
+    diverged = False
+    try:
+        with stored(table, store):
+            walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
+            return table.run()
+    except DivergedError as error:
+        diverged = not isinstance(error, ModelLeftError)
+        raise
+    finally:
+        if not diverged:  # a method that diverges says nothing about the model
+            table.watch.validity().warn()
+
+
+def _in_c(backend: str | None, form: str, model: Model) -> bool:
+    """Whether a run is stepped in C."""
+    if backend is not None:
+        choice(backend, BACKENDS, "backend: there is no")
+    if backend == "c" and form in FORMS and form != "joint":
+        raise UsageError(
+            f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
+        )
+    return form == "joint" and (backend == "c" or (backend is None and loop.available(model)))
+
+
+def _c_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
+    name = FORMS[form].default if integrator is None else integrator
+    check_integrator(name)
+    return loop.Loop(loop.instance(model, p), name)
+
+
+def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
+    plant = stepper(model, integrator, form, p)
+
+    def walk(task: Task, table: Table) -> None:
+        record = Recorder(table)
+        _check_posture(model, p, task.given, task.q0, task.v0)
+        state, often = plant.initial(task.q0, task.v0), max(1, task.steps // 200)
+        for k in range(task.steps + 1):
+            t = task.time(k)
+            with at_time(t):
+                q, v = plant.coordinates(state)
+                tau, wrench = task.given(t, q, v)
+                if task.sampled(k) or k % WATCH == 0:
+                    joints = record.look(t, q, v, tau, wrench)
+                    if joints is None:
+                        raise left(plant.name, table.watch)
+                    if task.sampled(k):
+                        record(task.rows(k), q, v, joints, tau)
+                if k < task.steps:
+                    state = plant.step(state, tau, wrench, task.reach(k))
+            if task.progress and (k % often == 0 or k == task.steps):
+                task.progress(k, task.steps)
+        record.check()
+
+    return walk
+
+
+def stepper(
+    model: Model, integrator: str | None = None, form: str = "joint", p: Sequence[float] | None = None
+) -> Stepper:
+    """The stepper of a form and an integrator (None: the form's own choice) at the parameters `p`.
+
+    Raises UsageError on unknown names.
+    """
+    choice(form, FORMS, "there is no simulation in the form")
+    chosen = FORMS[form].default if integrator is None else integrator
+    return FORMS[form](model, chosen, model.parameter_values if p is None else p)
+
+
+# ------------------------------------------------------------------------------ what is given
+
+
+def step_count(duration: float, step: float) -> int:
+    """How many steps reach `duration`, the last one shorter where it is no multiple; raises UsageError."""
+    duration, step = seconds(duration, "the duration"), seconds(step, "the step")
+    if duration > MAX_STEPS * step:
+        raise UsageError(f"duration / step is over {MAX_STEPS:g} steps; take a shorter duration or a longer step")
+    nearest = round(duration / step)
+    whole = nearest >= 1 and abs(duration / step - nearest) <= RELATIVE_SLACK * nearest
+    return nearest if whole else math.ceil(duration / step)
+
+
+def time_grid(duration: float, step: float) -> np.ndarray:
+    """The sample times 0, step, 2 step, …, duration (steps + 1,); raises UsageError."""
+    return np.append(step * np.arange(step_count(duration, step)), float(duration))
+
+
+def coordinates(values: Sequence[float] | None, name: str, model: Model) -> np.ndarray:
+    """`values` as (nq,); the joints alone leave the modes at zero."""
+    given = np.ravel(floats([] if values is None else values, name))
+    if len(given) not in (0, model.n_joints, model.nq):
+        allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
+        raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
+    return np.append(given, np.zeros(model.nq - len(given)))
+
+
+def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:
+    """Refuse a singular start; NumPy's dynamics knows the joint."""
+    with at_time(0.0):
+        model.numpy(p).forward_dynamics(q, v, *given(0.0, q, v))

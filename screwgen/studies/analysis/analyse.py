@@ -1,0 +1,153 @@
+"""Well-posedness, computed: the assembled system, its blocks, the spectrum and the steps that integrators bear.
+
+What Section 6 of the paper argues for, (Msys_diff), (2T) and (DAESOL), is evaluated at a set of states; (stability)
+is set beside step limits from the real spectrum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import SingularError, UsageError
+from ...simulation.state import State, state_of
+from .findings import Findings, StateAnalysis
+from .regularity import link_blocks, regularity, structure, with_projectors_alone
+from .spectrum import Law, Linearised, check_step, motions
+from .step_limits import paper_bound, step_limits
+from .text import report
+
+if TYPE_CHECKING:
+    from ...model import Model
+
+SAMPLES = 20
+SAG = 0.05
+"""Random states bend a link by no more than this share of its length (torsion: this angle in rad)."""
+WEIGHT = 9.81
+
+
+class Analysis(Findings):
+    """The findings, with the report on them."""
+
+    def text(self) -> str:
+        """The report, for a terminal."""
+        return report(self)
+
+
+# ------------------------------------------------------------------------------ the analysis
+
+
+def analyse(
+    model: Model,
+    states: Mapping[str, Any] | Sequence[Any] | None = None,
+    step: float = 1e-3,
+    controller: Law | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Analysis:
+    """Rank, condition and definiteness of the assembled system, spectrum and step limits, at every one of `states`.
+
+    A state is a `State`, or what `state_of` takes: q (nq,), or a dict of q, v, tau, w_ext; a mapping names them.
+    None: everything zero, and random ones, `sample_states`. `step` in s: for which growth is reported. With
+    a `controller(t, q, v)` its torques, held over each step, take the place of the states' and its gains enter the
+    spectrum. A singular posture is reported, not raised. Raises UsageError.
+    """
+    check_step(step)
+    given = _labelled(model, states, controller is None)
+    if controller is not None and any(state.tau.any() for state in given.values()):
+        raise UsageError("a state gives tau beside a controller; leave one of them out")
+    found = []
+    for k, (label, state) in enumerate(given.items()):
+        found.append(analyse_state(model, label, state, step, controller))
+        if progress:
+            progress(k + 1, len(given))
+    names = tuple(link.name for link in model.robot.links)
+    head = (model.robot.name, names, model.nq, model.n_joints, float(step), controller is not None)
+    return Analysis(*head, paper_bound(model), structure(model), tuple(found))
+
+
+def analyse_state(model: Model, label: str, state: State, step: float, controller: Law | None = None) -> StateAnalysis:
+    """The analysis of one state."""
+    system = projectors = acceleration = None
+    blocks, found, limits, measures, singular = (), (), (), (), ""
+    try:
+        judge = model.numpy()
+        M = judge.assemble(judge.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
+        system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
+        blocks = tuple(link_blocks(model, M))
+        tau = state.tau if controller is None else None
+        motion = Linearised(model, state.q, state.v, tau, controller, state.w_ext)
+        acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
+        limits = tuple(step_limits(motion, step))
+        measures = _measures(model, state, controller)
+    except SingularError as error:
+        singular = str(error)
+    except np.linalg.LinAlgError:
+        singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
+    if system is not None and not system.regular and not singular:
+        singular = f"M_sys has rank {system.rank} of {system.size}"
+    turning = float(np.linalg.norm(state.v[: model.n_joints]))
+    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turning, found, limits, measures)
+
+
+def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
+    """How far every link is from the limits of the model, in a state under its torques or the controller's."""
+    tau = s.tau if controller is None else controller(0.0, s.q.copy(), s.v.copy())
+    return tuple(map(tuple, model.validity(s.q, s.v, tau, s.w_ext).values.tolist()))
+
+
+def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:
+    if states is None:
+        return {"zero": state_of({}, model)} | sample_states(model, SAMPLES, 0, hold)
+    if not isinstance(states, Mapping):
+        states = {f"state {k + 1}": state for k, state in enumerate(states)}
+    if not states:
+        raise UsageError("there are no states to analyse; give one")
+    return {label: s if isinstance(s, State) else _state(s, model, label) for label, s in states.items()}
+
+
+def _state(given: Any, model: Model, label: str) -> State:
+    listed = lambda x: x.tolist() if isinstance(x, np.ndarray) else x  # noqa: E731
+    data = {key: listed(x) for key, x in given.items()} if isinstance(given, Mapping) else listed(given)
+    return state_of(list(data) if isinstance(data, tuple) else data, model, label)
+
+
+# ------------------------------------------------------------------------------ random states
+
+
+def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) -> dict[str, State]:
+    """Random states by name: joint angles in ±π, joint rates in ±1 rad/s, modes as the arm's weight bends them.
+
+    A mode's deflection is within ±what the weight of the whole arm would cause, but no more than a small share of
+    the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
+    the undeformed posture at rest; else they are zero.
+    """
+    rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
+    deflection, rate = modal_scale(model)
+    out = {}
+    for k in range(count):
+        q = np.append(rng.uniform(-np.pi, np.pi, m), deflection * rng.uniform(-1, 1, len(deflection)))
+        v = np.append(rng.uniform(-1, 1, m), rate * rng.uniform(-1, 1, len(rate)))
+        out[f"sample {k + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
+    return out
+
+
+def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
+    """Deflections (n_modes,) and rates of random states, at most."""
+    links, constants = model.robot.links, model.numpy().constants
+    values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
+    masses = [values[f"{link.name}.rhoA"] * link.length + sum(body.mass for body in link.bodies) for link in links]
+    K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
+    turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
+    lengths = np.repeat([link.length for link in links], [key.modes for key in model.chain.keys])
+    load, room = WEIGHT * sum(masses) * np.where(turns, lengths, 1.0), SAG * np.where(turns, 1.0, lengths)
+    deflection = np.minimum(load / K, room)
+    return deflection, deflection * np.sqrt(K / M_eta)
+
+
+def holding(model: Model, q: np.ndarray) -> np.ndarray:
+    """Joint torques (n_joints,) that carry the weight of the arm with undeformed links."""
+    still = np.zeros(model.nq)
+    straight = np.append(q[: model.n_joints], still[model.n_joints :])
+    return model.numpy().bias(straight, still, np.zeros((model.n_links, 6)))[: model.n_joints]

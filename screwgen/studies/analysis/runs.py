@@ -1,0 +1,57 @@
+"""How far a stored run went from the limits of the model."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...bodies.validity import MEASURES
+from ...errors import UsageError
+from ...simulation.integrate import Evaluator
+from ...spec.load import one_line
+from ...validity import Validity, Watch
+
+if TYPE_CHECKING:
+    from ...model import Model
+
+NEEDED = ("t", "q", "v", "tau", "wrench")
+SAME = 1e-6
+"""Relative difference of joint wrenches up to which a run is the robot's, without wrenches on its tips."""
+
+
+def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
+    """`t` (N,), `q`, `v` (N, nq), `tau` (N, n_joints) and `wrench` (N, n, 6) of a .npz run; raises UsageError."""
+    shown = one_line(path)
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            found = {name: np.array(data[name], float) for name in NEEDED}
+    except (OSError, ValueError, zipfile.BadZipFile) as error:
+        why = one_line(str(error))
+        raise UsageError(f"{shown}: cannot be read as a run ({why}); give a .npz of simulate") from None
+    except KeyError as error:
+        raise UsageError(f"{shown}: has no {one_line(str(error.args[0]))}; give a .npz of simulate") from None
+    count = len(found["t"])
+    sizes = {"q": (model.nq,), "v": (model.nq,), "tau": (model.n_joints,), "wrench": (model.n_links, 6)}
+    for name, size in sizes.items():
+        if found[name].shape != (count, *size):
+            raise UsageError(f"{shown}: {name} has the shape {found[name].shape}; this robot's is {(count, *size)}")
+    return found
+
+
+def run_validity(model: Model, motion: Mapping[str, np.ndarray]) -> Validity:
+    """The largest measures over the samples of a run without wrenches on its tips; raises UsageError."""
+    functions, p = model.casadi(), np.array(model.parameter_values)
+    evaluate, dynamics = Evaluator(functions["validity"]), Evaluator(functions["forward_dynamics"])
+    watch, none = Watch([link.name for link in model.robot.links]), np.zeros((model.n_links, 6))
+    for t, q, v, tau, wrench in zip(*(motion[name] for name in NEEDED), strict=True):
+        own = dynamics(q, v, tau, none, p)[1]
+        if not np.allclose(own, wrench.ravel(), rtol=SAME, atol=SAME * max(1.0, float(np.abs(wrench).max()))):
+            raise UsageError(
+                f"t = {t:.6g} s: the joint wrenches of the run are not those of this robot under its torques alone; "
+                "wrenches on the tips are not in a run's file: take run.validity of simulate in Python instead"
+            )
+        watch(t, evaluate(q, v, tau, none, p)[0].reshape(-1, len(MEASURES)))
+    return watch.validity()

@@ -1,0 +1,255 @@
+"""Small motions about a state: the Jacobian of the dynamics, and what one step of a method makes of them.
+
+Everything is linearised at the state as it is, rates included. Where the state is no equilibrium these are frozen
+coefficients: they describe what happens near it, for as long as the motion stays near it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ...errors import SingularError, UsageError
+from ...simulation.integrate import METHODS, Dynamics, Evaluator, modal_functions
+from ...simulation.simulate import Inputs, coordinates, started
+
+if TYPE_CHECKING:
+    from ...model import Model
+
+Numbers = Sequence[float] | np.ndarray
+Parameters = Sequence[float] | Mapping[str, float]
+Law = Callable[[float, np.ndarray, np.ndarray], Sequence[float]]
+
+STILL = 3e-6
+"""Eigenvalues smaller than this, relative to the largest, are motions that nothing drives back."""
+TOLERANCE = 1e-4
+"""Growth per radian, relative to the amplitude, that counts as none."""
+DIFFERENCE = 1e-5
+"""By how much a controller's arguments are varied, relative where they exceed 1."""
+
+
+def jacobian(
+    model: Model,
+    q: Numbers,
+    v: Numbers,
+    tau: Numbers | None = None,
+    w_ext: Numbers | None = None,
+    p: Parameters | None = None,
+    controller: Law | None = None,
+) -> np.ndarray:
+    """`A` (2 nq, 2 nq) with `d/dt [δq; δv] = A [δq; δv]`: the dynamics linearised at `q`, `v` (nq,), exactly.
+
+    `tau` (n_joints,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` the torques follow the
+    motion instead, at t = 0. Derivatives by automatic differentiation. Raises UsageError, SingularError.
+    """
+    return Linearised(model, q, v, tau, controller, w_ext, p).jacobian
+
+
+def step_map(
+    model: Model,
+    method: str,
+    q: Numbers,
+    v: Numbers,
+    step: float,
+    tau: Numbers | None = None,
+    controller: Law | None = None,
+    w_ext: Numbers | None = None,
+    p: Parameters | None = None,
+) -> np.ndarray:
+    """`S` (2 nq, 2 nq) with `[δq; δv]` after a step `= S [δq; δv]` before it: the amplification matrix.
+
+    It is the method itself (`integrate.METHODS`, which the generated C steps too) applied to the dynamics
+    linearised at `q`, `v` (nq,); `step` in s. `tau` (n_joints,), N·m, is held; with a `controller(t, q, v)` the
+    torques are those of the step's start, held over the step, as in a simulation. For methods that evaluate the
+    dynamics once a step, and for all of them at an equilibrium, S is the exact derivative of the step.
+    Raises UsageError, SingularError.
+    """
+    return Linearised(model, q, v, tau, controller, w_ext, p).step_map(method, step)
+
+
+def check_step(step: float) -> None:
+    """Refuse a step that is no time."""
+    if not (np.isfinite(step) and step > 0):
+        raise UsageError(f"the step is {step:g} s; it must be a finite number > 0")
+
+
+def growth(S: np.ndarray) -> float:
+    """The spectral radius of a step map: the factor per step of what grows fastest, after many steps."""
+    return float(np.abs(np.linalg.eigvals(S)).max(initial=0.0))
+
+
+class Slopes(NamedTuple):
+    """Derivatives of the accelerations (nq,) by coordinates, rates, torques and what acts within modes and joints."""
+
+    q: np.ndarray
+    v: np.ndarray
+    tau: np.ndarray
+    force: np.ndarray
+
+
+class Linearised:
+    """The accelerations to first order about a state, as integration methods ask for them: see `integrate.Held`.
+
+    Arguments as those of `step_map`. Motions are matrices, a column per motion. Raises UsageError where
+    arguments make no sense, SingularError where the mass matrix cannot be inverted.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        q: Numbers,
+        v: Numbers,
+        tau: Numbers | None = None,
+        controller: Law | None = None,
+        w_ext: Numbers | None = None,
+        p: Parameters | None = None,
+    ):
+        if controller is not None and tau is not None:
+            raise UsageError("torques are given beside a controller; leave one of them out")
+        self.model, self.p = model, model.chain.parameters.vector(p)
+        self.q, self.v = coordinates(q, "q", model), coordinates(v, "v", model)
+        law = tau if controller is None else started(controller, self.q)
+        self.given = Inputs(model, law, w_ext)
+        self.tau, self.w_ext = self.given(0.0, self.q, self.v)
+        self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
+        self.dynamics, self.directional = Dynamics(model, self.p), _directional(model.chain)
+        self.identity = np.vsplit(np.eye(2 * model.nq), 2)
+        self.gains = np.zeros((model.n_joints, 2 * model.nq)) if controller is None else self._gains()
+        self.trim: np.ndarray | None = None
+        self._known: dict[float, Slopes] = {}
+
+    def trimmed(self) -> Linearised:
+        """The same about the same state, where constant generalised forces make the accelerations zero."""
+        trim, out = self.mass_matrix @ self.vdot, copy(self)
+        out.trim, out._known = trim, {}
+        return out
+
+    @property
+    def turning(self) -> float:
+        """How fast the joints turn at the state, rad/s: the norm of their rates."""
+        return float(np.linalg.norm(self.v[: self.model.n_joints]))
+
+    @cached_property
+    def mass_matrix(self) -> np.ndarray:
+        """`M` (nq, nq) at the state."""
+        return self.model.numpy(self.p).mass_matrix(self.q)
+
+    @property
+    def jacobian(self) -> np.ndarray:
+        """`A` (2 nq, 2 nq) of `d/dt [δq; δv] = A [δq; δv]`."""
+        return np.vstack([self.identity[1], self.explicit(*self.identity)])
+
+    def step_map(self, method: str, step: float) -> np.ndarray:
+        """The amplification matrix (2 nq, 2 nq) of a method over `step` seconds."""
+        if method not in METHODS:
+            raise UsageError(f"there is no integrator '{method}' in the joint form; known: {', '.join(METHODS)}")
+        check_step(step)
+        return np.vstack(METHODS[method](self, *self.identity, step))
+
+    def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The accelerations of the motions `q`, `v` (nq, k); the torques are those of `identity`, held."""
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
+        """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
+        a, d = self.slopes(h), self.dynamics
+        force = d.force(q, v, h, d.K[:, None], d.D[:, None])
+        at_q, at_v = there or (q, v)
+        return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+
+    def slopes(self, h: float) -> Slopes:
+        """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
+        if h not in self._known:
+            self._known = {0.0: self._known[0.0]} if 0.0 in self._known else {}
+            self._known[h] = self._derivatives(h) if self.trim is None or h == 0 else self._heavier(h)
+        return self._known[h]
+
+    def _heavier(self, h: float) -> Slopes:
+        """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
+        d, M = self.dynamics, self.mass_matrix
+        added = np.append(np.zeros(self.model.nq - d.n_given), h * d.D + h**2 * d.K)
+        factor = np.linalg.solve(M + np.diag(added), M)
+        return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
+
+    def _derivatives(self, h: float) -> Slopes:
+        if not self.model.nq:
+            return Slopes(*4 * [np.zeros((0, 0))])
+        d, (nq, m, n) = self.dynamics, (self.model.nq, self.model.n_joints, self.model.n_links)
+        force, torque = d.force(self.q, self.v, h, d.K, d.D), self.tau
+        if self.trim is not None:
+            modes = np.append(np.zeros(d.n_given - nq + m), self.trim[m:])
+            force, torque = force + modes, torque - self.trim[:m]
+        parts = np.cumsum([nq, nq, m, d.n_given])
+        seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
+        still = [np.zeros((parts[-1], k)) for k in (6 * n, d.n_given, len(self.p))]
+        results = (np.zeros(nq), np.zeros((n, 6)))
+        place = (self.q, self.v, torque, self.w_ext, d.inertia(h), force, self.p)
+        q, v, tau, f = seeds
+        columns = self.directional(*place, *results, q, v, tau, still[0], still[1], f, still[2])[0]
+        if not np.isfinite(columns).all():
+            what = "the accelerations have no finite derivatives in this state"
+            raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
+        return Slopes(*np.split(columns.reshape(parts[-1], nq).T, parts[:-1], axis=1))
+
+    def _gains(self) -> np.ndarray:
+        """The controller's derivatives by q and v (n_joints, 2 nq), by central differences."""
+        x = np.append(self.q, self.v)
+        torque = lambda x: self.given(0.0, *np.split(x, 2))[0]  # noqa: E731
+        sides = [(torque(x + e) - torque(x - e)) / (2 * e.max()) for e in np.diag(DIFFERENCE * np.maximum(1, abs(x)))]
+        return np.array(sides).reshape(-1, self.model.n_joints).T
+
+
+@lru_cache(maxsize=4)
+def _directional(chain) -> Evaluator:
+    """The derivatives of `modal_dynamics` in nq + nq + n_joints + n_given directions at once."""
+    function = modal_functions(chain)["modal_dynamics"]
+    primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nq + chain.n_joints + chain.n_given
+    return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
+
+
+# ------------------------------------------------------------------------------ motions
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion `exp(λ t)` of the linearised arm; a conjugate pair is one, with the positive imaginary part.
+
+    `kind`: "oscillates", "grows" (an oscillation that gains), "falls" (real, growing), "decays" (real, shrinking) or
+    "free" (nothing drives it back); `frequency_hz`: |λ| / 2π of an oscillation, else 0; `damping`: its ratio −Re λ/|λ|;
+    `coordinate`: the one with the largest share of the motion's kinetic energy.
+    """
+
+    eigenvalue: complex
+    kind: str
+    frequency_hz: float
+    damping: float
+    coordinate: str
+
+
+def motions(motion: Linearised) -> list[Motion]:
+    """The spectrum: motions that fall, then the others by |λ|, slowest first."""
+    eigenvalues, vectors = np.linalg.eig(motion.jacobian)
+    largest = np.abs(eigenvalues).max(initial=0.0)
+    found = []
+    for x, vector in zip(eigenvalues.astype(complex), vectors.T, strict=True):
+        if abs(x) <= STILL * largest:
+            x = 0j
+        if x.imag >= 0:
+            u = vector[: motion.model.nq]
+            share = np.abs((u.conj() * (motion.mass_matrix @ u)).real)
+            found.append(_motion(complex(x), motion.model.q_names[int(share.argmax())]))
+    return sorted(found, key=lambda m: (m.kind != "falls", abs(m.eigenvalue)))
+
+
+def _motion(x: complex, coordinate: str) -> Motion:
+    if x == 0:
+        return Motion(x, "free", 0.0, 0.0, coordinate)
+    if x.imag == 0:
+        return Motion(x, "falls" if x.real > 0 else "decays", 0.0, float(-np.sign(x.real)), coordinate)
+    damping = -x.real / abs(x)
+    return Motion(x, "grows" if damping < -TOLERANCE else "oscillates", abs(x) / (2 * np.pi), damping, coordinate)

@@ -1,0 +1,239 @@
+"""The report of an analysis, for a terminal: what matters most comes first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from textwrap import fill
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...validity import Validity
+from .step_limits import TOLERANCE, StepLimit
+
+if TYPE_CHECKING:
+    from .findings import Findings, StateAnalysis
+    from .spectrum import Motion
+
+WIDTH = 96
+MOST_MOTIONS, MOST_FAULTS = 24, 6
+SHOWN = 3
+"""Of how many states the whole spectrum is shown; the rest is in the JSON."""
+RESTLESS = 1e-6
+"""Accelerations up to this, SI, count as none."""
+
+
+def report(a: Findings) -> str:
+    """The whole report."""
+    parts = [_verdict(a), _systems(a), _blocks(a), _structure(a), *_spectra(a), _limits(a), *_validity(a)]
+    return "\n\n".join(part for part in parts if part)
+
+
+def _verdict(a: Findings) -> str:
+    states = _count(len(a.states), "state")
+    links, coordinates = _count(len(a.links), "link"), _count(a.coordinates, "coordinate")
+    head = f"{a.robot}: {links}, {coordinates}; {states}"
+    bad = [s for s in a.states if not s.well_posed]
+    if not bad:
+        size, worst = a.structure.size, max(s.system.condition_scaled for s in a.states)
+        rank = f"M_sys has full rank, {size}, in {'the only state' if len(a.states) == 1 else f'all {states}'}"
+        text = f"WELL POSED: {rank}; condition {worst:.1e} at worst, equilibrated. {_definiteness(a)}"
+        return f"{head}\n\n{_wrapped(text)}"
+    lines = [_wrapped(f"- {s.label}: {s.singular}", "  ") for s in bad[:MOST_FAULTS]]
+    lines += [f"  - and {len(bad) - MOST_FAULTS} more"] * (len(bad) > MOST_FAULTS)
+    text = f"NOT WELL POSED: in {len(bad)} of {states} accelerations and wrenches are not unique:"
+    return "\n".join([head, "", text, *lines])
+
+
+def _definiteness(a: Findings) -> str:
+    if all(block.definite for state in a.states for block in state.blocks):
+        return "The differential-modal block (Msys_diff) is positive definite in each."
+    return "Yet the differential-modal block (Msys_diff) is only semidefinite, see below."
+
+
+# ------------------------------------------------------------------------------ the system
+
+
+def _systems(a: Findings) -> str:
+    head = ("state", "rank", "cond", "min σ", "cond eq.", "min σ eq.", "zero σ, P alone", "max |dv/dt|")
+    rows = [(s.label, *_system(s)) for s in a.states]
+    notes = "cond, min σ: in SI; eq.: rows and columns equilibrated, since SI mixes units."
+    missing = {s.projectors.size - s.projectors.rank for s in a.states if s.projectors and s.well_posed}
+    if missing == {a.axes}:
+        notes += (
+            f" With the paper's projectors P alone, without the motors' rows, M_sys has {a.axes} zero singular"
+            f" {'value' if a.axes == 1 else 'values'}, one per joint axis (E17)."
+        )
+    return "\n".join(["The assembled system M_sys", *_table(head, rows), _wrapped(notes)])
+
+
+def _system(s: StateAnalysis) -> tuple[str, ...]:
+    if s.system is None or s.projectors is None:
+        return ("-",) * 7
+    r = s.system
+    numbers = [f"{x:.1e}" for x in (r.condition, r.smallest, r.condition_scaled, r.smallest_scaled)]
+    acceleration = "-" if s.acceleration is None else f"{s.acceleration:.1e}"
+    return (f"{r.rank}/{r.size}", *numbers, str(s.projectors.size - s.projectors.rank), acceleration)
+
+
+def _blocks(a: Findings) -> str:
+    head = ("link", "min λ", "max λ", "min λ eq.", "asymmetry", "rank M*", "verdict")
+    rows, nulls = [], {}
+    for i, link in enumerate(a.links):
+        found = [s.blocks[i] for s in a.states if s.blocks]
+        if found:
+            worst = min(found, key=lambda b: b.smallest_scaled)
+            definite = all(b.definite for b in found)
+            nulls |= {b.null: None for b in found if b.null}
+            least, most = min(b.smallest for b in found), max(b.largest for b in found)
+            values = [_number(x) for x in (least, most, worst.smallest_scaled, max(b.asymmetry for b in found))]
+            rows.append((link, *values, str(worst.rank_M_star), "definite" if definite else "ONLY SEMIDEFINITE"))
+    if not rows:
+        return ""
+    lines = ["The differential-modal block (Msys_diff), link by link, worst of the states", *_table(head, rows)]
+    lines += [_wrapped(f"- {null}", "  ") for null in nulls]
+    if any(row[5] != "6" for row in rows):
+        lines.append(_wrapped("M* of a bare straight centreline has rank 5, not 6 (E29): no inertia about its axis."))
+    return "\n".join(lines)
+
+
+def _structure(a: Findings) -> str:
+    s, modes = a.structure, a.structure.size - 12 * len(a.links)
+    border = f"; bordered by {_count(modes, 'modal row')} and {_count(modes, 'column')}" if modes else ""
+    text = (
+        f"Structure: {s.nonzeros} of {s.size} x {s.size} entries are structurally nonzero ({100 * s.fill:.1f} %);"
+        f" wrench and twist rows are block tridiagonal: {_count(s.block_bandwidth, 'block')} of six from the diagonal,"
+        f" {_count(s.bandwidth, 'entry', 'entries')}{border}."
+    )
+    return _wrapped(text)
+
+
+def _validity(a: Findings) -> list[str]:
+    """The limits of the model at the states that are named."""
+    shown = [s for s in a.states if s.measures and not s.label.startswith("sample ")][:SHOWN]
+    return [limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures))) for s in shown]
+
+
+def limits_of_model(what: str, v: Validity) -> str:
+    """The table of a state or a run, and what is past its bound."""
+    notes = [_wrapped(f"- {f.text()}; {f.remedy()}", "  ") for f in v.findings]
+    return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
+
+
+# ------------------------------------------------------------------------------ the spectrum
+
+
+def _spectra(a: Findings) -> list[str]:
+    named = [s for s in a.states if s.motions and not s.label.startswith("sample ")]
+    shown = (named or [s for s in a.states if s.motions])[:SHOWN]
+    parts = [_spectrum(s, a.closed_loop) for s in shown]
+    rest = [s for s in a.states if s.motions and s not in shown]
+    if rest:
+        fastest = [max(m.frequency_hz for m in s.motions) for s in rest]
+        slowest = [min((m.frequency_hz for m in s.motions if m.frequency_hz), default=0.0) for s in rest]
+        text = f"Spectrum of {_count(len(rest), 'more state')}: oscillations from {min(slowest):.4g} Hz to"
+        parts.append(_wrapped(f"{text} {max(fastest):.4g} Hz; all are in the JSON."))
+    return parts
+
+
+def _spectrum(s: StateAnalysis, closed_loop: bool) -> str:
+    loop = ", the controller's loop closed" if closed_loop else ", torques held"
+    rows = [_motion(m) for m in s.motions[:MOST_MOTIONS]]
+    lines = [f"Spectrum at '{s.label}'{loop}", *_table(("motion", "Hz", "damping", "1/s", "mostly"), rows)]
+    if len(s.motions) > MOST_MOTIONS:
+        lines.append(f"  … and {len(s.motions) - MOST_MOTIONS} faster ones, to {s.motions[-1].frequency_hz:.5g} Hz")
+    if s.acceleration is not None and s.acceleration > RESTLESS:
+        note = "The state is no equilibrium: these are frozen coefficients, valid while the motion stays near it."
+        lines.append(_wrapped(note))
+    return "\n".join(lines)
+
+
+KINDS = {
+    "oscillates": "oscillation",
+    "grows": "growing oscillation",
+    "falls": "falls away",
+    "decays": "decays",
+    "free": "free, nothing drives it back",
+}
+
+
+def _motion(m: Motion) -> tuple[str, ...]:
+    name = KINDS[m.kind]
+    if m.kind in ("oscillates", "grows"):
+        damping = 0.0 if abs(m.damping) < 1e-9 else m.damping
+        return (name, f"{m.frequency_hz:.5g}", f"{damping:.4f}", "", m.coordinate)
+    return (name, "", "", "" if m.kind == "free" else f"{m.eigenvalue.real:+.4g}", m.coordinate)
+
+
+# ------------------------------------------------------------------------------ the step
+
+
+def _limits(a: Findings) -> str:
+    found = [s for s in a.states if s.limits]
+    if not found:
+        return ""
+    head = ("integrator", "largest step", "in state", f"growth rate at {a.step:g} s", "in state", f"{a.step:g} s is")
+    rows = [_limit(k, found) for k in range(len(found[0].limits))]
+    own = max((m.eigenvalue.real for s in found for m in s.motions), default=0.0)
+    loop = "Torques are those of the step's start, held." if a.closed_loop else "Torques are held."
+    rule = (
+        f"Largest step: up to it no oscillation grows, by no more than {TOLERANCE:g} of its amplitude a radian, and"
+        f" twice its own growth where it has any; each method's amplification matrix about the state, held there by"
+        f" constant forces. Where joints turn, oscillations that last longer than a turn by a radian are left out: the"
+        f" state does not stay frozen that long. {loop} Growth rate: log of the spectral radius over the step, 1/s,"
+        f" frozen coefficients; the motion itself has up to {_number(max(own, 0.0))}/s."
+    )
+    lines = ["Steps that the integrators bear, worst of the states", *_table(head, rows), _wrapped(rule)]
+    turning = max(s.turning for s in found)
+    if turning > 0:
+        text = f"Joints turn at up to {_number(turning)} rad/s, {_number(turning * a.step)} rad in a step: no method"
+        text += " takes the turning itself implicitly, so a step should be short against it, some 0.02 rad."
+        lines.append(_wrapped(text))
+    if a.paper_bound is not None:
+        text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {_time(a.paper_bound)} for this robot."
+        lines.append(_wrapped(f"{text} It does not hold, for forward Euler least of all (E19)."))
+    return "\n".join(lines)
+
+
+def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
+    def least(s: StateAnalysis) -> float:
+        return float("inf") if s.limits[k].limit is None else s.limits[k].limit
+
+    worst, fastest = min(states, key=least), max(states, key=lambda s: s.limits[k].rate)
+    limit: StepLimit = worst.limits[k]
+    text = f"any (to {limit.tried:.3g} s)" if limit.limit is None else _time(limit.limit) if limit.limit else "none"
+    where = "" if limit.limit is None else worst.label
+    borne = "borne" if all(s.limits[k].borne for s in states) else "TOO LONG"
+    rate = fastest.limits[k].rate
+    return (limit.method, text, where, _number(rate), fastest.label if rate > 0 else "", borne)
+
+
+# ------------------------------------------------------------------------------ words and columns
+
+
+def _time(seconds: float) -> str:
+    scale, unit = (1.0, "s") if seconds >= 0.1 else (1e3, "ms") if seconds >= 1e-4 else (1e6, "µs")
+    return f"{seconds * scale:.4g} {unit}"
+
+
+def _number(x: float) -> str:
+    return "0" if abs(x) < 1e-300 else f"{x:.3g}" if 0.01 <= abs(x) < 1e5 else f"{x:.1e}"
+
+
+def _count(n: int, one: str, many: str | None = None) -> str:
+    return f"{n} {one if n == 1 else many or one + 's'}"
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """Lines of aligned columns, the first and words to the left, numbers to the right."""
+    rows = [tuple(head), *rows]
+    columns = list(zip(*rows, strict=True))
+    widths = [max(map(len, column)) for column in columns]
+    left = [k == 0 or not any(x[:1].isdigit() for x in column[1:]) for k, column in enumerate(columns)]
+    align = [str.ljust if flag else str.rjust for flag in left]
+    lines = ["  ".join(f(x, w) for f, x, w in zip(align, row, widths, strict=True)) for row in rows]
+    return [("  " + line).rstrip() for line in lines]
+
+
+def _wrapped(text: str, indent: str = "") -> str:
+    return fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent + "  ")

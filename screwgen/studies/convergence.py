@@ -1,0 +1,100 @@
+"""Whether a model's modes suffice: how far one more mode in each direction would move its natural frequencies.
+
+The spaces of a basis are nested: its shapes of one count are sums of those of a larger count. So one model with one
+more mode in every direction tells of each direction alone too, by Ritz's method in the space where the others stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy.linalg import block_diag
+
+from ..bases import products
+from ..errors import SingularError
+from ..model import derive
+from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
+from ..spec.values import MAX_MODES
+from .modes import locked_from, posture, stiffness, vibrations, without_rigid_motion
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+NOTHING = 5e-5
+"""A relative change of a frequency below this is none."""
+
+
+class Convergence(NamedTuple):
+    """Relative changes of the natural frequencies, ascending, zero or negative."""
+
+    total: np.ndarray
+    """(count,) with one more mode in every direction."""
+    alone: dict[str, np.ndarray]
+    """(count,) by direction, with one more mode in that one."""
+
+    def short(self, k: int) -> str | None:
+        """The direction in which one more mode would move frequency `k` most; None where none would move it."""
+        direction = min(self.alone, key=lambda d: self.alone[d][k], default=None)
+        return direction if direction and self.alone[direction][k] < -NOTHING else None
+
+
+def convergence(
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
+) -> Convergence:
+    """How far one more mode per direction would move each frequency of :func:`.modes.mode_shapes`; arguments as there.
+
+    A direction without modes counts where the section states its stiffness; links without any modes stay rigid. What
+    cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count.
+    """
+    if locked_from(model, joints) == model.nq:
+        return Convergence(np.zeros(0), {})
+    rich = derive(enriched(model.robot))
+    names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
+    values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
+    M = rich.numpy(values).mass_matrix(_space(model, rich, ()) @ posture(model, q))
+    k, first = stiffness(rich, values), locked_from(model, joints)
+
+    def frequencies(directions: Collection[str]) -> np.ndarray:
+        basis = _space(model, rich, directions)[:, first:]
+        try:
+            rest, springs, _ = without_rigid_motion(basis.T @ M @ basis, k @ basis**2)
+            return vibrations(rest, springs)[0]
+        except np.linalg.LinAlgError:
+            what = "one more mode per direction: the mass matrix is singular to rounding"
+            raise SingularError(f"{what}; masses or lengths differ by too many orders of magnitude") from None
+
+    now = frequencies(())
+    change = lambda directions: frequencies(directions)[: len(now)] / now - 1  # noqa: E731
+    more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
+    return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
+
+
+def enriched(robot: Robot) -> Robot:
+    """The robot with one more mode wherever there can be one."""
+    links = (link.model_copy(update={"modes": _modes(link)}) if link.modes.total else link for link in robot.links)
+    return robot.model_copy(update={"links": tuple(links)})
+
+
+def _modes(link: Link) -> Modes:
+    counts = {d: n + _more(link, d) for d, n in zip(DIRECTIONS, link.modes.counts, strict=True)}
+    return link.modes.model_copy(update=counts)
+
+
+def _more(link: Link, direction: str) -> bool:
+    """Whether a link can have one more mode in a direction."""
+    stated = all(getattr(link.section, name) for name in NEEDS[direction])
+    room = direction not in link.modes.measured and getattr(link.modes, direction) < MAX_MODES
+    return bool(link.modes.total and stated and room)
+
+
+def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
+    """The coordinates of the rich model, one column for each coordinate that stays: all modes of `directions`."""
+    blocks = [np.eye(model.n_joints)]
+    for few, many in zip(model.robot.links, rich.robot.links, strict=True):
+        for d in DIRECTIONS:
+            shapes = many.modes.shapes(d)
+            kept = shapes if d in directions else few.modes.shapes(d)
+            blocks.append(np.reshape(products(shapes, kept), (shapes.count, kept.count)))
+    return block_diag(*blocks)

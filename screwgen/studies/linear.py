@@ -1,0 +1,271 @@
+"""Linear models about a state: A, B, C, D with names and units, from exact derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .. import notebook
+from ..arguments import Given, array, choice, nearest
+from ..backends.numpy.numeric import Numeric
+from ..errors import UnknownNameError, UsageError
+from ..spec.load import one_line
+from ..spec.parameters import WRENCH, coordinate_names
+from ..spec.robot import DIRECTIONS
+from ..topology.chain import Chain
+
+OUTPUTS = ("joint_angles", "tip_position")
+INPUTS = ("torques",)
+TIP_UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
+WRENCH_UNITS = tuple((part, "N" if part.startswith("F") else "N·m") for part in WRENCH)
+STRAIN_UNITS = {"axial": "1", "bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LinearModel:
+    """A robot's small motions δ about a state: `d/dt (x + δx) = [v; vdot] + A δx + B δu`, `y + δy = y + C δx + D δu`.
+
+    The state is x = [q; v], the joints' and modes' coordinates and their rates. Unpacks as `A, B, C, D`, as in
+    `control.ss(*linear)`, and `linear[0]` is A; `linear[outputs, inputs]` is the model of some outputs and inputs
+    alone, by names, numbers or slices. SI units, radians.
+    """
+
+    A: np.ndarray
+    """(2 nq, 2 nq): with the state."""
+    B: np.ndarray
+    """(2 nq, inputs)."""
+    C: np.ndarray
+    """(outputs, 2 nq)."""
+    D: np.ndarray
+    """(outputs, inputs): not zero for accelerations and wrenches."""
+    state_names: tuple[str, ...]
+    input_names: tuple[str, ...]
+    output_names: tuple[str, ...]
+    state_units: tuple[str, ...]
+    input_units: tuple[str, ...]
+    output_units: tuple[str, ...]
+    x: np.ndarray
+    """(2 nq,): the state linearised at, [q; v]."""
+    u: np.ndarray
+    """(inputs,): the inputs there."""
+    y: np.ndarray
+    """(outputs,): the outputs there."""
+    tau: np.ndarray
+    """(n_joints,): all torques there, N·m."""
+    w_ext: np.ndarray
+    """(n, 6): the external wrenches there, [τ; F] on each tip section, tip-frame components."""
+    vdot: np.ndarray
+    """(nq,): the accelerations there, which an equilibrium does not have: what the linear model leaves out."""
+    parameters: np.ndarray
+    """The parameter values used."""
+
+    def __iter__(self) -> Iterator[np.ndarray]:
+        return iter((self.A, self.B, self.C, self.D))
+
+    def __len__(self) -> int:
+        return 4
+
+    def __getitem__(self, key: Any) -> Any:
+        """One of `A, B, C, D` for a number; for a pair the model of these outputs and inputs."""
+        if not isinstance(key, tuple):
+            return tuple(self)[key]
+        if len(key) != 2:
+            raise UsageError(f"a linear model has no {len(key)} axes; give linear[outputs, inputs]")
+        i, j = _places(key[0], self.output_names, "outputs"), _places(key[1], self.input_names, "inputs")
+        named = {
+            f"{part}_{kind}": tuple(getattr(self, f"{part}_{kind}")[k] for k in places)
+            for part, places in (("output", i), ("input", j))
+            for kind in ("names", "units")
+        }
+        return replace(self, B=self.B[:, j], C=self.C[i], D=self.D[np.ix_(i, j)], u=self.u[j], y=self.y[i], **named)
+
+    def __repr__(self) -> str:
+        sizes = f"{len(self.A)} states, {self.B.shape[1]} inputs, {len(self.C)} outputs"
+        return f"<LinearModel: {sizes}; {', '.join(self.input_names)} -> {', '.join(self.output_names)}>"
+
+    def _repr_html_(self) -> str:
+        """Inputs and outputs with what they are where the model is linearised, and the poles."""
+        parts = (("input", self.u), ("output", self.y), ("state", self.x))
+        rows = [
+            (part, *row)
+            for part, values in parts
+            for row in zip(getattr(self, f"{part}_names"), values, getattr(self, f"{part}_units"), strict=True)
+        ]
+        poles = [(notebook.number(p.real), notebook.number(p.imag)) for p in self.eigenvalues() if p.imag >= 0]
+        title = f"LinearModel: {len(self.A)} states"
+        named = notebook.table(title, ("", "name", "linearised at", "unit"), rows)
+        return named + notebook.table("poles, 1/s", ("real", "± imaginary"), poles)
+
+    def scipy(self) -> scipy.signal.StateSpace:
+        """The model as SciPy's continuous-time StateSpace; needs an input, an output and a state."""
+        if 0 in (*self.B.shape, len(self.C)):
+            size = f"{len(self.A)} states, {self.B.shape[1]} inputs and {len(self.C)} outputs"
+            raise UsageError(f"the linear model has {size}; SciPy needs at least one of each")
+        import scipy.signal
+
+        return scipy.signal.StateSpace(*self)
+
+    def labels(self, separator: str = "/") -> dict[str, list[str]]:
+        """The names as `control.ss(*linear, **linear.labels())` takes them: it allows no dots."""
+        kinds = {"states": self.state_names, "inputs": self.input_names, "outputs": self.output_names}
+        return {kind: [name.replace(".", separator) for name in names] for kind, names in kinds.items()}
+
+    def eigenvalues(self) -> np.ndarray:
+        """The poles (2 nq,) in 1/s, by imaginary part, then by real part."""
+        poles = np.linalg.eigvals(self.A).astype(complex)
+        return poles[np.lexsort((poles.real, poles.imag))]
+
+    def response(self, frequencies: Sequence[float]) -> np.ndarray:
+        """The frequency response `C (2πjf − A)⁻¹ B + D` (frequencies, outputs, inputs), at frequencies in Hz."""
+        f = np.asarray(frequencies, float)
+        if f.ndim != 1 or not np.isfinite(f).all():
+            raise UsageError("the frequencies are no row of finite numbers; give a list of Hz")
+        shifted = 2j * np.pi * f[:, None, None] * np.eye(len(self.A)) - self.A
+        try:
+            return self.C @ np.linalg.solve(shifted, np.broadcast_to(self.B, (len(f), *self.B.shape))) + self.D
+        except np.linalg.LinAlgError:
+            raise UsageError("a frequency is a pole of the robot, such as 0 Hz of a free joint; leave it out") from None
+
+
+def _places(key: Any, names: Sequence[str], what: str) -> list[int]:
+    """Which of the names a name, a number, a slice or a sequence of them stands for."""
+    if isinstance(key, slice):
+        return list(range(len(names)))[key]
+    several = [key] if isinstance(key, str | int | np.integer) else list(key)
+    try:
+        return [
+            names.index(choice(k, names, f"{what}: there is no")) if isinstance(k, str) else range(len(names))[k]
+            for k in several
+        ]
+    except (IndexError, TypeError):
+        raise UsageError(f"{what}: {key!r} is none of {len(names)}; give names, numbers or a slice") from None
+
+
+def linearise(
+    chain: Chain,
+    derivatives: Any,
+    q: Sequence[float],
+    v: Sequence[float] | None = None,
+    tau: Sequence[float] | None = None,
+    w_ext: Any = None,
+    parameters: Given = None,
+    outputs: Sequence[str] | str = OUTPUTS,
+    inputs: Sequence[str] | str = INPUTS,
+) -> LinearModel:
+    """What `Model.linearise` does; `derivatives` is the CasADi function of `emit.casadi_linear.linearisation`."""
+    numbers = Numeric(chain, chain.parameters.vector(parameters))
+    if np.size(q) == chain.n_joints != chain.nq:
+        q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))
+    q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nq), checked(tau, "tau", chain.n_joints)
+    w_ext = array(w_ext, "w_ext:", (chain.n, 6))
+    names = coordinate_names(chain.robot)
+    givers, takers = input_groups(chain), output_groups(chain)
+    columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
+    units = coordinate_units(chain)
+    numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
+    vdot, y, vdot_x, vdot_u, y_x, y_u = (np.array(x) + 0.0 for x in derivatives(q, v, tau, w_ext.T, numbers.p))
+    i, j = list(rows.values()), list(columns.values())
+    top = np.hstack([np.zeros((chain.nq, chain.nq)), np.eye(chain.nq)])
+    return LinearModel(
+        A=np.vstack([top, vdot_x]),
+        B=np.vstack([np.zeros_like(vdot_u), vdot_u])[:, j],
+        C=y_x[i],
+        D=y_u[np.ix_(i, j)],
+        state_names=(*names.q, *names.v),
+        input_names=tuple(columns),
+        output_names=tuple(rows),
+        state_units=(*units, *(f"{unit}/s" for unit in units)),
+        input_units=tuple(entries(givers)[name] for name in columns),
+        output_units=tuple(entries(takers)[name] for name in rows),
+        x=np.concatenate([q, v]),
+        u=np.concatenate([tau, w_ext.ravel()])[j],
+        y=y[i, 0],
+        tau=tau,
+        w_ext=w_ext,
+        vdot=vdot[:, 0],
+        parameters=np.array(numbers.p),
+    )
+
+
+# ------------------------------------------------------------------------------ names
+
+
+Groups = dict[str, dict[str, str]]
+"""Entries and their units by group."""
+
+
+def input_groups(chain: Chain) -> Groups:
+    """The inputs in the order of u = [tau; w_ext]; `tip_wrench` is that on the last tip."""
+    wrenches = [(f"{link.name}.w_ext.{part}", unit) for link in chain.robot.links for part, unit in WRENCH_UNITS]
+    torques = dict.fromkeys(coordinate_names(chain.robot).tau, "N·m")
+    return {"torques": torques, "wrenches_on_tips": dict(wrenches), "tip_wrench": dict(wrenches[-6:])}
+
+
+def output_groups(chain: Chain) -> Groups:
+    """The outputs in the order of y."""
+    names, m = coordinate_names(chain.robot), chain.n_joints
+    units = coordinate_units(chain)
+    q = dict(zip(names.q, units, strict=True))
+    v = {name: f"{unit}/s" for name, unit in zip(names.v, units, strict=True)}
+    parts = {
+        "joint_angles": dict(list(q.items())[:m]),
+        "modes": dict(list(q.items())[m:]),
+        "joint_rates": dict(list(v.items())[:m]),
+        "mode_rates": dict(list(v.items())[m:]),
+    }
+    tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
+    wrenches = {f"{link.name}.{part}": unit for link in chain.robot.links for part, unit in WRENCH_UNITS}
+    strains = {
+        f"{link.name}.base_strain.{direction}": STRAIN_UNITS[direction]
+        for link in chain.robot.links
+        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
+        if count
+    }
+    return {**parts, **tip, "wrenches": wrenches, "base_strain": strains}
+
+
+def coordinate_units(chain: Chain) -> list[str]:
+    """The units of q (nq)."""
+    counts = [(d, n) for link in chain.robot.links for d, n in zip(DIRECTIONS, link.modes.counts, strict=True)]
+    modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
+    return ["rad"] * chain.n_joints + modal
+
+
+def entries(groups: Groups) -> dict[str, str]:
+    """All entries with their units; one that is in two groups has the first one's place."""
+    return {name: unit for group in groups.values() for name, unit in group.items()}
+
+
+SYMBOLS = {"tau": "torques", "w_ext": "wrenches_on_tips"}
+"""Groups by the names that functions have for them."""
+
+
+def chosen(given: Sequence[str] | str, groups: Groups, what: str) -> dict[str, int]:
+    """The entries that names of groups or of entries choose, in their order, each with its place."""
+    places = {name: k for k, name in enumerate(entries(groups))}
+    out: list[str] = []
+    for name in [given] if isinstance(given, str) else given:
+        out += _members(str(name), groups, list(places), what)
+    return {name: places[name] for name in out}
+
+
+def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list[str]:
+    """The entries that a name stands for: a group's, its own, or all below it; `forearm.tau` are the torques there."""
+    if (group := SYMBOLS.get(name, name)) in groups:
+        return list(groups[group])
+    if name in names:
+        return [name]
+    link, dot, rest = name.partition(".")
+    whole = f"{link}{dot}torque{rest[3:]}" if rest == "tau" or rest.startswith("tau[") else name
+    if found := [x for x in names if x == whole or x.startswith((f"{whole}.", f"{whole}["))]:
+        return found
+    hint = nearest(name, [*groups, *names]) or f"or entries of them, such as '{names[0]}'"
+    raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(groups)}; {hint}")
+
+
+def checked(values: Any, name: str, size: int) -> np.ndarray:
+    """`values` as a row of `size` finite numbers; zeros where there are none."""
+    return array(values, f"{name}:", (size,))

@@ -1,0 +1,137 @@
+"""Natural frequencies: small vibrations about a posture at rest, without gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import scipy.linalg
+
+from ..arguments import Given, choice
+from ..errors import SingularError
+from ..validity import Validity, Watch
+from .linear import checked
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+JOINTS = ("locked", "free")
+
+
+def natural_frequencies(
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
+) -> np.ndarray:
+    """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
+
+    `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; "free"
+    lets the joints turn on their own springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
+    values, the file's by default.
+    Raises UsageError, and SingularError where the mass matrix of what may move is singular.
+
+    Gravity has no part in them; but where the weight that a link bears in this posture, or its bending, is past the
+    bounds of the model, a :class:`ModelValidityWarning` says so.
+    """
+    found = mode_shapes(model, q, joints, p)
+    found.validity.warn()
+    return np.append(np.zeros(found.rigid), found.frequencies)
+
+
+class ModeShapes(NamedTuple):
+    """Small vibrations about a posture: `frequencies` (count,) in Hz, ascending; motions without springs left out."""
+
+    frequencies: np.ndarray
+    shapes: np.ndarray
+    """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary."""
+    rigid: int
+    """The number of motions that no spring resists."""
+    validity: Validity
+    """How far the posture is from the limits of the model under the weight that it would bear with gravity."""
+
+
+def mode_shapes(
+    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
+) -> ModeShapes:
+    """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
+    q, first = posture(model, q), locked_from(model, joints)
+    p = model.chain.parameters.vector(p)
+    if first == model.nq:
+        nothing = Watch([link.name for link in model.robot.links]).validity()
+        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing)
+    M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
+    free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
+    out = np.zeros((model.nq, len(held)))
+    try:
+        M = (M + M.T) / 2
+        rest, springs, rigid = without_rigid_motion(M, k)
+        frequencies, vectors = vibrations(rest, springs)
+        out[first + held] = vectors
+        if len(free):
+            coupling = M[np.ix_(free, held)] @ vectors
+            out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+    except np.linalg.LinAlgError:
+        raise _singular(model, q, p) from None
+    return ModeShapes(frequencies / (2 * np.pi), out, rigid, model.validity_at_rest(q, parameters=p))
+
+
+def posture(model: Model, q: Sequence[float] | None) -> np.ndarray:
+    """The coordinates (nq,) of a posture: as given, the joints alone, or all zero."""
+    if q is not None and np.size(q) == model.n_joints != model.nq:
+        q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
+    return checked(q, "q", model.nq)
+
+
+def locked_from(model: Model, joints: str) -> int:
+    """The first coordinate that may move."""
+    return model.n_joints if choice(joints, JOINTS, "joints: there is no") == "locked" else 0
+
+
+def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Angular frequencies, ascending, and columns of unit modal mass of `M ẍ + k x = 0`; all `k` > 0.
+
+    With `M = L Lᵀ` the columns of `Lᵀ k^(-1/2)` have the singular values 1/ω. Springs that differ by many orders of
+    magnitude scale its columns, which a Jacobi method bears: every frequency keeps its digits. An eigenvalue solver
+    for `k` and `M` leaves an error of the stiffest spring's size in the softest mode.
+    """
+    if not len(k):
+        return np.zeros(0), np.zeros((0, 0))
+    L = scipy.linalg.cholesky(M, lower=True)
+    periods, vectors, _, scale, _, failed = scipy.linalg.lapack.dgejsv(L.T / np.sqrt(k), joba=0, jobv=3, jobp=0)
+    if failed:
+        raise np.linalg.LinAlgError("the Jacobi method does not converge")
+    return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
+
+
+def stiffness(model: Model, p: Sequence[float] | None = None) -> np.ndarray:
+    """The diagonal of the stiffness matrix (nq,): joint springs (N·m/rad), then modes (N/m, torsion: N·m/rad)."""
+    values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
+    springs = [
+        values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
+        for link in model.robot.links
+        for j in range(len(link.joint.axes))
+    ]
+    return np.array([*springs, *(k for constants in model.numpy(p).constants for k in constants["K"])], float)
+
+
+def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """Mass and stiffness with the coordinates that no spring holds eliminated, and how many they are.
+
+    Such a coordinate follows the others without force: `M <- M_ee − M_er M_rr⁻¹ M_re`.
+    """
+    free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
+    factor = scipy.linalg.cho_factor(M[np.ix_(free, free)]) if len(free) else None
+    rest = M[np.ix_(held, held)]
+    if factor is not None and len(held):
+        coupling = M[np.ix_(free, held)]
+        rest = rest - coupling.T @ scipy.linalg.cho_solve(factor, coupling)
+    return rest, k[held], len(free)
+
+
+def _singular(model: Model, q: np.ndarray, p: Sequence[float] | None) -> SingularError:
+    """The error that names the joint, if the dynamics know it."""
+    zero = np.zeros(model.nq)
+    try:
+        model.numpy(p).forward_dynamics(q, zero, np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
+    except SingularError as error:
+        return error
+    return SingularError("the mass matrix is singular in this posture; lock the joints")

@@ -1,0 +1,259 @@
+"""An arm at rest: the balance of its forces, and the search for a posture in which they vanish."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from ..errors import UsageError
+from .modes import stiffness
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+RESIDUAL = 1e-10
+"""What no residual of an equilibrium exceeds."""
+ITERATIONS, MOST_TURN, FAR = 300, 0.5, 8 * np.pi
+"""Steps at most; rad that one of them turns or bends; rad at which a loaded joint without spring is given up."""
+FARTHEST = 1.0
+"""Modal coordinate over its link's length (torsion: rad) at which small deflections are out of the question."""
+FLAT = 1e-3
+"""Scaled stiffness below which a step is not made longer."""
+
+
+PARTS = np.linspace(0.1, 1.0, 10)
+"""Of a load that grows."""
+
+
+class NoEquilibriumError(UsageError):
+    """Torques that no posture balances; the text names the joint."""
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """An arm at rest at `q` (nq,), of whose coordinates those in `moving` may move."""
+
+    q: np.ndarray
+    energy: float
+    """Potential energy less the work of the torques, J."""
+    force: np.ndarray
+    """(nq,): what must act besides the torques, N·m and N: zero in equilibrium."""
+    stiffness: np.ndarray
+    """(nq, nq): the derivative of `force` with q."""
+    scale: np.ndarray
+    """(nq,): the loads that residuals are measured by."""
+    wrench: np.ndarray
+    """(n, 6): joint wrenches."""
+    tip: np.ndarray
+    """(3,): the last tip in the inertial frame, m."""
+    moving: np.ndarray
+
+    @property
+    def shares(self) -> np.ndarray:
+        """(nq,): the unbalanced forces over the loads, zero for what is held."""
+        out = np.zeros(len(self.q))
+        out[self.moving] = np.abs(self.force / self.scale)[self.moving]
+        return out
+
+    @property
+    def residual(self) -> float:
+        return float(np.max(self.shares, initial=0.0))
+
+
+class Statics:
+    """The forces on an arm at rest under torques `load` (nq,), wrenches on its tips, weight and springs."""
+
+    def __init__(self, model: Model, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
+        self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
+        self.springs = stiffness(model, p)
+        self.turning = np.array([k < model.n_joints or ".eta.torsion[" in x for k, x in enumerate(model.q_names)], bool)
+
+    def at(self, q: np.ndarray) -> Balance:
+        """The balance at `q`."""
+        energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
+        force, scale = force[:, 0], self.scales(q, force[:, 0], weight)
+        places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
+        return Balance(q, energy.item() - self.load @ q, force - self.load, slope, scale, **places)
+
+    def _functions(self, q: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
+        return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]
+
+    def scales(self, q: np.ndarray, force: np.ndarray, weight: np.ndarray) -> np.ndarray:
+        """(nq,): at every coordinate the largest load there is in its unit, N·m or N; 1 where there is none.
+
+        Loads are what gravity does to a coordinate if it points in the worst direction, the force of its spring, its
+        torque, and what the wrenches on the tips do to it.
+        """
+        loads = self.weights(weight) + np.abs(self.springs * q) + np.abs(self.load)
+        if self.w_ext.any():
+            loads += np.abs(force - self._functions(q, 0 * self.w_ext)[1][:, 0])
+        out = np.ones(len(q))
+        for kind in (self.turning, ~self.turning):
+            out[kind] = np.max(loads[kind], initial=0.0) or 1.0
+        return out
+
+    def weights(self, weight: np.ndarray) -> np.ndarray:
+        """(nq,): what gravity in its worst direction does to each coordinate."""
+        return np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
+
+    def bent(self, q: np.ndarray) -> float:
+        """The largest modal coordinate over its link's length."""
+        return float(np.max(np.abs(q / self.reach)[self.model.n_joints :], initial=0.0))
+
+    @cached_property
+    def reach(self) -> np.ndarray:
+        """(nq,): what makes an angle of a coordinate: a link's length, or 1; more where a spring winds up."""
+        lengths = {link.name: link.length for link in self.model.robot.links}
+        own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
+        wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
+        return np.where(self.turning, np.maximum(1.0, wound / (2 * np.pi)), own)
+
+    @cached_property
+    def units(self) -> np.ndarray:
+        """(nq,): D, such that D q has stiffnesses about one: by springs, and by the weight at a joint."""
+        weight = self.weights(self._functions(np.zeros(self.model.nq), self.w_ext)[3])
+        joint = np.arange(self.model.nq) < self.model.n_joints
+        own = self.springs + np.where(joint, weight, 0.0)
+        return np.sqrt(np.where(own > 0, own, 1.0))
+
+    def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
+        """Force and stiffness of what may move, in the coordinates D q."""
+        i, D = self.moving, self.units[self.moving]
+        return b.force[i] / D, b.stiffness[np.ix_(i, i)] / np.outer(D, D)
+
+    def moved(self, q: np.ndarray, step: np.ndarray) -> Balance:
+        """The balance where `step`, in the coordinates D q, leads from `q`."""
+        there = q.copy()
+        there[self.moving] += step / self.units[self.moving]
+        return self.at(there)
+
+    def share(self, part: float, wrenches: float) -> Statics:
+        """The same with a part of gravity and torques, and one of the wrenches."""
+        p = np.concatenate([part * self.p[:3], self.p[3:]])
+        return Statics(self.model, p, part * self.load, wrenches * self.w_ext, self.moving)
+
+    def bounded(self, step: np.ndarray) -> np.ndarray:
+        """`step` made so short that it turns and bends nothing by more than `MOST_TURN`."""
+        turns = np.abs(step / (self.units * self.reach)[self.moving])
+        return step * min(1.0, MOST_TURN / max(np.max(turns, initial=0.0), 1e-300))
+
+    def wandered(self, q: np.ndarray) -> np.ndarray:
+        """The joints that turn and turn under a torque: nothing holds them."""
+        free = np.flatnonzero((self.springs == 0) & (self.load != 0))
+        return free[np.abs(q[free]) > FAR]
+
+
+# ------------------------------------------------------------------------------ the search
+
+
+def search(statics: Statics, start: np.ndarray) -> Balance:
+    """The equilibrium that the search from `start` (nq,) ends in; raises NoEquilibriumError."""
+    first = statics.at(start)
+    b = polished(statics, downhill(statics, first) if not statics.w_ext.any() else rooted(statics, first))
+    if statics.bent(b.q) > FARTHEST:
+        raise overbent(statics, b)
+    if b.residual > RESIDUAL:
+        raise unbalanced(statics, b, start)
+    return b
+
+
+def downhill(statics: Statics, b: Balance) -> Balance:
+    """Newton steps down the potential energy, along negative curvature too; by steps that the joints bear."""
+    start = b.q
+    for _ in range(ITERATIONS):
+        if b.residual <= RESIDUAL or statics.wandered(b.q - start).size or statics.bent(b.q) > 3 * FARTHEST:
+            break
+        force, K = statics.scaled(b)
+        curvature, modes = np.linalg.eigh((K + K.T) / 2)
+        step = -modes @ ((modes.T @ force) / np.maximum(np.abs(curvature), FLAT))
+        there = shortened(statics, b, statics.bounded(step), force, bool((curvature > 0).all()))
+        if there is None:
+            break
+        b = there
+    return b
+
+
+def shortened(statics: Statics, b: Balance, step: np.ndarray, force: np.ndarray, convex: bool) -> Balance | None:
+    """The balance after `step` or a part of it that lowers the energy, near a minimum the forces; None: none does."""
+    for _ in range(40):
+        there, slope = statics.moved(b.q, step), float(force @ step)
+        if there.energy <= b.energy + 1e-4 * slope or (convex and there.residual < 0.5 * b.residual):
+            return there
+        step = step / 2
+    return None
+
+
+def rooted(statics: Statics, first: Balance) -> Balance:
+    """Where all forces vanish, wrenches without potential among them; `first` itself if they do.
+
+    By least squares with the wrenches growing from where the arm rests without them; from `first`; and from there
+    with all loads growing.
+    """
+    best = first
+    for attempt in (_wrenches_growing, least, _loads_growing):
+        if best.residual <= RESIDUAL:
+            break
+        best = min(best, attempt(statics, first.q), key=lambda x: x.residual)
+    return best
+
+
+def _wrenches_growing(statics: Statics, q: np.ndarray) -> Balance:
+    bare = statics.share(1.0, 0.0)
+    q = polished(bare, downhill(bare, bare.at(q))).q
+    for part in PARTS:
+        q = least(statics.share(1.0, part), q).q
+    return statics.at(q)
+
+
+def _loads_growing(statics: Statics, q: np.ndarray) -> Balance:
+    for part in PARTS:
+        q = least(statics.share(part, part), q).q
+    return statics.at(q)
+
+
+def least(statics: Statics, q: np.ndarray) -> Balance:
+    """The balance of the least forces near `q`."""
+    at = lambda step: statics.scaled(statics.moved(q, step))  # noqa: E731
+    none = np.zeros(len(statics.moving))
+    if not none.size:
+        return statics.at(q)
+    step = least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+    return polished(statics, statics.moved(q, step))
+
+
+def polished(statics: Statics, b: Balance) -> Balance:
+    """Newton steps while they help."""
+    while b.residual > 0 and len(b.moving):
+        force, K = statics.scaled(b)
+        there = statics.moved(b.q, -np.linalg.lstsq(K, force, rcond=1e-10)[0])
+        if not there.residual < 0.9 * b.residual:
+            break
+        b = there
+    return b
+
+
+def overbent(statics: Statics, b: Balance) -> NoEquilibriumError:
+    """The error that names the link which its load bends by its own length."""
+    m = statics.model.n_joints
+    k = m + int(np.argmax(np.abs(b.q / statics.reach)[m:]))
+    return NoEquilibriumError(
+        f"{statics.model.q_names[k]}: the search leaves what a model of small deflections can say, bending the link by "
+        "its own length; stiffen the link, take load off it, or hold the joints elsewhere"
+    )
+
+
+def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibriumError:
+    """The error that names the joint which turned and turned, or else has the largest unbalanced share."""
+    away = statics.wandered(b.q - start)
+    k = int(away[0]) if away.size else int(np.argmax(b.shares))
+    joint = k < statics.model.n_joints
+    what = f"its torque of {statics.load[k]:.6g} N·m" if joint else "its load"
+    what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
+    return NoEquilibriumError(
+        f"{statics.model.q_names[k]}: no posture found balances {what}; "
+        "give loads that weight and springs can balance, start elsewhere, or hold the joints"
+    )

@@ -20,7 +20,7 @@ import screwgen
 from screwgen import PD, Model, Robot
 from screwgen.algorithms.gauges import gauges
 from screwgen.plotting.look import INK, PALETTE, name_ends, styled
-from screwgen.plotting.motion import tip_deformation
+from screwgen.simulation.motion import tip_deformation
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 
 ROOT = Path(__file__).resolve().parents[1]

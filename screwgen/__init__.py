@@ -9,7 +9,7 @@ from . import sympy_cache  # noqa: F401
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
 from .model import Model
-from .runtime.rollout import Rollout, rollout
+from .simulation.rollout import Rollout, rollout
 from .simulation.controllers import PD, Holding
 from .simulation.integrate import DivergedError
 from .simulation.runs import Run
@@ -23,7 +23,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .studies.linear import LinearModel
 from .studies.modes import natural_frequencies
-from .validity import ModelLeftError, ModelValidityWarning, Validity
+from .simulation.validity import ModelLeftError, ModelValidityWarning, Validity
 from .version import __version__
 
 __all__ = [

@@ -25,7 +25,7 @@ from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .topology.chain import Chain
-from .validity import Validity
+from .simulation.validity import Validity
 from .version import __version__ as VERSION
 
 TARGETS = ("c", "casadi", "latex")

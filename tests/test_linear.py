@@ -12,7 +12,7 @@ import pytest
 from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
 
 from screwgen import SingularError, UsageError, equilibrium, simulate
-from screwgen.plotting.motion import displacements
+from screwgen.simulation.motion import displacements
 from screwgen.studies.modes import natural_frequencies, stiffness
 
 TIP = ("tip_position", "tip_velocity", "tip_acceleration")

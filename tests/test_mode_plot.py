@@ -10,7 +10,7 @@ from screwgen.cli.main.main import main
 from screwgen import UsageError
 from screwgen.plotting.look import view
 from screwgen.plotting.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
-from screwgen.plotting.motion import centrelines
+from screwgen.simulation.motion import centrelines
 from screwgen.studies.modes import mode_shapes, natural_frequencies
 
 SETPOINTS = [-0.4928, 0.6922, 0.4270]

@@ -6,7 +6,7 @@ from helpers import drawn, example
 from scipy.linalg import expm
 
 from screwgen import UsageError
-from screwgen.plotting.motion import (
+from screwgen.simulation.motion import (
     amplitude_spectrum,
     displacements,
     modal_columns,

@@ -17,7 +17,7 @@ from docs.tools import limits
 from screwgen.backends.c.links import RUNS
 from screwgen.backends.c.project import CProject
 from screwgen.bodies.validity import MEASURES
-from screwgen.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
+from screwgen.simulation.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
 
 ELLA = "examples/ella.toml"
 

@@ -19,7 +19,7 @@ from scipy.linalg import eigh
 from scipy.optimize import brentq
 
 import screwgen
-from screwgen.validity import BOUND
+from screwgen.simulation.validity import BOUND
 
 ELLA = Path(__file__).resolve().parents[2] / "examples" / "ella.toml"
 SLENDER = 1e-6

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen import PD, Body, Joint, Link, Model, Modes, Mount, Robot, Section
-from screwgen.plotting.motion import LATERAL, displacements, modal_columns
+from screwgen.simulation.motion import LATERAL, displacements, modal_columns
 
 FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"
 

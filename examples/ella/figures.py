@@ -8,7 +8,7 @@ import numpy as np
 
 from screwgen.plotting.curves import NOTHING
 from screwgen.plotting.look import GREY, PALETTE
-from screwgen.plotting.motion import modal_columns, screws, tip_deformation, tip_position
+from screwgen.simulation.motion import modal_columns, screws, tip_deformation, tip_position
 
 from .figures_of_vibration import divergence, fields, spectra
 from .sheet import Sheet, xyz

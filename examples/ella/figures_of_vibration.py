@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from screwgen.plotting.look import GREY, INK, PALETTE, SMALL, legend_below, styled
-from screwgen.plotting.motion import displacements
+from screwgen.simulation.motion import displacements
 
 from .arm import MOVE
 from .frequencies import CHOSEN, CHOSEN_AT_START

@@ -10,7 +10,7 @@ import numpy as np
 import scipy.linalg
 
 from screwgen import PD, Model
-from screwgen.plotting.motion import modal_columns
+from screwgen.simulation.motion import modal_columns
 from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, step_map
 from screwgen.studies.modes import stiffness
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from screwgen.plotting.motion import displacements, screws
+from screwgen.simulation.motion import displacements, screws
 
 from .arm import PRINTED_BOUND, SET_POINTS, STEP
 from .document import Document

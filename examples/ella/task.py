@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from screwgen import Run
-from screwgen.plotting.motion import amplitude_spectrum, modal_columns, tip_deformation, tip_position
+from screwgen.simulation.motion import amplitude_spectrum, modal_columns, tip_deformation, tip_position
 
 from . import frequencies, growth, numbers
 from .arm import MOVE, STEP, Arm, load, start

@@ -11,7 +11,7 @@ import numpy as np
 
 import screwgen
 from screwgen import Model, Modes, Robot
-from screwgen.plotting.motion import displacements, modal_columns, tip_position
+from screwgen.simulation.motion import displacements, modal_columns, tip_position
 from screwgen.runtime.compiled import Compiled
 
 FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from screwgen import PD
-from screwgen.plotting.motion import tip_position
+from screwgen.simulation.motion import tip_position
 from screwgen.runtime.compiled import Compiled
 
 from .arms import LIMIT, STEP, Arms, at_rest, at_rest_there

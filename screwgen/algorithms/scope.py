@@ -19,14 +19,14 @@ import numpy as np
 
 from ..bodies.energy import energy_block
 from ..bodies.link import LinkBlock
-from ..bodies.link_rows import link_rows_block
+from ..bodies.rows import link_rows_block
 from ..bodies.tip import tip_block, tip_body_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, posture_block
-from ..joints.joint_rows import joint_rows_block
+from ..joints.rows import joint_rows_block
 from ..paper.z_form_blocks import z_form_block, z_rows_block
 from ..topology.link_class import LinkClass
 from .matrices import zeros

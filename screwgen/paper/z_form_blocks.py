@@ -15,7 +15,7 @@ from ..algebra.expression import Expression, Inverse, Stumpff, Symbol, hat, iden
 from ..algebra.expression import block as matrix
 from ..bodies.rotation import angle_steps
 from ..ir.block import Block
-from ..joints.joint_rows import MIXED
+from ..joints.rows import MIXED
 from ..topology.link_class import LinkClass
 
 LINK = "F_i"

@@ -16,7 +16,7 @@ from ..errors import UsageError
 from ..studies.modes import ModeShapes, stiffness
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
-from .motion import centrelines, modal_columns, twist
+from ..simulation.motion import centrelines, modal_columns, twist
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

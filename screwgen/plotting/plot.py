@@ -18,7 +18,7 @@ from ..simulation.runs import Run, check_output, outputs
 from . import look
 from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
-from .motion import centrelines
+from ..simulation.motion import centrelines
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

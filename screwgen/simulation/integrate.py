@@ -16,7 +16,7 @@ from ..integrators.methods import METHODS, Motion
 
 if TYPE_CHECKING:
     from ..model import Model
-    from ..validity import Watch
+    from .validity import Watch
 
 LIMIT = 1e9
 """A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""

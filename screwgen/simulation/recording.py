@@ -22,7 +22,7 @@ from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
 from ..spec.load import one_line
-from ..validity import Watch
+from .validity import Watch
 from .inputs import Inputs
 from .integrate import Dynamics, Evaluator, modal_functions
 from .runs import Run, csv_header, csv_lines, suffix, unwritable

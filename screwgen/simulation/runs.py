@@ -16,7 +16,7 @@ from .. import notebook
 from ..errors import UsageError
 from ..files import create
 from ..spec.load import one_line
-from ..validity import Validity
+from .validity import Validity
 
 ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
 NAMES = ("q_names", "v_names", "tau_names", "wrench_names")

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arguments import MAX_STEPS, Given, choice, seconds, whole
 from ..errors import DivergedError, UsageError
-from ..validity import ModelLeftError
+from .validity import ModelLeftError
 from . import loop
 from .controllers import Controller
 from .dae import DaeStepper

@@ -12,8 +12,8 @@ import scipy.linalg
 from .. import notebook
 from ..arguments import Given, array, choice
 from ..errors import UsageError
-from ..plotting.motion import displacements
-from ..validity import Validity
+from ..simulation.motion import displacements
+from ..simulation.validity import Validity
 from .linear import checked
 from .modes import stiffness
 from .statics import Balance, NoEquilibriumError, Statics, search

@@ -10,7 +10,7 @@ import scipy.linalg
 
 from ..arguments import Given, choice
 from ..errors import SingularError
-from ..validity import Validity, Watch
+from ..simulation.validity import Validity, Watch
 from .linear import checked
 
 if TYPE_CHECKING:

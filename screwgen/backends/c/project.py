@@ -17,21 +17,11 @@ from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
 from ..templates import render
-from . import (
-    batch as c_batch,
-)
-from . import (
-    check as c_check,
-)
-from . import (
-    derivatives as c_derivatives,
-)
-from . import (
-    estimator as c_estimator,
-)
-from . import (
-    files as c_files,
-)
+from . import batch as c_batch
+from . import check as c_check
+from . import derivatives as c_derivatives
+from . import estimator as c_estimator
+from . import files as c_files
 from .code import Writer, literal, sizes, trimmed, with_unused
 from .fields import (
     Field,

@@ -12,7 +12,7 @@ from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...simulation.integrate import Evaluator
 from ...spec.load import one_line
-from ...validity import Validity, Watch
+from ...simulation.validity import Validity, Watch
 
 if TYPE_CHECKING:
     from ...model import Model

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...validity import Validity
+from ...simulation.validity import Validity
 from .step_limits import TOLERANCE, StepLimit
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..bodies.validity import MEASURES
 from ..model import Model
-from ..simulation.integrate import Evaluator
-from ..validity import Validity, Watch
+from .integrate import Evaluator
+from .validity import Validity, Watch
 
 SPREAD = 32
 """Samples, evenly spaced, whose axial loads and rotations are evaluated, besides those at which a link bends most and

@@ -19,9 +19,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .bodies.validity import BOUNDS as BOUND
-from .bodies.validity import MEASURES
-from .errors import DivergedError
+from ..bodies.validity import BOUNDS as BOUND
+from ..bodies.validity import MEASURES
+from ..errors import DivergedError
 
 FAR = 1.0
 """Deflection over length at which a run ends."""

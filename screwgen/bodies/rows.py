@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..algebra.expression import Diagonal, Symbol, stack, zeros
 from ..algebra.screw import lever, twice
 from ..ir.block import Block
-from ..joints.joint_rows import MIXED, joint_point
+from ..joints.rows import MIXED, joint_point
 from ..topology.link_class import LinkClass
 
 LINK = "F_i"

@@ -13,9 +13,9 @@ from ..arguments import Given, choice, real_numbers, seconds, whole
 from ..backends.c.project import METHODS
 from ..errors import UsageError
 from ..model import Model
-from ..validity import Validity
-from .batch import OK, SINGULAR, compiled_batch
-from .compiled import NO_METHOD
+from .validity import Validity
+from ..runtime.batch import OK, SINGULAR, compiled_batch
+from ..runtime.compiled import NO_METHOD
 from .rollout_validity import watched
 
 MAX_BYTES = 4 * 2**30

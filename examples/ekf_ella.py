@@ -20,8 +20,8 @@ import screwgen
 from screwgen import PD, Model, Robot
 from screwgen.algorithms.gauges import gauges
 from screwgen.plotting.look import INK, PALETTE, name_ends, styled
-from screwgen.simulation.motion import tip_deformation
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.motion import tip_deformation
 
 ROOT = Path(__file__).resolve().parents[1]
 PLOT = ROOT / "build" / "ekf_ella.png"

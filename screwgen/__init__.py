@@ -9,11 +9,12 @@ from . import sympy_cache  # noqa: F401
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .formulation import derive
 from .model import Model
-from .simulation.rollout import Rollout, rollout
 from .simulation.controllers import PD, Holding
 from .simulation.integrate import DivergedError
+from .simulation.rollout import Rollout, rollout
 from .simulation.runs import Run
 from .simulation.simulate import simulate
+from .simulation.validity import ModelLeftError, ModelValidityWarning, Validity
 from .spec.frequencies import Frequencies
 from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
@@ -23,7 +24,6 @@ from .studies.convergence import Convergence, convergence
 from .studies.equilibrium import Equilibrium, NoEquilibriumError, equilibrium
 from .studies.linear import LinearModel
 from .studies.modes import natural_frequencies
-from .simulation.validity import ModelLeftError, ModelValidityWarning, Validity
 from .version import __version__
 
 __all__ = [

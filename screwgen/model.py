@@ -21,11 +21,11 @@ from .errors import PrecisionWarning, UsageError
 from .folder import check_folder, write_folder
 from .ir.block import Block
 from .paper.z_functions import cauchy_names
+from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .topology.chain import Chain
-from .simulation.validity import Validity
 from .version import __version__ as VERSION
 
 TARGETS = ("c", "casadi", "latex")

@@ -8,10 +8,10 @@ from helpers import arm, drawn, equal_links, example, link, model_of, quick, rel
 
 from screwgen.algorithms import functions as alg
 from screwgen.algorithms.modal_elimination import WAYS
+from screwgen.algorithms.schedule import _traced, trace
 from screwgen.algorithms.structure import passages
 from screwgen.backends.c.project import FUSED_BEST, FUSED_MOST, CProject
 from screwgen.errors import UsageError
-from screwgen.topology.chain import _traced, trace
 
 SOFT = {"rhoA": 1.5, "EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0, "rhoIp": 0.02}
 

@@ -9,8 +9,8 @@ import pytest
 import random_robots as rr
 from helpers import ROOT, arm, equal_links, link, model_of
 
+from screwgen.algorithms import schedule as chain_module
 from screwgen.algorithms import scope
-from screwgen.topology import chain as chain_module
 
 
 def derivations(links: int, name: str) -> tuple[int, int]:

@@ -9,7 +9,7 @@ import sympy as sp
 from screwgen.bodies.energy import energy_block
 from screwgen.bodies.link import LinkBlock
 from screwgen.ir.block import Block
-from screwgen.topology.link_class import BodyClass, LinkClass
+from screwgen.spec.link_class import BodyClass, LinkClass
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 

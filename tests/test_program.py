@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from screwgen.algorithms import functions as alg
 from screwgen.algorithms import fused as fuse
+from screwgen.algorithms.schedule import trace
 from screwgen.backends.casadi import functions as sx
 from screwgen.backends.numpy.python import compiled
 from screwgen.ir.program import FUNCTIONS, Program, Tracer
 from screwgen.ir.replay import inline, run, specialise
-from screwgen.topology.chain import trace
 
 
 def traced(function, **sizes) -> Program:

@@ -11,8 +11,8 @@ import numpy as np
 
 import screwgen
 from screwgen import Model, Modes, Robot
-from screwgen.simulation.motion import displacements, modal_columns, tip_position
 from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.motion import displacements, modal_columns, tip_position
 
 FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"
 GOAL = np.array([-0.4928, 0.6922, 0.4270])

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from screwgen import PD
-from screwgen.simulation.motion import tip_position
 from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.motion import tip_position
 
 from .arms import LIMIT, STEP, Arms, at_rest, at_rest_there
 from .ocp import Dynamics, Form, Problem, Solution

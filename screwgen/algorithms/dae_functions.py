@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 
 from ..ir.program import Value
 from ..spec.parameters import coordinate_names
-from ..topology.chain import Algorithm, Chain
+from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, Functions
+from .schedule import Algorithm
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..ir.program import Value
-from ..topology.chain import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Chain, Phase, execute
+from ..topology.chain import Chain
 from . import dae, validity
 from . import phases as ph
 from . import sensitivity as sy
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 POSES = Phase(ph.poses, OUTWARD)

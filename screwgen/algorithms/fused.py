@@ -10,9 +10,10 @@ import mpmath
 from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
-from ..topology.chain import COLUMNS, Algorithm, Chain, preparation
+from ..topology.chain import Chain
 from .dae_functions import DaeFunctions, state_size, unknown_size
 from .functions import EVERYTHING, Functions
+from .schedule import COLUMNS, Algorithm, constant_labels, preparation
 
 ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
 DIGITS = 40
@@ -61,7 +62,7 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, _namer(chain, i))), p[:3]
     links = []
     for i, key in enumerate(chain.keys):
-        names = {f"c.{label}": 1 for label in chain.labels(key, EVERYTHING)}
+        names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}
         for part, span in chain.given(i).items():
             names |= dict.fromkeys(COLUMNS[part], span.stop - span.start)
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
@@ -83,7 +84,7 @@ def prepared(
     """
     out = []
     for i, key in enumerate(chain.keys):
-        program, places = preparation(key, chain.labels(key, algorithms)), chain.parameter_labels[i]
+        program, places = preparation(key, constant_labels(key, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
         out.append({name if name in ALL_COLUMNS else f"c.{name}": values for name, values in outputs.items()})
     return out

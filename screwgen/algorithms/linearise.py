@@ -15,12 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ir.program import Array, Node, Program, Value
-from ..topology.chain import COLUMNS, Chain
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
+from ..topology.chain import Chain
 from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse
+from .schedule import COLUMNS
 
 SHAPES = {
     "F_q": (6, "m"),

@@ -28,7 +28,7 @@ from ..ir.program import Array, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, posture_block
 from ..joints.rows import joint_rows_block
 from ..paper.z_form_blocks import z_form_block, z_rows_block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 from .matrices import zeros
 
 

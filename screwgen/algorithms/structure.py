@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 from ..ir.program import Node, Program, live
 from ..ir.replay import bind
-from ..topology.chain import Algorithm, Chain, execute, trace
+from ..topology.chain import Chain
 from .functions import nodes
+from .schedule import Algorithm, execute, trace
 
 
 class Unknown:

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 from ..ir.derivative import columns
 from ..ir.program import Program, Value
-from ..topology.chain import OUTWARD, Algorithm, Chain, Phase
+from ..topology.chain import Chain
 from . import sensitivity as sy
 from .functions import Functions
 from .fused import fuse
+from .schedule import OUTWARD, Algorithm, Phase
 
 MOTION: Algorithm = (Phase(sy.motion, OUTWARD),)
 

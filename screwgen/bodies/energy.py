@@ -6,7 +6,7 @@ import sympy as sp
 
 from ..algebra.expression import Diagonal, Integral, hat, zeros
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 from .link import LinkBlock
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from ..bases import ORDER, products
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..algebra.expression import Diagonal, Trace, add, block, hat, identity, stack, unit, zeros
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 from .link_constants import FRAME, LinkConstants
 
 

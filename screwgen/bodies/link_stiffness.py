@@ -7,7 +7,7 @@ import sympy as sp
 
 from ..algebra.expression import Diagonal, Expression, Integral, Root, Symbol, block, stack, zeros
 from ..ir.block import Block
-from ..topology.link_class import DIRECTIONS, LinkClass
+from ..spec.link_class import DIRECTIONS, LinkClass
 from .fields import Fields
 
 SECTION = (

@@ -6,7 +6,7 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, Trace, add, block, identity, zeros
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 
 def lumped(b: Block, key: LinkClass, section: str, tag: str) -> tuple[Expression, ...]:

@@ -6,7 +6,7 @@ from ..algebra.expression import Diagonal, Symbol, stack, zeros
 from ..algebra.screw import lever, twice
 from ..ir.block import Block
 from ..joints.rows import MIXED, joint_point
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 LINK = "F_i"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..algebra.expression import Expression, Symbol, hat, identity, unit, zeros
 from ..algebra.rate import rate, turned_rate
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 from .fields import Fields
 from .lumped import lumped
 from .rotation import angle_steps

@@ -22,7 +22,7 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Inverse, Root, Symbol, number
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 from .fields import Fields
 
 OWN_WEIGHT = 7.8373474

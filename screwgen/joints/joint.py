@@ -10,7 +10,7 @@ from ..algebra.expression import Expression, Rotation, Symbol, block, hat, ident
 from ..algebra.notation import axis_latex
 from ..algebra.rate import rate
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 TIP = "parent's tip frame"
 LINK = "F_i"

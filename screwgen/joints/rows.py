@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
 from ..algebra.screw import diagonal_blocks, lever, twice
 from ..ir.block import Block
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 LINK = "F_i"
 TIP = "parent's tip frame"

@@ -18,7 +18,7 @@ from .moving_link import adjoint, blocks, body_jacobian, exponential_coordinates
 if TYPE_CHECKING:
     from ..bases import Shapes
     from ..model import Model
-    from ..topology.link_class import LinkClass
+    from ..spec.link_class import LinkClass
 
 Z3, O3 = np.zeros((3, 1)), np.zeros((3, 3))
 POINTS = 40

@@ -16,7 +16,7 @@ from ..algebra.expression import block as matrix
 from ..bodies.rotation import angle_steps
 from ..ir.block import Block
 from ..joints.rows import MIXED
-from ..topology.link_class import LinkClass
+from ..spec.link_class import LinkClass
 
 LINK = "F_i"
 HALF = sp.Rational(1, 2)

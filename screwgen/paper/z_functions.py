@@ -12,11 +12,12 @@ from collections.abc import Mapping, Sequence
 from ..algorithms.dae_functions import WRENCH, DaeFunctions, Entries
 from ..algorithms.functions import ASSEMBLY, DAE_FORWARD, PLACEMENT, Algorithm
 from ..algorithms.fused import fuse
+from ..algorithms.schedule import OUTWARD, Phase
 from ..algorithms.scope import common
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer
 from ..spec.parameters import coordinate_names
-from ..topology.chain import OUTWARD, Chain, Phase
+from ..topology.chain import Chain
 from .z_form import H_MS, z_place, z_rates, z_rows, z_state
 
 Z_ASSEMBLY: Algorithm = (Phase(z_state, OUTWARD), *ASSEMBLY, Phase(z_rows, OUTWARD))

@@ -13,10 +13,10 @@ from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
 from ..errors import UsageError
+from ..simulation.motion import centrelines, modal_columns, twist
 from ..studies.modes import ModeShapes, stiffness
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
-from ..simulation.motion import centrelines, modal_columns, twist
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,11 +14,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ..simulation.inputs import started
+from ..simulation.motion import centrelines
 from ..simulation.runs import Run, check_output, outputs
 from . import look
 from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
-from ..simulation.motion import centrelines
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,18 +6,20 @@ import ctypes
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from ..backends.c.project import METHODS, CProject
 from ..errors import ScrewgenError, UsageError
-from ..model import Model
 from .compiled import STATUS
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
 """Without contraction a machine with wider registers gives the same numbers."""
@@ -185,4 +187,3 @@ def compiled_batch(model: Model, single: bool) -> CompiledBatch:
     if single not in known:
         known[single] = CompiledBatch(model, single)
     return known[single]
-

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from ..algorithms.gauges import Gauge, gauges
 from ..arguments import array
 from ..backends.c.project import CProject
 from ..errors import ScrewgenError, SingularError, UsageError
-from ..model import Model
 from .compiled import STATUS
 from .library import load
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 
 @lru_cache(maxsize=4)

@@ -13,11 +13,11 @@ from ..errors import ScrewgenError, SingularError, UsageError
 from ..runtime.compiled import SINGULAR, Compiled
 from ..runtime.library import has_compiler
 from ..runtime.pace import slices
-from .validity import FAR
 from .controllers import PD
 from .inputs import at_time
 from .integrate import LIMIT, JointState, JointStepper, diverged, left
 from .recording import WATCH, Table, Task
+from .validity import FAR
 
 if TYPE_CHECKING:
     from ..model import Model

@@ -22,10 +22,10 @@ from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
 from ..spec.load import one_line
-from .validity import Watch
 from .inputs import Inputs
 from .integrate import Dynamics, Evaluator, modal_functions
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
+from .validity import Watch
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -69,7 +69,6 @@ class Task:
     def rows(self, k: int) -> int:
         """How many samples there are when step k is to come; number `steps` is the end."""
         return -(-min(k, self.steps) // self.every) + (k > self.steps)
-
 
     def sampled(self, k: int) -> bool:
         """Whether step k, or number `steps`, the end, is a sample."""

@@ -5,18 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import Given, choice, real_numbers, seconds, whole
 from ..backends.c.project import METHODS
 from ..errors import UsageError
-from ..model import Model
-from .validity import Validity
 from ..runtime.batch import OK, SINGULAR, compiled_batch
 from ..runtime.compiled import NO_METHOD
 from .rollout_validity import watched
+from .validity import Validity
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 MAX_BYTES = 4 * 2**30
 

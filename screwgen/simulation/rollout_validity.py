@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..bodies.validity import MEASURES
-from ..model import Model
 from .integrate import Evaluator
 from .validity import Validity, Watch
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 SPREAD = 32
 """Samples, evenly spaced, whose axial loads and rotations are evaluated, besides those at which a link bends most and
 the joints turn fastest."""
 
 
-def watched(
-    model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray
-) -> Validity:
+def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray) -> Validity:
     """The largest measures of a batch of motions `q`, `v` (batch, samples, nq) at the times `t` (samples,).
 
     `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).

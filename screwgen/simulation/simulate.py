@@ -11,7 +11,6 @@ import numpy as np
 
 from ..arguments import MAX_STEPS, Given, choice, seconds, whole
 from ..errors import DivergedError, UsageError
-from .validity import ModelLeftError
 from . import loop
 from .controllers import Controller
 from .dae import DaeStepper
@@ -19,6 +18,7 @@ from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, check_integrator, left
 from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
 from .runs import FORMATS, Run, check_output
+from .validity import ModelLeftError
 
 if TYPE_CHECKING:
     from ..model import Model

@@ -49,9 +49,7 @@ class ModeShapes(NamedTuple):
     """How far the posture is from the limits of the model under the weight that it would bear with gravity."""
 
 
-def mode_shapes(
-    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
-) -> ModeShapes:
+def mode_shapes(model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)

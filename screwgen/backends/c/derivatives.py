@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from ...algorithms.linearise import linearisation
+from ...algorithms.schedule import COLUMNS
 from ...errors import UsageError
 from ...ir.program import Program
 from ...ir.split import KEPT, split
-from ...topology.chain import COLUMNS, Chain
+from ...topology.chain import Chain
 from .code import Writer, with_unused
 
 Place = Callable[[str, int], str]

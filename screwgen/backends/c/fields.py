@@ -7,11 +7,12 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
+from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
 from ...ir.program import Program
+from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
-from ...topology.chain import COLUMNS, Chain
-from ...topology.link_class import LinkClass
+from ...topology.chain import Chain
 from ...topology.parameters import label
 from .code import literal
 

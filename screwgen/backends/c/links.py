@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places
+from ...algorithms.schedule import OUTWARD, Algorithm
 from ...algorithms.structure import Passage, passages
 from ...ir.program import Program
-from ...topology.chain import OUTWARD, Algorithm, Chain
+from ...topology.chain import Chain
 from .code import Writer, trimmed
 
 JOINT = {"q", "qdot", "tau", "m_q", "f_q", "qddot", "new_q", "force"}

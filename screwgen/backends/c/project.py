@@ -9,6 +9,7 @@ import mpmath
 
 from ...algorithms import fused as fuse
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.schedule import constant_labels
 from ...bodies.validity import BOUNDS
 from ...errors import UsageError
 from ...ir.program import Program
@@ -249,7 +250,7 @@ class CProject:
     def _labels(self) -> list[tuple[str, ...]]:
         """The constants that the code of every link reads."""
         algorithms = tuple(run.algorithm for run in RUNS.values())
-        return [self.chain.labels(key, algorithms) for key in self.chain.keys]
+        return [constant_labels(key, algorithms) for key in self.chain.keys]
 
     @property
     def constants(self):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...algorithms import fused as fuse
+from ...algorithms.schedule import constant_labels
 from ...ir.program import Program, live
 from ...ir.split import split
 from ...spec.parameters import parameters
@@ -47,7 +48,7 @@ def _parameter_place(p) -> str:
 def _labels(project: CProject) -> list[tuple[str, ...]]:
     """The constants that `<robot>_prepare` leaves for every link."""
     algorithms = tuple(run.algorithm for run in RUNS.values())
-    return [project.chain.labels(key, algorithms) for key in project.chain.keys]
+    return [constant_labels(key, algorithms) for key in project.chain.keys]
 
 
 def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:

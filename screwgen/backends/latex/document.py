@@ -16,10 +16,10 @@ from ...algorithms.scope import common, derived
 from ...errors import ScrewgenError
 from ...ir.block import Block
 from ...paper.z_latex import z_section, z_view
+from ...spec.link_class import LinkClass
 from ...spec.parameters import parameters
 from ...spec.robot import Robot
 from ...topology.chain import Chain
-from ...topology.link_class import LinkClass
 from ...version import __version__
 from ..templates import render
 from . import tables, text

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
 from ...ir.block import Binding, Block
-from ...topology.link_class import LinkClass
+from ...spec.link_class import LinkClass
 from .content import Display, Heading, Item, Paragraph, Section, equation
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken

@@ -10,9 +10,9 @@ import sympy as sp
 from ...algebra.notation import number
 from ...bases import Shapes
 from ...ir.block import Binding
+from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
-from ...topology.link_class import LinkClass
 from .content import Table
 from .symbols import Entry
 

@@ -24,11 +24,12 @@ from ...algorithms.functions import (
     Functions,
 )
 from ...algorithms.linearise import slopes
+from ...algorithms.schedule import Algorithm
 from ...arguments import array
 from ...errors import SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
-from ...topology.chain import Algorithm, Chain
+from ...topology.chain import Chain
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)

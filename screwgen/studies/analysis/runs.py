@@ -11,8 +11,8 @@ import numpy as np
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...simulation.integrate import Evaluator
-from ...spec.load import one_line
 from ...simulation.validity import Validity, Watch
+from ...spec.load import one_line
 
 if TYPE_CHECKING:
     from ...model import Model

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import shapes
-from ..spec.robot import Link
+from .robot import Link
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 

@@ -1,0 +1,165 @@
+"""Phases, algorithms, and the one way in which they are traced and run over the chain."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from ..errors import SingularError
+from ..ir.block import Binding
+from ..ir.lower import lower
+from ..ir.program import Program, Tracer, Value
+from ..spec.link_class import LinkClass
+from ..topology.chain import Chain
+from .modal_elimination import COMPLIANCE, FACTOR, WAYS
+from .scope import Layout, Scope, derived
+
+OUTWARD, INWARD = +1, -1
+COLUMNS = {"eta": ("M_eta", "K", "D"), "q": ("M_q", "K_q", "D_q")}
+"""Inertia, stiffness and damping of a link's own modal coordinates, and of its joint's where that is sprung."""
+FEW, MANY = 3, 12
+"""With fewer modes than FEW the r x r factor is always the smaller, with more than MANY never."""
+
+
+@dataclass(frozen=True)
+class Phase:
+    """What every link does on one way along the chain: from base to tip, or from tip to base."""
+
+    work: Callable[[Scope], None]
+    direction: int
+
+    @property
+    def name(self) -> str:
+        return self.work.__name__
+
+    @property
+    def eliminates(self) -> bool:
+        """Whether the phase solves for modal accelerations."""
+        return self.name == "eliminate"
+
+
+Algorithm = tuple[Phase, ...]
+
+
+@cache
+def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
+    """The programs of a link class, one per phase of an algorithm; links of a class share them.
+
+    Of the ways to eliminate modes the one with the fewest operations is taken.
+    """
+    ways = WAYS if any(phase.eliminates for phase in algorithm) else (FACTOR,)
+    ways = ways if FEW <= key.modes <= MANY else (FACTOR if key.modes < FEW else COMPLIANCE,)
+    traced = [_traced(key, algorithm, way) for way in ways]
+    return min(traced, key=lambda programs: sum(p.operation_count for p in programs))
+
+
+def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[Program, ...]:
+    layouts: dict[str, Layout] = {}
+    programs = []
+    for phase in algorithm:
+        scope = Scope(key, Tracer(), layouts, way)
+        phase.work(scope)
+        programs.append(scope.program(phase.name))
+    return tuple(programs)
+
+
+@cache
+def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
+    """The parameter slice of the blocks: constants by label, and the ``COLUMNS`` of modes and sprung joints."""
+    tracer = Tracer()
+    scope = Scope(key, tracer, {})
+    blocks = list(derived(key).values())
+    for label in labels:
+        owner = next((b for b in blocks if any(s.name == label for s in b.bindings)), None)
+        scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
+    inputs = _parameters(scope, derived(key)["link"])
+    for name in ("M_eta", "K") + (("D",) if key.damping else ()):
+        values = lower(derived(key)["link"], inputs, (name,), tracer)
+        scope.write(name, values[name])
+    if not key.damping:
+        scope.write("D", [0.0] * key.modes)
+    if key.sprung:
+        stated = (key.armature, key.stiffness, key.joint_damping)
+        labels_of_axes = ("armature", "joint_stiffness", "joint_damping")
+        for name, present, label in zip(COLUMNS["q"], stated, labels_of_axes, strict=True):
+            axes = [f"p.{label}_{k + 1}" for k in range(key.joints)]
+            scope.write(name, [scope.read(axis, 1)[0] if present else 0.0 for axis in axes])
+    return scope.program("prepare")
+
+
+def _parameters(scope: Scope, block) -> dict:
+    """The parameters of a block as inputs of its preparation."""
+    out = {}
+    for name, signal in block.inputs.items():
+        if signal.binding == Binding.PARAMETER:
+            entries = [scope.read(f"p.{symbol.name}", 1)[0] for symbol in block.values[name].flat]
+            out[name] = entries
+    return out
+
+
+def _prepared(scope: Scope, block, label: str) -> Value:
+    """One constant: its step and all that the step needs, recorded from the parameters."""
+    symbol = next(s for s in block.bindings if s.name == label)
+    for name, signal in block.inputs.items():
+        if symbol in block.values[name].flat and signal.binding == Binding.PARAMETER:
+            return scope.read(f"p.{label}", 1)[0]
+    step = next(s for s in block.steps.values() if any(symbol == made for made, _ in s.assignments))
+    values = lower(block, _parameters(scope, block), (step.signal.name,), scope.tracer)[step.signal.name]
+    place = next(index for index in step.signal.labels() if block.values[step.signal.name][index[0]] == symbol)
+    return values[place[0]]
+
+
+def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
+    """The constants that programs of a class ask for, sorted."""
+    programs = [p for a in algorithms for p in trace(key, a)]
+    return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
+
+
+Apply = Callable[[int, int, Program, Mapping[str, list]], Mapping[str, list]]
+
+
+def execute(
+    chain: Chain,
+    algorithm: Algorithm,
+    links: Sequence[Mapping[str, list]],
+    nodes: Sequence[dict[str, list]],
+    apply: Apply,
+) -> list[dict[str, list]]:
+    """Run an algorithm over the chain: the schedule of every back end.
+
+    ``links`` holds the call's inputs and constants of every link, ``nodes`` the n + 1 nodes with what is
+    known beforehand of base and tip; ``apply(link, phase, program, inputs)`` runs one program on values of
+    any algebra.  Returns, for every link, all signals that it has read or written.
+    """
+    stores = [dict(link) for link in links]
+    for number, phase in enumerate(algorithm):
+        order = range(chain.n) if phase.direction == OUTWARD else reversed(range(chain.n))
+        for i in order:
+            program = trace(chain.keys[i], algorithm)[number]
+            inputs = {name: _fetch(name, stores[i], nodes[i], nodes[i + 1]) for name in program.inputs}
+            for name, values in _applied(apply, chain, i, number, program, inputs).items():
+                _store(name, values, stores[i], nodes[i], nodes[i + 1])
+    return stores
+
+
+def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Program, inputs: Mapping) -> Mapping:
+    try:
+        return apply(link, number, program, inputs)
+    except ZeroDivisionError:
+        what = f"nothing resists the joint of link '{chain.robot.links[link].name}'"
+        remedy = "give the link rhoIp, a body with inertia, or the joint an armature"
+        raise SingularError(f"{what}; {remedy}") from None
+
+
+def _fetch(name: str, link: Mapping, base: Mapping, tip: Mapping) -> list:
+    where, _, what = name.partition(".")
+    return {"base": base, "tip": tip}[where][what] if where in ("base", "tip") else link[name]
+
+
+def _store(name: str, values: list, link: dict, base: dict, tip: dict) -> None:
+    where, _, what = name.partition(".")
+    if where in ("base", "tip"):
+        {"base": base, "tip": tip}[where][what] = values
+    else:
+        link[name] = values

@@ -13,7 +13,7 @@ from pathlib import Path
 import casadi as ca
 
 from screwgen import Model
-from screwgen.algorithms import fused as fuse
+from screwgen.algorithms import fused
 from screwgen.backends.c.project import CProject
 from screwgen.backends.casadi import functions as backend
 from screwgen.errors import UsageError
@@ -106,7 +106,7 @@ def ours(model: Model, name: str, title: str, library: Library, *defines: str, e
 
 
 def same_function(model: Model, constants: str) -> Program:
-    """The forward dynamics as the generated C computes it; ``constants`` as in :func:`screwgen.algorithms.fused.fuse`."""
+    """The forward dynamics as the generated C computes it; ``constants`` see :func:`screwgen.algorithms.fused.fuse`."""
     chain = model.chain
     inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
 
@@ -115,12 +115,12 @@ def same_function(model: Model, constants: str) -> Program:
         R, position = f.poses(x["q"])[1][-1]
         return {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
 
-    return fuse.fuse(chain, "dynamics", inputs, body, constants)
+    return fused.fuse(chain, "dynamics", inputs, body, constants)
 
 
 def constant_values(model: Model, program: Program) -> list[float]:
     """The numbers of the input ``c``: the prepared constants in the order of the program's inputs."""
-    links, gravity = fuse.baked(model.chain), model.parameter_values[:3]
+    links, gravity = fused.baked(model.chain), model.parameter_values[:3]
     out: list[float] = []
     for name in list(program.inputs)[4:]:
         link, _, what = name.partition(":")

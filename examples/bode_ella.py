@@ -17,11 +17,11 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
-from screwgen.simulation.simulate.runs import check_output, outputs
 
 import screwgen
 from screwgen import Damping, Modes, ScrewgenError, UsageError
 from screwgen.plotting.look import PALETTE, canvas, png, styled
+from screwgen.simulation.runs import check_output, outputs
 
 ROOT = Path(__file__).resolve().parents[1]
 PLOT = ROOT / "build" / "bode_ella.png"

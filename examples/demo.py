@@ -12,12 +12,12 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from screwgen.simulation.simulate.controllers import PD
-from screwgen.simulation.simulate.simulate import FORMS, simulate
 
 import screwgen
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
+from screwgen.simulation.controllers import PD
+from screwgen.simulation.simulate import FORMS, simulate
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"

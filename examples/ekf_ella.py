@@ -14,13 +14,13 @@ from pathlib import Path
 
 import numpy as np
 from ella.sheet import Sheet
-from screwgen.simulation.simulate.integrate import JointStepper
 
 import screwgen
 from screwgen import PD, Model, Robot
 from screwgen.algorithms.gauges import gauges
 from screwgen.plotting.look import INK, PALETTE, name_ends, styled
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.integrate import JointStepper
 from screwgen.simulation.motion import tip_deformation
 
 ROOT = Path(__file__).resolve().parents[1]

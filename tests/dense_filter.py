@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import casadi as ca
 import numpy as np
-from screwgen.simulation.simulate.integrate import JointStepper
 
 from screwgen import Model
 from screwgen.runtime.estimator import Noise
+from screwgen.simulation.integrate import JointStepper
 
 
 class DenseFilter:

@@ -71,7 +71,7 @@ def check_python() -> None:
 
 def check_commands() -> None:
     """All commands, in a folder of their own."""
-    from screwgen.cli.main.main import main
+    from screwgen.cli.main import main
 
     here = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:

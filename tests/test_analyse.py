@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 import random_robots as rr
 from helpers import arm, equal_links, example, link, model_of, quick
-from screwgen.simulation.simulate.controllers import PD
-from screwgen.simulation.simulate.integrate import METHODS, Dynamics, Held
-from screwgen.simulation.simulate.state import State
 
 import screwgen
+from screwgen.simulation.controllers import PD
+from screwgen.simulation.integrate import METHODS, Dynamics, Held
+from screwgen.simulation.state import State
 from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import regularity
 from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, motions, step_map

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import equal_links, example, flat, model_of
-from screwgen.cli.main.main import main
-from screwgen.simulation.simulate.integrate import METHODS
 
 import screwgen
+from screwgen.cli.main import main
 from screwgen.plotting.structure import png
+from screwgen.simulation.integrate import METHODS
 from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import structure
 

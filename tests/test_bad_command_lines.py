@@ -5,7 +5,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from screwgen.cli.main.main import main
+
+from screwgen.cli.main import main
 
 EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "ella_paper.toml"
 RUN = "simulate ella.toml --duration 0.01 --step 1e-3 -o run.npz"

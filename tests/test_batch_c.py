@@ -19,7 +19,7 @@ from batch_c import (
 )
 from helpers import model_of
 
-from screwgen.algorithms import fused as fuse
+from screwgen.algorithms import fused
 from screwgen.backends.c import batch as c_batch
 from screwgen.backends.c.project import METHODS
 from screwgen.errors import ScrewgenError, SingularError
@@ -101,7 +101,7 @@ def test_pieces_are_the_program(monkeypatch):
 
 @pytest.mark.parametrize("pieces", [1, 2, 7, 100])
 def test_split_programs_give_what_the_whole_gives(pieces):
-    program = fuse.forward_dynamics(model("rigid").chain, "baked")
+    program = fused.forward_dynamics(model("rigid").chain, "baked")
     rng = np.random.default_rng(0)
     inputs = {name: list(rng.normal(size=size)) for name, size in program.inputs.items()}
     unary = lambda op, x: -x if op == "neg" else getattr(math, op)(x)  # noqa: E731

@@ -10,10 +10,10 @@ import pytest
 import random_robots as rr
 from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool
-from screwgen.cli.main.commands import run_generate
 
 from screwgen.backends.c import batch as c_batch
 from screwgen.backends.c.project import CProject
+from screwgen.cli.commands import run_generate
 from screwgen.errors import UsageError
 
 WARNINGS = "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from conftest import require_tool
 from helpers import arm, link, model_of
-from screwgen.cli.main.commands import run_generate
 
 from screwgen.backends.c.project import CProject
 from screwgen.backends.numpy.reference import rounding_error
+from screwgen.cli.commands import run_generate
 from screwgen.errors import PrecisionWarning, UsageError
 
 SECTION = {"EIy": 40.0, "EIz": 60.0}

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import arm, example, flat, link, model_of, relative
-from screwgen.simulation.simulate.simulate import stepper
 
 from screwgen import Robot, UsageError, derive
 from screwgen.backends.casadi import functions as emit
 from screwgen.integrators.methods import METHODS
+from screwgen.simulation.simulate import stepper
 from screwgen.studies.modes import stiffness
 
 ELLA = {"nq": 9, "m": 3, "n": 2}

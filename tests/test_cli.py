@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from conftest import require_tool
 from oracle import Oracle
-from screwgen.cli.main.commands import EVALUATIONS
-from screwgen.cli.main.main import main
-from screwgen.simulation.simulate.controllers import PD, Holding
-from screwgen.simulation.simulate.simulate import FORMS, simulate
 
 from screwgen import __version__, derive, load
+from screwgen.cli.commands import EVALUATIONS
+from screwgen.cli.main import main
+from screwgen.simulation.controllers import PD, Holding
+from screwgen.simulation.simulate import FORMS, simulate
 from screwgen.studies.modes import natural_frequencies
 
 ROOT = Path(__file__).resolve().parents[1]

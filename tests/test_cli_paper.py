@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 import pytest
 from conftest import require_tool
 from latex_documents import too_wide
-from screwgen.cli.main.main import main
 
 from screwgen.algebra.plain import WIDTH, shown
+from screwgen.cli.main import main
 from screwgen.paper import document
 from screwgen.paper.register import equations, errata
 

@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from screwgen.cli.main.main import main
 
 from screwgen.cli import process as cli_process
+from screwgen.cli.main import main
 
 ELLA = str(Path(__file__).resolve().parents[1] / "examples" / "ella.toml")
 

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from helpers import arm, example, example_dict, link, model_of, rotation_of
 from oracle import Oracle
-from screwgen.simulation.simulate.dae import DaeStepper
 
 from screwgen.backends.c.project import METHODS
 from screwgen.errors import ScrewgenError
 from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.dae import DaeStepper
 
 START = np.array([-0.3, 0.4, 0.5, 0.0, 0.004, -0.003, 0.0, 0.002, 0.003])
 STRETCHED = START + np.array([0, 0, 0, 1e-4, 0, 0, -1e-4, 0, 0])

@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pytest
 from helpers import arm, drawn, example, link, model_of
-from screwgen.cli.main.main import main
 
 from screwgen import derive, natural_frequencies
+from screwgen.cli.main import main
 from screwgen.spec.advice import advice
 from screwgen.studies.convergence import convergence, enriched
 

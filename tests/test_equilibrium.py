@@ -11,9 +11,9 @@ import random_robots as rr
 from helpers import ROOT, G, arm, example, link, model_of
 from oracle import Oracle
 from scipy.optimize import brentq
-from screwgen.cli.main.main import main
 
 from screwgen import NoEquilibriumError, Robot, SingularError, UsageError, dump, equilibrium
+from screwgen.cli.main import main
 
 ELLA = str(ROOT / "examples" / "ella_paper.toml")
 STIFF = {"soft": 0.0, "max_modes": 1, "max_axes": 2}

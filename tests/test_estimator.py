@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from dense_filter import DenseFilter
 from helpers import G, arm, example, link, model_of
-from screwgen.simulation.simulate.integrate import JointStepper
 
 from screwgen import SingularError, UsageError
 from screwgen.errors import ScrewgenError
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.integrate import JointStepper
 
 FIBRE = 0.02
 

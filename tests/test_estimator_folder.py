@@ -6,11 +6,11 @@ import sys
 import pytest
 from conftest import require_tool
 from helpers import ROOT, relative
-from screwgen.cli.main.main import main
 from test_c_code import WARNINGS
 from test_estimator import model
 
 from screwgen.backends.c.project import CProject
+from screwgen.cli.main import main
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])

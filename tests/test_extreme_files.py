@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from screwgen.cli.main.main import main
 
 from screwgen import load
+from screwgen.cli.main import main
 from screwgen.simulation import loop
 from screwgen.spec.ranges import RANGES
 from screwgen.studies.analysis import spectrum
@@ -90,7 +90,7 @@ def test_a_mass_matrix_that_rounding_ends_is_said(capsys, monkeypatch, tmp_path)
     def lost(*_):
         raise np.linalg.LinAlgError("not positive definite")
 
-    monkeypatch.setattr(sys.modules["screwgen.convergence"], "vibrations", lost)
+    monkeypatch.setattr(sys.modules["screwgen.studies.convergence"], "vibrations", lost)
     path = tmp_path / "arm.toml"
     path.write_text(robot(np.random.default_rng(0), 0.0))
     assert main(["modes", str(path)]) == 1

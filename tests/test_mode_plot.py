@@ -5,9 +5,9 @@ import pytest
 import random_robots as rr
 from figures import collisions, laid_out, outside
 from helpers import arm, example, link, model_of
-from screwgen.cli.main.main import main
 
 from screwgen import UsageError
+from screwgen.cli.main import main
 from screwgen.plotting.look import view
 from screwgen.plotting.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
 from screwgen.simulation.motion import centrelines

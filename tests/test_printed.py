@@ -4,10 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from screwgen.cli.main.main import main
 
 import screwgen
 from screwgen.algebra.expression import hat, identity
+from screwgen.cli.main import main
 from screwgen.errors import UsageError
 from screwgen.paper import appendix_b, link
 from screwgen.paper.arm import MASSES, ella

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from screwgen.algorithms import functions as alg
-from screwgen.algorithms import fused as fuse
+from screwgen.algorithms import fused
 from screwgen.algorithms.schedule import trace
 from screwgen.backends.casadi import functions as sx
 from screwgen.backends.numpy.python import compiled
@@ -134,7 +134,7 @@ def expressions(draw, depth=5):
 
 def exact(op: str, x):
     """The primitives in mpmath."""
-    return fuse.precise(op, mpmath.mpf(x))
+    return fused.precise(op, mpmath.mpf(x))
 
 
 @settings(max_examples=60)
@@ -144,7 +144,7 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     program = traced(lambda t, x, y: [f(t.call, x[0], y[0])], x=1, y=1)
     with mpmath.workdps(30):
         direct = f(exact, mpmath.mpf(x), mpmath.mpf(y))
-        in_mpmath = run(program, {"x": [mpmath.mpf(x)], "y": [mpmath.mpf(y)]}, fuse.precise)[0]["y"][0]
+        in_mpmath = run(program, {"x": [mpmath.mpf(x)], "y": [mpmath.mpf(y)]}, fused.precise)[0]["y"][0]
     expected = float(direct)
     a, b = ca.SX.sym("a"), ca.SX.sym("b")
     in_sx = ca.Function("f", [a, b], [run(program, {"x": [a], "y": [b]}, sx.unary)[0]["y"][0]])(x, y)
@@ -168,7 +168,7 @@ def test_functions_of_numbers_run_in_every_algebra():
     """A baked constant may end up inside a sine: mounts of the DAE form's quaternions."""
     program = traced(lambda t, x: [x[0] * t.call("cos", 1.0)], x=1)
     assert value(program, x=[2.0]) == [2 * math.cos(1.0)]
-    assert float(run(program, {"x": [mpmath.mpf(2)]}, fuse.precise)[0]["y"][0]) == pytest.approx(2 * math.cos(1.0))
+    assert float(run(program, {"x": [mpmath.mpf(2)]}, fused.precise)[0]["y"][0]) == pytest.approx(2 * math.cos(1.0))
 
 
 def test_specialising_folds_everything_that_is_known():
@@ -189,19 +189,19 @@ def test_fused_program_is_no_longer_than_its_phases():
     """Inlining folds zeros of base and tip: less work than the phases one by one, the same numbers."""
     chain = example("ella").chain
     phases = sum(sum(p.operation_count for p in trace(key, alg.FORWARD)) for key in chain.keys)
-    assert fuse.modal_dynamics(chain, "constants").operation_count < phases
+    assert fused.modal_dynamics(chain, "constants").operation_count < phases
 
 
 def test_baked_program_is_shorter():
     chain = example("ella").chain
     assert (
-        fuse.complete_dynamics(chain, "baked").operation_count
-        < fuse.complete_dynamics(chain, "constants").operation_count
+        fused.complete_dynamics(chain, "baked").operation_count
+        < fused.complete_dynamics(chain, "constants").operation_count
     )
 
 
 def test_programs_are_the_same_every_time():
     chain = example("ella").chain
-    first, second = fuse.forward_dynamics(chain), fuse.forward_dynamics(chain)
+    first, second = fused.forward_dynamics(chain), fused.forward_dynamics(chain)
     text = lambda p: [(n.op, [getattr(a, "id", a) for a in n.args], n.label) for n in p.nodes]  # noqa: E731
     assert text(first) == text(second)

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 import random_robots as rr
 from scipy.integrate import solve_ivp
-from screwgen.simulation.simulate.controllers import PD, Holding
-from screwgen.simulation.simulate.integrate import METHODS, DivergedError
-from screwgen.simulation.simulate.runs import ARRAYS
-from screwgen.simulation.simulate.simulate import simulate, time_grid
 
 from screwgen import Robot, ScrewgenError, SingularError, UsageError, derive, load
 from screwgen.plotting import plot
+from screwgen.simulation.controllers import PD, Holding
+from screwgen.simulation.integrate import METHODS, DivergedError
+from screwgen.simulation.runs import ARRAYS
+from screwgen.simulation.simulate import simulate, time_grid
 from screwgen.studies.equilibrium import equilibrium
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import require_tool
-from screwgen.simulation.simulate.integrate import METHODS, DivergedError
-from screwgen.simulation.simulate.runs import ARRAYS
-from screwgen.simulation.simulate.simulate import simulate
 from test_simulate import END, START, soft, soft_dict
 
 from screwgen import PD, Robot, SingularError, UsageError, derive
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation import loop
+from screwgen.simulation.integrate import METHODS, DivergedError
+from screwgen.simulation.runs import ARRAYS
+from screwgen.simulation.simulate import simulate
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAW = PD((40.0, 40.0, 20.0), (15.0, 15.0, 4.0), (0.3, -0.2, 0.4), duration=0.05, tau_max=(9.0, 30.0, 9.0))

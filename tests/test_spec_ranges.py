@@ -4,11 +4,11 @@ import re
 
 import pytest
 from bad_robot_files import GOOD, refusal
-from screwgen.simulation.simulate.controllers import read_pd
-from screwgen.simulation.simulate.state import state_of
 
 from screwgen import UsageError, derive
 from screwgen.errors import RobotFileError
+from screwgen.simulation.controllers import read_pd
+from screwgen.simulation.state import state_of
 from screwgen.spec import Joint, load
 from screwgen.spec.ranges import RANGES
 

@@ -5,11 +5,11 @@ from functools import cache
 import numpy as np
 import pytest
 from helpers import arm, example_dict, link, model_of, quick
-from screwgen.simulation.simulate.dae import DaeStepper
-from screwgen.simulation.simulate.integrate import JointStepper
 
 from screwgen import SingularError
 from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.dae import DaeStepper
+from screwgen.simulation.integrate import JointStepper
 from screwgen.studies.analysis.spectrum import growth, step_map
 
 DAMPING = {"upper_arm": (600.0, 600.0), "forearm": (150.0,)}

@@ -9,14 +9,14 @@ from functools import cache
 
 import numpy as np
 import pytest
-from screwgen.cli.main.main import main
-from screwgen.simulation.simulate.integrate import METHODS
 
 import screwgen
 from docs.tools import limits
 from screwgen.backends.c.links import RUNS
 from screwgen.backends.c.project import CProject
 from screwgen.bodies.validity import MEASURES
+from screwgen.cli.main import main
+from screwgen.simulation.integrate import METHODS
 from screwgen.simulation.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
 
 ELLA = "examples/ella.toml"

@@ -7,10 +7,10 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from screwgen.simulation.simulate.simulate import FORMS, step_count
 
 from screwgen import Run, ScrewgenError, simulate
 from screwgen.runtime.compiled import Compiled, CompiledStepper
+from screwgen.simulation.simulate import FORMS, step_count
 
 from .arm import STEP, Arm
 

@@ -108,7 +108,7 @@ class Functions:
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 
     def measures(self, q, wrench, motion) -> list:
-        """How far every link is from the limits of the model, four numbers each; see :mod:`..derive.validity`."""
+        """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
         n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
         given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
         return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]

@@ -157,7 +157,7 @@ def modal_dynamics(chain: Chain, constants="parameters") -> Program:
 
 
 def measures(chain: Chain, constants="parameters") -> Program:
-    """``(q, wrench, motion) -> (measures)``: four numbers per link, see :mod:`..derive.validity`."""
+    """``(q, wrench, motion) -> (measures)``: four numbers per link, see :mod:`..bodies.validity`."""
     inputs = {"q": chain.nq, "wrench": 6 * chain.n, "motion": 4 * chain.n}
 
     def body(f: Functions, x):

@@ -3,7 +3,7 @@
 The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) says how the
 modes move the tip section and ``Q`` is the inertia that it carries.  Two ways give the same result:
 factorise the r x r matrix, or take the tip's inertia through the modes' compliance: O(r), for many modes.
-Which of them a class of links uses is counted when its programs are traced (:func:`.chain.trace`).
+Which of them a class of links uses is counted when its programs are traced (:func:`.schedule.trace`).
 """
 
 from __future__ import annotations

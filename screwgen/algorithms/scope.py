@@ -19,16 +19,16 @@ import numpy as np
 
 from ..bodies.energy import energy_block
 from ..bodies.link import LinkBlock
-from ..bodies.rows import link_rows_block
 from ..bodies.tip import tip_block, tip_body_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, posture_block
-from ..joints.rows import joint_rows_block
 from ..paper.z_form_blocks import z_form_block, z_rows_block
 from ..spec.link_class import LinkClass
+from .joint_rows import joint_rows_block
+from .link_rows import link_rows_block
 from .matrices import zeros
 
 
@@ -103,7 +103,7 @@ class Scope:
     tracer: Tracer
     layouts: dict[str, Layout]
     way: str = ""
-    """How modal accelerations are eliminated, see :mod:`.modes`."""
+    """How modal accelerations are eliminated, see :mod:`.modal_elimination`."""
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
     fresh: dict[str, Array] = field(default_factory=dict)

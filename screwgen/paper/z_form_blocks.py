@@ -13,9 +13,9 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Inverse, Stumpff, Symbol, hat, identity, stack, zeros
 from ..algebra.expression import block as matrix
+from ..algorithms.joint_rows import MIXED
 from ..bodies.rotation import angle_steps
 from ..ir.block import Block
-from ..joints.rows import MIXED
 from ..spec.link_class import LinkClass
 
 LINK = "F_i"

@@ -61,7 +61,7 @@ class Compiled(Memory):
     the same time, give each a :meth:`fresh` one.  A pickled one is compiled again, or found in the cache,
     where it arrives.
 
-    ``cache``: as :func:`screwgen.runtime.library.load` takes it.  Raises :class:`ScrewgenError` where there is no C compiler or
+    ``cache``: as :func:`.library.load` takes it.  Raises :class:`ScrewgenError` where there is no C compiler or
     a call does not return OK, :class:`SingularError` naming the link whose joint is singular, and
     :class:`UsageError` on arrays of another shape.
     """

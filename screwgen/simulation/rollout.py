@@ -90,7 +90,7 @@ def rollout(
     `x0`: initial states [q; v], (batch, 2 nq), or (2 nq,) for all. `tau`: joint torques in N·m, (batch, steps,
     n_joints); (steps, n_joints) for all scenarios; (n_joints,) for all and held; zero by default. `w_ext`: tip
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
-    `step` seconds, which the integrator (of `screwgen.backends.c.project.METHODS`) divides into `substeps` steps. `steps` is
+    `step` seconds, which the integrator (of `backends.c.project.METHODS`) divides into `substeps` steps. `steps` is
     needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those
     that differ by name, each a number or (batch,). `threads`: cores; the results do not depend on it.
     `single`: in single precision, about half the time.

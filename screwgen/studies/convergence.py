@@ -14,7 +14,6 @@ from scipy.linalg import block_diag
 
 from ..bases import products
 from ..errors import SingularError
-from ..model import derive
 from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
 from ..spec.values import MAX_MODES
 from .modes import locked_from, posture, stiffness, vibrations, without_rigid_motion
@@ -50,7 +49,7 @@ def convergence(
     """
     if locked_from(model, joints) == model.nq:
         return Convergence(np.zeros(0), {})
-    rich = derive(enriched(model.robot))
+    rich = type(model)(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
     M = rich.numpy(values).mass_matrix(_space(model, rich, ()) @ posture(model, q))

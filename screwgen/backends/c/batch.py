@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...ir.program import Node, Program
 from ...ir.split import KEPT, split
 from ...topology.chain import Chain
@@ -44,7 +44,7 @@ class LaneWriter(Writer):
 
 def dynamics(chain: Chain, baked: bool) -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot)``: of the generated C's dynamics what a step needs."""
-    whole = fuse.complete_dynamics(chain, "baked" if baked else "constants")
+    whole = fused.complete_dynamics(chain, "baked" if baked else "constants")
     outputs = {"vdot": whole.outputs["vdot"]}
     return Program("batch_dynamics", whole.inputs, outputs, whole.guards, whole.sections, whole.origins)
 

@@ -1,8 +1,8 @@
 """The names of the generated C's files; templates of the same names make them."""
 
-from . import batch as c_batch
-from . import derivatives as c_derivatives
-from . import estimator as c_estimator
+from .batch import FILES as BATCH
+from .derivatives import FILES as DERIVATIVES
+from .estimator import FILES as ESTIMATOR
 
 LIBRARY = (
     "real.h",
@@ -25,6 +25,6 @@ BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 
 def library(name: str, derivatives: bool, estimator: bool, batch: bool) -> dict[str, str]:
     """The files of a robot's library, with the template of each."""
-    options = ((derivatives, c_derivatives.FILES), (estimator, c_estimator.FILES), (batch, c_batch.FILES))
+    options = ((derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
     files = [*LIBRARY, *(file for asked, more in options if asked for file in more)]
     return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

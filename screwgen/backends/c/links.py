@@ -36,8 +36,7 @@ WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
 READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "wrench", "motion")}
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
-WITHIN = {"motion": "wrench"}
-"""Signals that are asked for only with another one."""
+WITHIN = {"motion": "wrench"}  # asked for only with the other
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import mpmath
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.schedule import constant_labels
 from ...bodies.validity import BOUNDS
@@ -18,11 +18,7 @@ from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
 from ..templates import render
-from . import batch as c_batch
-from . import check as c_check
-from . import derivatives as c_derivatives
-from . import estimator as c_estimator
-from . import files as c_files
+from . import batch, check, derivatives, estimator, files
 from .code import Writer, literal, sizes, trimmed, with_unused
 from .fields import (
     Field,
@@ -79,7 +75,7 @@ class CProject:
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.name = chain.robot.name
-        self.baked = fuse.baked(chain) if binding == "baked" else None
+        self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.name, self.baked)
         self.layout = self._layout(layout)
         self.links.joint_form = self.layout == "modular"
@@ -99,13 +95,13 @@ class CProject:
 
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
-        sources = self.library | {file: file for file in c_files.BESIDE}
+        sources = self.library | {file: file for file in files.BESIDE}
         return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
 
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        return c_files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
+        return files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
 
     def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
@@ -172,8 +168,8 @@ class CProject:
             "cases": self.reference,
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,
-            "derivatives": self.with_derivatives and c_derivatives.content(self.chain, bool(self.baked), fused_place),
-            "estimator": self.with_estimator and c_estimator.content(self.chain, bool(self.baked), fused_place),
+            "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
+            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
         }
 
     # programs ---------------------------------------------------------------------------------
@@ -194,7 +190,7 @@ class CProject:
     @cached_property
     def fused(self) -> Program:
         """The joint form in one program."""
-        return fuse.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
+        return fused.complete_dynamics(self.chain, "baked" if self.baked is not None else "constants")
 
     @property
     def fused_lines(self) -> list[str]:
@@ -211,7 +207,7 @@ class CProject:
     @property
     def _batch(self) -> dict:
         constants = sum(f.reals for f in self.constants)
-        return c_batch.content(self.chain, self.name, self.baked is not None, constants, fused_place)
+        return batch.content(self.chain, self.name, self.baked is not None, constants, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
         """Failures are gathered and looked at once: an early return would cost more than its comparison."""
@@ -262,7 +258,7 @@ class CProject:
     def structs(self) -> dict[str, list[Field]]:
         """The members of the parameters' structs."""
         pairs = zip(self.chain.keys, self._labels, strict=True)
-        names = [{n[2:] for n in fuse.preparation(key, labels).inputs} for key, labels in pairs]
+        names = [{n[2:] for n in fused.preparation(key, labels).inputs} for key, labels in pairs]
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
 
     @property
@@ -283,7 +279,7 @@ class CProject:
         return [self.chain.keys.index(key) for key in self.chain.classes]
 
     def _prepare_function(self, i: int) -> dict:
-        program = fuse.preparation(self.chain.keys[i], self._labels[i])
+        program = fused.preparation(self.chain.keys[i], self._labels[i])
         program = Program(
             program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
         )
@@ -291,10 +287,10 @@ class CProject:
         def place(name: str, k: int) -> str:
             if name.startswith("p."):
                 return f"p->{parameter_member(name[2:])}"
-            return f"{name}[{k}]" if name in fuse.ALL_COLUMNS else f"c->{name}"
+            return f"{name}[{k}]" if name in fused.ALL_COLUMNS else f"c->{name}"
 
         real = f"{self.name}_real"
-        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fuse.ALL_COLUMNS}).lines())
+        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fused.ALL_COLUMNS}).lines())
         own = columns(self.chain, i, lambda name, *_: f"{real} {name}[]")
         signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{own}"
         name = self.chain.robot.links[i].name
@@ -317,7 +313,7 @@ class CProject:
         if self.baked is None:
             return None
         gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
-        found = fuse.columns(self.chain, self.baked).items()
+        found = fused.columns(self.chain, self.baked).items()
         return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
 
     # size and reference -----------------------------------------------------------------------
@@ -338,12 +334,12 @@ class CProject:
 
     @cached_property
     def check(self) -> dict[str, object]:
-        """What the self-check allows, and what float loses where that is too much: see :mod:`.c_check`."""
-        return c_check.content(self.chain, self._cases)
+        """What the self-check allows, and what float loses where that is too much: see :mod:`.check`."""
+        return check.content(self.chain, self._cases)
 
     @cached_property
     def _cases(self) -> list[Case]:
-        with mpmath.workdps(fuse.DIGITS):
+        with mpmath.workdps(fused.DIGITS):
             return cases(self.chain, STATES)
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.schedule import constant_labels
 from ...ir.program import Program, live
 from ...ir.split import split
@@ -24,7 +24,7 @@ FILES = ("shim.h", "shim.c", "run_shim.c")
 
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C that its shared library is made of."""
-    energy = fuse.energy(project.chain, "baked" if project.baked is not None else "constants")
+    energy = fused.energy(project.chain, "baked" if project.baked is not None else "constants")
     pieces, kept = split(energy, -(-energy.operation_count // PIECE))
     extra = _extra(project, energy)
     known = _labels(project)
@@ -67,7 +67,7 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
     out = []
     for i in sorted({link for link, _ in extra}):
         wanted = tuple(name for link, name in extra if link == i)
-        whole = fuse.preparation(project.chain.keys[i], wanted)
+        whole = fused.preparation(project.chain.keys[i], wanted)
         outputs = {name: whole.outputs[name] for name in wanted}
         program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
 

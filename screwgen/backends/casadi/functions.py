@@ -13,7 +13,7 @@ from pathlib import Path
 
 import casadi as ca
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...arguments import choice
 from ...bodies.validity import MEASURES
@@ -55,7 +55,7 @@ class Functions(Mapping):
 
 def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     """What makes the functions of the joint form, by name."""
-    n, nq, np_ = chain.n, chain.nq, len(fuse.parameters(chain.robot))
+    n, nq, np_ = chain.n, chain.nq, len(fused.parameters(chain.robot))
     q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
     tau, w_ext, p = ca.SX.sym("tau", chain.n_joints), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
     given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
@@ -68,30 +68,30 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         return lambda: function(name, {k: given[k] for k in inputs.split()}, **results())
 
     def dynamics() -> dict[str, ca.SX]:
-        found = outputs(fuse.forward_dynamics)
+        found = outputs(fused.forward_dynamics)
         return found | {"wrench": ca.reshape(found["wrench"], 6, n)}
 
     def validity() -> dict[str, ca.SX]:
-        return {"measures": ca.reshape(outputs(fuse.validity)["measures"], len(MEASURES), n)}
+        return {"measures": ca.reshape(outputs(fused.validity)["measures"], len(MEASURES), n)}
 
     def tip_pose() -> dict[str, ca.SX]:
-        found = outputs(fuse.poses)
+        found = outputs(fused.poses)
         return {"R": rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
 
     def link_pose() -> dict[str, ca.SX]:
-        found = outputs(fuse.poses)
+        found = outputs(fused.poses)
         return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        return {"M": ca.jacobian(outputs(fuse.inertial_force)["force"], vdot)}
+        return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], vdot)}
 
     rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
         ("validity", "q v tau w_ext p", validity),
-        ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fuse.inverse_dynamics)),
+        ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fused.inverse_dynamics)),
         ("mass_matrix", "q p", mass_matrix),
-        ("bias", "q v w_ext p", lambda: outputs(fuse.bias)),
-        ("energy", "q v p", lambda: outputs(fuse.energy)),
+        ("bias", "q v w_ext p", lambda: outputs(fused.bias)),
+        ("energy", "q v p", lambda: outputs(fused.energy)),
         ("tip_pose", "q p", tip_pose),
         ("link_pose", "q p", link_pose),
     )
@@ -103,7 +103,7 @@ def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq)}
 
     def assemble() -> ca.Function:
-        program, places = fuse.assembly(chain)
+        program, places = fused.assembly(chain)
         parts, size = expressions(program, given), unknown_size(chain)
         rows, columns = [i for i, _ in places], [j for _, j in places]
         M = ca.SX.triplet(rows, columns, parts["M"], size, size)
@@ -111,7 +111,7 @@ def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         return function("assemble", inputs, M_sys=M, H_sys=parts["H"], W_sys=parts["W"])
 
     def dae_state() -> ca.Function:
-        x = expressions(fuse.placement(chain), given)["x"]
+        x = expressions(fused.placement(chain), given)["x"]
         return function("dae_state", {k: given[k] for k in ("q", "v", "p")}, x=x)
 
     return {"assemble": assemble, "dae_state": dae_state}
@@ -120,7 +120,7 @@ def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:
     sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_joints}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
-    parameters = ca.SX.sym("p", len(fuse.parameters(chain.robot)))
+    parameters = ca.SX.sym("p", len(fused.parameters(chain.robot)))
     return given | {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": parameters}
 
 
@@ -134,7 +134,7 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     u = ca.SX.sym("u", chain.n_joints + 6 * chain.n)
     tau, w_ext = u[: chain.n_joints], ca.reshape(u[chain.n_joints :], 6, chain.n)
     M, H, W = assemble(given["x"], tau, w_ext, given["p"])
-    ode = expressions(fuse.kinematic_rates(chain), given)["ode"]
+    ode = expressions(fused.kinematic_rates(chain), given)["ode"]
     return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
 
 
@@ -145,15 +145,15 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     """
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_given, "f_eta": chain.n_given}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
-    given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fuse.parameters(chain.robot)))}
-    dynamics = expressions(fuse.modal_dynamics(chain), given)
+    given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fused.parameters(chain.robot)))}
+    dynamics = expressions(fused.modal_dynamics(chain), given)
     order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
     wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
-    properties = expressions(fuse.modal_properties(chain), given)
+    properties = expressions(fused.modal_properties(chain), given)
     given["x"] = ca.SX.sym("x", state_size(chain))
-    dae, projected = expressions(fuse.dae_dynamics(chain), given), expressions(fuse.projection(chain), given)
+    dae, projected = expressions(fused.dae_dynamics(chain), given), expressions(fused.projection(chain), given)
     dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
-    rates = expressions(fuse.joint_rates(chain), given)
+    rates = expressions(fused.joint_rates(chain), given)
     dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
     return {
         "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
@@ -173,7 +173,7 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
 def _measures(chain: Chain, q: ca.SX, p: ca.SX) -> ca.Function:
     """``(q, wrench, motion, p) -> (measures)``: how far the links are from the limits of the model, link by link."""
     given = {"q": q, "wrench": ca.SX.sym("wrench", 6 * chain.n), "motion": ca.SX.sym("motion", 4 * chain.n), "p": p}
-    return function("measures", given, **expressions(fuse.measures(chain), given))
+    return function("measures", given, **expressions(fused.measures(chain), given))
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

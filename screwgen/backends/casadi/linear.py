@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.functions import Functions
 from ...bases import ORDER
 from ...spec.parameters import parameters
@@ -24,8 +24,8 @@ def linearisation(chain: Chain) -> ca.Function:
     sizes = {"q": (chain.nq, 1), "v": (chain.nq, 1), "tau": (chain.n_joints, 1), "w_ext": (6, chain.n)}
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | parameter_symbols(chain)
     q, v, p = given["q"], given["v"], given["p"]
-    dynamics = expressions(fuse.forward_dynamics(chain), given)
-    vdot, position = dynamics["vdot"], expressions(fuse.poses(chain), given)["tip_position"][-3:]
+    dynamics = expressions(fused.forward_dynamics(chain), given)
+    vdot, position = dynamics["vdot"], expressions(fused.poses(chain), given)["tip_position"][-3:]
     velocity = along(position, q, v)
     acceleration = along(velocity, q, v) + along(position, q, vdot)
     y = ca.vertcat(q, v, position, velocity, acceleration, dynamics["wrench"], base_strains(chain, q, p))
@@ -58,7 +58,7 @@ def statics(chain: Chain) -> ca.Function:
         return {"force": force, "wrench": wrench, "potential": [energy], "tip": tip}
 
     given = {"q": ca.SX.sym("q", chain.nq), "w_ext": ca.SX.sym("w_ext", 6, chain.n)} | parameter_symbols(chain)
-    found = expressions(fuse.fuse(chain, "statics", {"q": chain.nq, "w_ext": 6 * chain.n}, body), given)
+    found = expressions(fused.fuse(chain, "statics", {"q": chain.nq, "w_ext": 6 * chain.n}, body), given)
     return function(
         "statics",
         given,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...integrators.methods import METHODS, Motion
 from ...topology.chain import Chain
 from .functions import expressions, function, rotations
@@ -26,16 +26,16 @@ def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
     """Inputs of functions by name."""
     nq = chain.nq
     sizes = {"q": (nq, 1), "v": (nq, 1), "vdot": (nq, 1), "tau": (chain.n_joints, 1), "w_ext": (6, chain.n)}
-    sizes |= {"p": (len(fuse.parameters(chain.robot)), 1), "dt": (1, 1)}
+    sizes |= {"p": (len(fused.parameters(chain.robot)), 1), "dt": (1, 1)}
     return {name: ca.SX.sym(name, *sizes[name]) for name in names.split()}
 
 
 class Held:
-    """Accelerations in SX while torques and external wrenches are held; see :class:`screwgen.integrators.methods.Accelerations`."""
+    """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.methods.Accelerations`."""
 
     def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
-        self.program, self.given = fuse.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
-        self.inertia, self.stiffness, self.damping = expressions(fuse.modal_properties(chain), {"p": p}).values()
+        self.program, self.given = fused.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
+        self.inertia, self.stiffness, self.damping = expressions(fused.modal_properties(chain), {"p": p}).values()
 
     def explicit(self, q: ca.SX, v: ca.SX) -> ca.SX:
         return self.implicit(q, v, 0.0)
@@ -62,7 +62,7 @@ def step(chain: Chain, method: str, name: str) -> ca.Function:
 def tip_jacobian(chain: Chain) -> ca.Function:
     """``(q, p) -> (J)``: J v is the twist of the last tip, [ω; ṙ] of its section and point in inertial components."""
     given = symbols(chain, "q p")
-    found = expressions(fuse.poses(chain), given)
+    found = expressions(fused.poses(chain), given)
     R, position = rotations(found["tip_R"], chain.n)[:, -3:], found["tip_position"][-3:]
     slopes = ca.jacobian(ca.vec(R), given["q"])
     columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nq)]
@@ -84,10 +84,10 @@ def scaling(chain: Chain) -> ca.Function:
     """
     given, m = symbols(chain, "p"), chain.n_joints
     inputs = symbols(chain, "q v vdot w_ext") | given
-    force = expressions(fuse.inertial_force(chain), inputs)["force"]
+    force = expressions(fused.inertial_force(chain), inputs)["force"]
     M = ca.diag(ca.jacobian(force, inputs["vdot"]))
     inertia = ca.substitute(M, inputs["q"], ca.SX.zeros(chain.nq))
-    stiffness = list(expressions(fuse.modal_properties(chain), given).values())[1]
+    stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[:m]) if m else ca.SX(2.0)
     q = ca.vertcat(ca.SX.ones(m), ca.sqrt(twice / stiffness[stiffness.numel() - chain.n_modes :]))
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.dae_functions import DaeFunctions, state_size, unknown_size
 from ...algorithms.functions import (
     ASSEMBLY,
@@ -65,7 +65,7 @@ class Numeric:
 
     def _prepared(self, algorithms: Sequence[Algorithm]) -> list[dict[str, list[float]]]:
         evaluate = lambda _, program, given: function_of(program)(given, EPSILON)[0]  # noqa: E731
-        return fuse.prepared(self.chain, self.p, evaluate, algorithms)
+        return fused.prepared(self.chain, self.p, evaluate, algorithms)
 
     def _functions(self, *algorithms: Algorithm) -> DaeFunctions:
         """The functions that run these algorithms alone: others need not be traced for their constants."""
@@ -119,7 +119,7 @@ class Numeric:
         return np.array(columns).reshape(nq, nq).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m); see :mod:`screwgen.algorithms.linearise`."""
+        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
         found = slopes(self._functions(INVERSE, SENSITIVITY), *given)

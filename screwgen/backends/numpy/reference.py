@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import mpmath
 import numpy as np
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.functions import Functions
 from ...errors import SingularError
 from ...ir.program import Program
@@ -22,7 +22,7 @@ Case = dict[str, list[float]]
 
 def cases(chain: Chain, count: int) -> list[Case]:
     """States and inputs with ``vdot``, wrenches and tip pose: at rest, then in motion."""
-    p, constants = fuse.exact(chain)
+    p, constants = fused.exact(chain)
     functions = Functions(chain, constants, p[:3], _apply)
     found: list[Case] = []
     for number in range(TRIES):
@@ -49,7 +49,7 @@ def rounding_error(chain: Chain, case: Case, bits: int) -> float:
 
 def _rounding_error(chain: Chain, case: Case, bits: int) -> float:
     with mpmath.workprec(bits):
-        p, constants = fuse.exact(chain)
+        p, constants = fused.exact(chain)
         given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext")}
         rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
         functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
@@ -68,11 +68,11 @@ def _deviation(x: list, reference: list[float]) -> float:
 
 
 def _apply_rounded(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
-    return run(program, inputs, lambda op, x: mpmath.nan if op == "sqrt" and x < 0 else fuse.precise(op, x))[0]
+    return run(program, inputs, lambda op, x: mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x))[0]
 
 
 def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
-    return run(program, inputs, fuse.precise)[0]
+    return run(program, inputs, fused.precise)[0]
 
 
 def _case(chain: Chain, functions: Functions, number: int) -> Case:

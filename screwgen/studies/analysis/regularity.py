@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...algorithms import fused as fuse
+from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, unknown_size
 from ...ir.block import Binding
 from ...ir.lower import lower
@@ -223,7 +223,7 @@ KINDS = {
 def structure(model: Model) -> Structure:
     """The structure of M_sys, the same in all states."""
     chain, n = model.chain, model.n_links
-    size, places = unknown_size(chain), sorted(fuse.assembly(chain)[1])
+    size, places = unknown_size(chain), sorted(fused.assembly(chain)[1])
     rows, columns = np.array(places, int).T
     kinds = np.full((size, size), "", dtype="<U8")
     named = {name: kind for kind, names in KINDS.items() for name in names}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from ..algebra.expression import Diagonal, Symbol, stack, zeros
 from ..algebra.screw import lever, twice
 from ..ir.block import Block
-from ..joints.rows import MIXED, joint_point
 from ..spec.link_class import LinkClass
+from .joint_rows import MIXED, joint_point
 
 LINK = "F_i"
 

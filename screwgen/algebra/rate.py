@@ -62,3 +62,26 @@ def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
 def turned_rate(R: Expression, omega: Expression, y: Expression, rates: Mapping[str, Expression]) -> Expression:
     """``d/dt (R^T y)`` by the transport theorem, (14): ``R`` turns with ``omega``, in components of y's frame."""
     return R.T @ add(rate(y, rates), -(hat(omega) @ y))
+
+
+def moving_rate(x: Expression, omega: Expression, rates: Mapping[str, Expression]) -> Expression:
+    """The rate of a vector, given by its components ``x`` in a frame that turns with ``omega``, in that frame.
+
+    Terms that are crossed with one vector are collected, so that it is crossed once.
+    """
+    total = add(rate(x, rates), hat(omega) @ x)
+    crossed: list[tuple[Expression, list[Expression]]] = []
+    others = []
+    for term in total.terms if isinstance(total, Sum) else (total,):
+        if not (isinstance(term, Product) and isinstance(term.left, Hat)):
+            others.append(term)
+        elif found := next((rights for left, rights in crossed if left == term.left), None):
+            found.append(term.right)
+        else:
+            crossed.append((term.left, [term.right]))
+    return add(*others, *(product(left, add(*rights)) for left, rights in crossed)) if others or crossed else total
+
+
+def acceleration(r: Expression, omega: Expression, rates: Mapping[str, Expression]) -> Expression:
+    """The second rate of a place ``r`` in a frame that turns with ``omega``: how its point accelerates."""
+    return moving_rate(moving_rate(r, omega, rates), omega, rates)

@@ -8,27 +8,66 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..ir.program import Array, Tracer
+from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_motion, joint_point, mount, relative_posture, tip_motion
+from .phases import joint_motion, joint_offset, joint_point, relative_posture, tip_motion
 from .scope import Scope
 
 
 def dae_kinematics(s: Scope) -> None:
     """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
-    q, omega_R = s.read("q", s.key.joints), relative_posture(s, s.read("q", s.key.joints))
-    (A,) = s.lower("posture", {"q": q}, "A")
-    qdot = mx.multiply(pseudo_inverse(A, s.tracer), s.read("twist", 6)[:3] - omega_R)
+    q, twist, omega_R = s.read("q", s.key.joints), s.read("twist", 6), relative_posture(s)
+    relative = twist[:3] - omega_R
+    if s.key.slides:
+        v_R = mx.multiply(s.kept("R_P").T, s.read("base.v", 3)) + mx.cross(omega_R, _joint_from_tip(s, q))
+        at_joint = twist[3:] + mx.cross(twist[:3], joint_point(s))
+        relative = np.concatenate([relative, at_joint - v_R])
+    qdot = mx.multiply(pseudo_inverse(s, q), relative)
     s.write("qdot", qdot)
     joint_motion(s, q, qdot, omega_R)
     tip_motion(s)
+    _, velocity = s.lower("tip_motion", tip_state(s, twist), "omega_t", "v_t")
+    s.write("tip.v", velocity)
 
 
-def pseudo_inverse(A: Array, tracer: Tracer) -> Array:
-    """``A^+ = (A^T A)^-1 A^T`` of the joint's axes; a singular posture fails the guard."""
-    L, inverse = mx.factorise(mx.congruence(A, mx.identity(3)), tracer, tracer.epsilon() * 64.0)
-    columns = mx.scale_rows(mx.forward(L, A.T), inverse)
+def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
+    """What the tip's velocity follows from."""
+    eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+    return {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
+
+
+def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: str) -> Array:
+    """The link's twist at the joint point against its parent's, in F_i axes; ``omega``, ``v``: of the parent's tip."""
+    omega_P = s.read(f"base.{omega}", 3)
+    turning = twist[:3] - mx.multiply(R.T, omega_P)
+    if not s.key.slides:
+        return turning
+    v_R = mx.multiply(R.T, s.read(f"base.{v}", 3) + mx.cross(omega_P, joint_offset(s, q)))
+    return np.concatenate([turning, twist[3:] + mx.cross(twist[:3], joint_point(s)) - v_R])
+
+
+def _joint_from_tip(s: Scope, q: Array) -> Array:
+    """The joint point from the parent's tip point, in F_i axes."""
+    return mx.multiply(s.kept("R_rel").T, joint_offset(s, q))
+
+
+def pseudo_inverse(s: Scope, q: Array) -> Array:
+    """``S^+ = (S^T S)^-1 S^T`` of the motion subspace at the joint point; a singular posture fails the guard.
+
+    The product of two twists is that of their components in rad/s and m/s. A joint that only turns has three columns:
+    the linear part of its subspace is zero.
+    """
+    S = motion_subspace(s, q)
+    L, inverse = mx.factorise(mx.congruence(S, mx.identity(S.shape[0])), s.tracer, s.tracer.epsilon() * 64.0)
+    columns = mx.scale_rows(mx.forward(L, S.T), inverse)
     return mx.backward(L, columns)
+
+
+def motion_subspace(s: Scope, q: Array) -> Array:
+    """The subspace at the joint point in F_i axes: its angular part, and the linear one below where there is one."""
+    if not s.key.slides:
+        return s.lower("posture", {"q": q}, "A")[0]
+    return np.vstack(s.lower("posture", {"q": q}, "A", "T"))
 
 
 def twist_rates(s: Scope) -> None:
@@ -53,12 +92,18 @@ def project(s: Scope) -> None:
     """Base to tip: two Gauss-Newton corrections of q from the poses, then forward kinematics."""
     q, twist, eta, etadot = s.read("q", s.key.joints), s.read("twist", 6), *_modal(s)
     R_raw = quaternion_matrix(s.read("quaternion", 4))
-    measured = mx.multiply(s.read("base.R_m", 3, 3).T, R_raw)
+    R_P = s.read("base.R_m", 3, 3)
+    measured = mx.multiply(R_P.T, R_raw)
+    r_raw = s.read("position", 3) + mx.multiply(R_raw, joint_point(s)) if s.key.slides else None
     for _ in range(2):
-        R, A = s.lower("posture", {"q": q}, "R_rel", "A")
-        q = q + mx.multiply(pseudo_inverse(A, s.tracer), _half_skew(mx.multiply(R.T, measured)))
-    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
-    qdot = mx.multiply(pseudo_inverse(A, s.tracer), twist[:3] - mx.multiply(R.T, s.read("base.omega_m", 3)))
+        (R,) = s.lower("posture", {"q": q}, "R_rel")
+        error = _half_skew(mx.multiply(R.T, measured))
+        if r_raw is not None:
+            gap = mx.multiply(R_P.T, r_raw - s.read("base.r_m", 3)) - joint_offset(s, q)
+            error = np.concatenate([error, mx.multiply(R.T, gap)])
+        q = q + mx.multiply(pseudo_inverse(s, q), error)
+    (R,) = s.lower("posture", {"q": q}, "R_rel")
+    qdot = mx.multiply(pseudo_inverse(s, q), _relative_twist(s, q, R, twist, "omega_m", "v_m"))
     s.write("new_q", q)
     _measured_tip(s, R_raw, twist, eta, etadot)
     _place(s, q, qdot, eta, etadot)
@@ -79,10 +124,13 @@ def _half_skew(E: Array) -> Array:
 
 
 def _measured_tip(s: Scope, R: Array, twist: Array, eta: Array, etadot: Array) -> None:
-    """Rotation and angular velocity of the tip as the unprojected state has them."""
+    """Pose and twist of the tip as the unprojected state has them."""
     state = {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
-    s.write("tip.omega_m", s.lower("tip", state, "omega_T")[0])
+    omega_T, v_T, r_T = s.lower("tip", state, "omega_T", "v_T", "r_T")
+    s.write("tip.omega_m", omega_T)
+    s.write("tip.v_m", v_T)
     s.write("tip.R_m", mx.multiply(R, _tip_rotation(s, eta)))
+    s.write("tip.r_m", s.read("position", 3) + mx.multiply(R, r_T))
 
 
 def _tip_rotation(s: Scope, eta: Array) -> Array:
@@ -94,7 +142,7 @@ def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
     R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
     s.write("new_twist", np.concatenate([omega, v]))
     R = mx.multiply(s.read("base.R", 3, 3), R_rel)
-    r = s.read("base.r", 3) + mx.multiply(s.read("base.R", 3, 3), mount(s)) - mx.multiply(R, joint_point(s))
+    r = s.read("base.r", 3) + mx.multiply(s.read("base.R", 3, 3), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
     Q = quaternion_product(s.read("base.Q", 4), _joint_quaternion(s, q))
     s.write("new_quaternion", Q)
     s.write("new_position", r)
@@ -135,7 +183,7 @@ def _joint_quaternion(s: Scope, q: Array) -> Array:
     turns = []
     if s.key.mount_rpy:
         turns += [_axis_quaternion(s, mx.identity(3)[k], s.constant(f"mount_rpy_{'xyz'[k]}")) for k in (2, 1, 0)]
-    turns += [_axis_quaternion(s, axis, angle) for axis, angle in zip(s.key.axes, q, strict=True)]
+    turns += [_axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=True) if screw.turn]
     total = mx.array([1.0, 0.0, 0.0, 0.0])
     for turn in turns:
         total = quaternion_product(total, turn)
@@ -182,15 +230,16 @@ def joint_rows(s: Scope) -> None:
     """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
     twist, q = s.read("twist", 6), s.read("q", s.key.joints)
     parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
-    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
-    A_plus = pseudo_inverse(A, s.tracer)
-    qdot = mx.multiply(A_plus, twist[:3] - mx.multiply(R.T, parent["omega_P"]))
+    (R,) = s.lower("posture", {"q": q}, "R_rel")
+    S_plus = pseudo_inverse(s, q)
+    qdot = mx.multiply(S_plus, _relative_twist(s, q, R, twist, "omega", "v"))
     beta = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "beta_omega", "beta_v")
     _free_terms(s, twist)
     given = {
         "R_rel": R,
-        "A": A,
-        "A_plus": A_plus,
+        "S": motion_subspace(s, q),
+        "S_plus": S_plus,
+        "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
         "b_P": s.read("base.b", 6),
         "tau": s.read("tau", s.key.joints),

@@ -10,20 +10,23 @@ from ..spec.link_class import LinkClass
 LINK = "F_i"
 TIP = "parent's tip frame"
 MIXED = "rad/s^2, m/s^2, N*m"
+SUBSPACE = {3: r"\mathbf{A}_i", 6: r"\mathbf{S}_i"}
+"""How the motion subspace is written: of a joint that only turns, its angular part, the axes."""
 
 
 def joint_rows_block(key: LinkClass) -> Block:
     """The six completed rows of a joint: ``P`` (compatibility, differentiated once), and what the motors supply.
 
-    ``P (J_B Vdot_i - X Vdot_T - J_B beta) + [A A^+ tau_w - A^+T (tau - J_m qddot - b qdot - k q); 0] = 0``
-    with ``qddot = A^+ (omegadot_i - R^T omegadot_T - beta_omega)``: the projector (43) has rank 6 - m, the
+    ``P (J_B Vdot_i - X Vdot_T - J_B beta) + S S^+ w - S^+T (tau - J_m qddot - b qdot - k q) = 0``
+    with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``: the projector (43) has rank 6 - m, the
     motors' rows complete it.
     """
     b = Block("joint_rows", "Rows of the joint")
     m = key.joints
     R = b.input("R_rel", (3, 3), r"\mathbf{R}_{(i-1)i}", "-", TIP, "rotation of F_i relative to the parent's tip frame")
-    A = b.input("A", (3, m), r"\mathbf{A}_i", "-", LINK, "columns: the joint's axes", numbered=(1,))
-    A_plus = b.input("A_plus", (m, 3), r"\mathbf{A}_i^{+}", "-", LINK, "pseudo-inverse of the axes", numbered=(0,))
+    size = 6 if key.slides else 3
+    S = b.input("S", (size, m), SUBSPACE[size], "-, m", LINK, "columns: the joint's motion subspace", numbered=(1,))
+    S_plus = b.input("S_plus", (m, size), rf"{SUBSPACE[size]}^{{+}}", "-", LINK, "its pseudo-inverse", numbered=(0,))
     beta = b.input(
         "beta",
         (6, 1),
@@ -54,30 +57,30 @@ def joint_rows_block(key: LinkClass) -> Block:
     )
     N = b.step(
         "N",
-        A @ A_plus if m else zeros(3, 3),
+        S @ S_plus if m else zeros(size, size),
         r"\mathbf{N}_i",
         unit="-",
         frame=LINK,
-        meaning="projector onto the joint's axes",
+        meaning="projector onto the joint's motion subspace",
     )
     b.step(
         "P",
-        diagonal_blocks(identity(3) - N, identity(3)),
+        _whole(identity(size) - N, identity(3)),
         r"\mathbf{P}_i",
         unit="-",
         frame=LINK,
         equation="43",
         meaning="projector onto what the joint blocks",
     )
-    free = identity(3) - N
+    free = identity(size) - N
     if key.armature:
         J_m = b.parameter(
             "armature", (m, 1), r"\mathbf{j}_m", "kg*m^2", "-", "rotor inertias seen at the joint", numbered=(0,)
         )
-        free = free + A_plus.T @ Diagonal(J_m) @ A_plus
+        free = free + S_plus.T @ Diagonal(J_m) @ S_plus
     P_c = b.step(
         "P_c",
-        diagonal_blocks(free, identity(3)),
+        _whole(free, identity(3)),
         r"\mathbf{P}_{c,i}",
         unit="-, kg*m^2",
         frame=LINK,
@@ -86,7 +89,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     )
     b.step(
         "joint_w",
-        diagonal_blocks(N, zeros(3, 3)),
+        _whole(N, zeros(3, 3)),
         r"\mathbf{M}_{\mathcal{W},i}",
         unit=MIXED,
         equation="59",
@@ -107,7 +110,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     bias = -(P_c @ J_B @ beta) - PX @ b_P
     b.step(
         "joint_H",
-        bias + stack(A_plus.T @ passive, zeros(3)) if passive is not None else bias,
+        bias + _column(S_plus.T @ passive) if passive is not None else bias,
         r"\mathbf{H}_{p,i}",
         unit=MIXED,
         equation="61",
@@ -115,13 +118,23 @@ def joint_rows_block(key: LinkClass) -> Block:
     )
     b.step(
         "joint_W",
-        stack(A_plus.T @ tau if m else zeros(3), zeros(3)),
+        _column(S_plus.T @ tau) if m else zeros(6),
         r"\boldsymbol{\mathcal{W}}_{p,i}",
         unit="N*m",
         equation="62",
         meaning="the motors' torques in the joint's rows",
     )
     return b
+
+
+def _whole(a: Expression, rest: Expression) -> Expression:
+    """A 6 x 6 matrix: ``a``, or ``a`` in the angular part and ``rest`` in the linear one."""
+    return a if a.shape == (6, 6) else diagonal_blocks(a, rest)
+
+
+def _column(a: Expression) -> Expression:
+    """A column of six: ``a``, or ``a`` with nothing in the linear part."""
+    return a if a.shape == (6, 1) else stack(a, zeros(3))
 
 
 def _passive(b: Block, key: LinkClass) -> Expression | None:
@@ -150,6 +163,8 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
 
 
 def _offset(b: Block, key: LinkClass) -> Expression:
+    if key.slides:
+        return b.input("r_J", (3, 1), r"\mathbf{r}_J", "m", TIP, "joint point relative to the parent's tip point")
     if not key.mount_xyz:
         return zeros(3)
     return b.parameter("mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point")

@@ -49,7 +49,8 @@ SHAPES = {
     "omega_i": (3,),
     "omega_J": (3,),
     "r_B": (3,),
-    "r_m": (3,),
+    "r_J": (3,),
+    "v_J": (3,),
 }
 """What the phases leave in a link's store for the pairs; m joint and r modal coordinates."""
 
@@ -132,7 +133,7 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
         q, eta = places(chain, i)
         with section(i):
             R, R_T = link["R_rel"], link["R_T"]
-            at_joint = rw.rotated_columns(R.T, _moved(link["r_m"], given))
+            at_joint = rw.rotated_columns(R.T, _moved(link["r_J"], given))
             here = _moved(-link["r_B"], at_joint)
             if owners:
                 for s, rows in ((q, "rows_q"), (eta, "rows_eta")):
@@ -171,7 +172,7 @@ def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, sec
                 own = np.vstack([rows, link["rows_q"], link["rows_eta"]])
                 joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
                 omega_P = mx.multiply(links[i - 1]["R_T"].T, links[i - 1]["omega_i"] + links[i - 1]["omega_s"])
-                rows = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_m"])
+                rows = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
 
 
 def linearisation(chain: Chain, constants="constants") -> Program:

@@ -24,36 +24,32 @@ from .validity import axial_motion
 def kinematics(s: Scope) -> None:
     """Base to tip: angular velocity, and acceleration at rest of joints and modes, from q, qdot, eta, etadot."""
     q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
-    omega_R = relative_posture(s, q)
+    omega_R = relative_posture(s)
     joint_motion(s, q, qdot, omega_R)
     tip_motion(s)
 
 
-def relative_posture(s: Scope, q: Array) -> Array:
+def relative_posture(s: Scope) -> Array:
     """Store how the link stands to its parent; returns the angular velocity of the parent's tip in F_i axes."""
-    (R_rel,) = s.lower("posture", {"q": q}, "R_rel")
+    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
     s.keep("R_rel", R_rel)
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
         R = s.name("R_P", mx.multiply(s.read("base.R_T", 3, 3), R_rel))
         s.keep("R_P", R)
-        s.keep("lever", mx.multiply(R_rel.T, mount(s)) - joint_point(s))
         return s.name("omega_R", mx.multiply(R.T, s.read("base.omega", 3)))
 
 
 def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
-    """Store angular velocity and ``alpha_0``; a column of A becomes six, as the joint point may lie off F_i."""
-    alone = {"q": q, "qdot": qdot, "omega_P": mx.zeros(3), "v_P": mx.zeros(3)}
-    A, omega_J, axis_rate = s.lower("joint", alone, "A", "omega_J", "beta_omega")
-    s.keep("A", np.vstack([A, mx.multiply(mx.hat(joint_point(s)), A)]))
-    R, moved, r_B = s.kept("R_P"), s.read("base.alpha_0", 6), joint_point(s)
-    with s.step("alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4)"):
-        omega = s.name("omega", omega_R + omega_J)
-        turned = mx.multiply(R.T, moved[:3])
-        alpha = turned + axis_rate + mx.cross(omega_R, omega_J)
-        mounted = mx.multiply(s.kept("R_rel").T, mount(s))
-        a = mx.multiply(R.T, moved[3:]) + swing(turned, omega_R, mounted) - swing(alpha, omega, r_B)
-        s.keep("omega", omega)
-        s.keep("alpha_0", np.concatenate([alpha, a]))
+    """Store angular velocity, ``alpha_0`` and the motion subspace at the origin of F_i."""
+    with s.step("acceleration of the parent's tip in F_i axes"):
+        parent = mx.rotate_wrench(s.kept("R_P").T, s.read("base.alpha_0", 6))
+    given = {"q": q, "qdot": qdot, "omega_R": omega_R, "alpha_R": parent[:3], "a_R": parent[3:]}
+    names = ("S", "lever", "omega", "alpha", "a")
+    S, lever, omega, alpha, a = s.lower("joint_motion", given, *names)
+    s.keep("S", S)
+    s.keep("lever", lever)
+    s.keep("omega", omega)
+    s.keep("alpha_0", np.concatenate([alpha, a]))
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
@@ -63,26 +59,21 @@ def swing(alpha: Array, omega: Array, r: Array) -> Array:
 
 def tip_motion(s: Scope) -> None:
     """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
-    omega, alpha_0 = s.kept("omega"), s.kept("alpha_0")
+    alpha_0 = s.kept("alpha_0")
     state = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
-    state |= {"omega": omega, "v": mx.zeros(3)}
-    r_T, udot, Phi_c = s.lower("tip", state, "r_T", "udot_T", "Phi_c")
+    state |= {"omega": s.kept("omega"), "alpha": alpha_0[:3], "a": alpha_0[3:]}
+    r_T, Phi_c, omega, alpha, a = s.lower("tip_motion", state, "r_T", "Phi_c", "omega_t", "alpha_t", "a_t")
     R_T, J_l, Psi_c = mx.identity(3), mx.identity(3), mx.zeros(3, s.key.modes)
-    omega_s, alpha_s = mx.zeros(3), mx.zeros(3)
     if s.key.section_rotation:
-        R_T, J_l, Psi_c, omega_s, alpha_s = s.lower("tip", state, "R_T", "J_l", "Psi_c", "omega_s", "alpha_s")
+        R_T, J_l, Psi_c = s.lower("tip_motion", state, "R_T", "J_l", "Psi_c")
     s.keep("r_T", r_T)
     s.keep("R_T", R_T)
     s.keep("J_l", J_l)
     s.keep("Psi_c", Psi_c)
     s.keep("Phi_c", Phi_c)
     s.write("tip.R_T", R_T)
-    with s.step("tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b)"):
-        alpha, a = alpha_0[:3], alpha_0[3:]
-        s.write("tip.omega", s.name("omega_T", omega + omega_s))
-        alpha_T = alpha + alpha_s + mx.cross(omega, omega_s)
-        a_T = a + mx.cross(alpha, r_T) + mx.cross(omega, mx.cross(omega, r_T) + 2.0 * udot)
-        s.write("tip.alpha_0", s.name("alpha_0_T", np.concatenate([alpha_T, a_T])))
+    s.write("tip.omega", omega)
+    s.write("tip.alpha_0", np.concatenate([alpha, a]))
 
 
 def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
@@ -134,16 +125,16 @@ def eliminate(s: Scope) -> None:
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
-    """Solve the joint's rows ``A^T w = tau - m_q qddot - f_q`` for qddot: ``f_q = b qdot + k q``, or as given."""
+    """Solve the joint's rows ``S^T w = tau - m_q qddot - f_q`` for qddot: ``f_q = b qdot + k q``, or as given."""
     with s.step("joint: its accelerations eliminated from its rows (43)"):
-        A = s.kept("A")
-        U = s.name("U", mx.multiply(M, A))
-        inertia = s.name("joint_inertia", mx.multiply(A.T, U) + mx.diagonal(own_inertia(s)))
+        S = s.kept("S")
+        U = s.name("U", mx.multiply(M, S))
+        inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own_inertia(s)))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
-        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(A.T, h)), inverse)
+        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(S.T, h)), inverse)
         s.keep("joint_L", L)
         s.keep("joint_W", W)
         s.keep("joint_w", w)
@@ -161,7 +152,7 @@ def accelerate(s: Scope) -> None:
         wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-r_B, wrench))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
-        delta = s.name("delta", carried + mx.multiply(s.kept("A"), qddot))
+        delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
         alpha = delta + s.kept("alpha_0")
         s.write("alpha", alpha)
         etaddot = modal_accelerations(s, delta)
@@ -187,7 +178,7 @@ def inverse_outward(s: Scope) -> None:
     """Base to tip: what qddot and etaddot add to the accelerations."""
     qddot, etaddot = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes)
     carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta", 6)))
-    delta = carried + mx.multiply(s.kept("A"), qddot)
+    delta = carried + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
     s.write("tip.delta", tip_acceleration(s, delta, etaddot))
 
@@ -207,7 +198,7 @@ def inverse_inward(s: Scope) -> None:
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal + h_eta + s.read("f_eta", s.key.modes) + turned + moved)
-    s.write("force", mx.multiply(s.kept("A").T, total) + own_inertia(s) * qddot + own_force(s))
+    s.write("force", mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s))
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
@@ -221,7 +212,7 @@ def poses(s: Scope) -> None:
     R_P, r_P = s.read("base.R", 3, 3), s.read("base.r", 3)
     with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
         R = mx.multiply(R_P, R_rel)
-        joint = r_P + mx.multiply(R_P, mount(s))
+        joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q", s.key.joints) if s.key.slides else None))
         r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)
@@ -286,8 +277,10 @@ def joint_point(s: Scope) -> Array:
     return mx.array([-s.constant("frame_at"), 0.0, 0.0]) if s.key.frame_at else mx.zeros(3)
 
 
-def mount(s: Scope) -> Array:
+def joint_offset(s: Scope, q: Array) -> Array:
     """The joint point relative to the parent's tip point, in the parent's tip frame."""
+    if s.key.slides:
+        return s.lower("posture", {"q": q}, "r_J")[0]
     return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
 
 

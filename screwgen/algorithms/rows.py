@@ -8,11 +8,14 @@ from ..ir.program import Array
 from . import matrices as mx
 
 
-def to_parent(rows: Array, R: Array, omega, omega_J, omega_P, r_B: Array, r_m: Array) -> Array:
-    """Rows (k, 9) that act on the motion of F_i, as rows on that of the parent's tip, in its components."""
+def to_parent(rows: Array, R: Array, omega, omega_J, omega_P, r_B: Array, r_J: Array, v_J: Array) -> Array:
+    """Rows (k, 9) that act on the motion of F_i, as rows on that of the parent's tip, in its components.
+
+    The joint point is at ``r_J`` from the parent's tip and moves against it with ``v_J``, in its components.
+    """
     rows = offset(rows, omega, -r_B, mx.zeros(3))
     rows = np.hstack([rows[:, :3] + cross_rows(omega_J, rows[:, 3:6]), rows[:, 3:]])
-    return offset(rotated_rows(R, rows), omega_P, r_m, mx.zeros(3))
+    return offset(rotated_rows(R, rows), omega_P, r_J, v_J)
 
 
 def to_link(rows: Array, R_T: Array, r_T: Array, udot: Array, omega_s: Array, omega: Array) -> tuple[Array, Array]:

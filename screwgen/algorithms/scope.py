@@ -19,12 +19,12 @@ import numpy as np
 
 from ..bodies.energy import energy_block
 from ..bodies.link import LinkBlock
-from ..bodies.tip import tip_block, tip_body_block, tip_pose_block
+from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Node, Program, Tracer, Value, give_label
-from ..joints.joint import joint_block, posture_block
+from ..joints.joint import joint_block, motion_block, posture_block
 from ..paper.z_form_blocks import z_form_block, z_rows_block
 from ..spec.link_class import LinkClass
 from .joint_rows import joint_rows_block
@@ -38,9 +38,11 @@ def derived(key: LinkClass) -> dict[str, Block]:
     return {
         "joint": joint_block(key),
         "posture": posture_block(key),
+        "joint_motion": motion_block(key),
         "link": LinkBlock(key),
         "turning_link": LinkBlock(key, turning=True),
         "tip": tip_block(key),
+        "tip_motion": tip_motion_block(key),
         "tip_pose": tip_pose_block(key),
         "tip_body": tip_body_block(key),
         "joint_rows": joint_rows_block(key),

@@ -19,7 +19,8 @@ import numpy as np
 from ..ir.derivative import columns, stumpff_slope
 from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_point, mount
+from .phases import joint_offset, joint_point
+from .phases import swing as swung
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
 
@@ -45,33 +46,33 @@ class Turning:
     phidot: Array
     phiddot: Array
     omega_s: Array
-    omegadot_s: Array
 
 
 def motion(s: Scope) -> None:
     """Base to tip: the motion of every link and tip section at given accelerations."""
-    link = link_motion(s)
+    link, a_J = link_motion(s)
     s.write("w.omega_i", s.name("omega", link.omega))
     s.write("w.acc_i", s.name("acc", link.stacked))
+    s.write("w.a_J", a_J)
     tip = tip_motion(s, link)
     s.write("tip.omega", tip.omega)
     s.write("tip.acc", tip.stacked)
 
 
-def link_motion(s: Scope) -> Motion:
+def link_motion(s: Scope) -> tuple[Motion, Array]:
+    """The motion of F_i, and the acceleration of its joint point."""
     q, qdot, qddot = (s.read(name, s.key.joints) for name in ("q", "qdot", "qddot"))
-    base = {"omega_P": s.read("base.omega", 3), "v_P": mx.zeros(3)}
-    acc = s.read("base.acc", 6)
-    R, A, omega, beta = s.lower("joint", {"q": q, "qdot": qdot, **base}, "R_rel", "A", "omega", "beta_omega")
+    (R,) = s.lower("posture", {"q": q}, "R_rel")
+    with s.step("motion: that of the parent's tip in F_i axes"):
+        parent = mx.rotate_wrench(R.T, s.read("base.acc", 6))
+        omega_R = mx.multiply(R.T, s.read("base.omega", 3))
+    given = {"q": q, "qdot": qdot, "omega_R": omega_R, "alpha_R": parent[:3], "a_R": parent[3:]}
+    A, omega, alpha, a_J = s.lower("joint_motion", given, "A", "omega", "alpha", "a_J")
     with s.step("motion: angular acceleration, inertial acceleration of the origin of F_i against free fall"):
-        omegadot = mx.multiply(R.T, acc[:3]) + mx.multiply(A, qddot) + beta
-        at_joint = acc[3:] + swung(acc[:3], base["omega_P"], mount(s))
-        return Motion(omega, omegadot, mx.multiply(R.T, at_joint) + swung(omegadot, omega, -joint_point(s)))
-
-
-def swung(omegadot: Array, omega: Array, r: Array) -> Array:
-    """``omegadot x r + omega x (omega x r)``."""
-    return mx.cross(omegadot, r) + mx.cross(omega, mx.cross(omega, r))
+        omegadot = alpha + mx.multiply(A, qddot)
+        if s.key.slides:
+            a_J = a_J + mx.multiply(s.lower("joint_motion", given, "T")[0], qddot)
+        return Motion(omega, omegadot, a_J - swung(omegadot, omega, joint_point(s))), a_J
 
 
 def tip_motion(s: Scope, link: Motion) -> Motion:
@@ -83,12 +84,11 @@ def tip_motion(s: Scope, link: Motion) -> Motion:
 
 def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
     """The same in F_i components."""
-    r_T, Phi, udot = tip_point(s)
+    given = tip_state(s) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
+    omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
-        omega = link.omega + t.omega_s
-        omegadot = link.omegadot + t.omegadot_s + mx.cross(link.omega, t.omega_s)
-        elastic = 2.0 * mx.cross(link.omega, udot) + mx.multiply(Phi, s.read("etaddot", s.key.modes))
-        return Motion(omega, omegadot, link.a + swung(link.omegadot, link.omega, r_T) + elastic)
+        etaddot = s.read("etaddot", s.key.modes)
+        return Motion(omega, alpha + mx.multiply(t.phi, etaddot), a + mx.multiply(Phi, etaddot))
 
 
 def tip_state(s: Scope) -> dict[str, Array]:
@@ -108,15 +108,14 @@ def turning(s: Scope) -> Turning:
     """The turn's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
     r = s.key.modes
     if not s.key.section_rotation:
-        return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3), mx.zeros(3))
-    names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s alpha_s".split()
+        return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
+    names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s".split()
     values = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
     with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
         thetaddot = mx.multiply(Psi, s.read("etaddot", r))
         Jdot, Jddot = _rates_of_J(s, values, thetaddot)
-        relative = mx.multiply(J, thetaddot) + values["alpha_s"]
-        return Turning(*(mx.multiply(m, Psi) for m in (J, Jdot, Jddot)), values["omega_s"], relative)
+        return Turning(*(mx.multiply(m, Psi) for m in (J, Jdot, Jddot)), values["omega_s"])
 
 
 def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:
@@ -265,67 +264,81 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 def joint_answers(s: Scope, carried: Load) -> None:
     """The joint's rows, their changes with the joint's coordinates, and what is handed to the parent."""
-    m, omega_P, acc_P = s.key.joints, s.read("base.omega", 3), s.read("base.acc", 6)
+    m, omega_P = s.key.joints, s.read("base.omega", 3)
     q, qdot = s.read("q", m), s.read("qdot", m)
-    given = {"q": q, "qdot": qdot, "omega_P": omega_P, "v_P": mx.zeros(3)}
-    R, A, omega_J = s.lower("joint", given, "R_rel", "A", "omega_J")
+    R, A = s.lower("posture", {"q": q}, "R_rel", "A")
+    T = s.lower("posture", {"q": q}, "T")[0] if s.key.slides else mx.zeros(3, m)
     omega, acc = s.read("w.omega_i", 3), s.read("w.acc_i", 6)
-    r_B = joint_point(s)
-    with s.step("joint: change of the link's motion with the joint's angles and rates"):
-        a_J = mx.multiply(R.T, acc_P[3:] + swung(acc_P[:3], omega_P, mount(s)))
-        u_q, u_qdot = joint_changes(s, A, Motion(omega, acc[:3], a_J), r_B)
+    r_B, r_J = joint_point(s), joint_offset(s, q)
+    with s.step("joint: change of the link's motion with the joint's coordinates and rates"):
+        omega_J, v_J = mx.multiply(A, qdot), mx.multiply(R, mx.multiply(T, qdot))
+        u_q, u_qdot = joint_changes(s, A, T, Motion(omega, acc[:3], s.read("w.a_J", 3)), r_B)
     with s.step("joint: its rows and their changes; what is handed to the parent"):
-        axes = np.vstack([A, mx.multiply(mx.hat(r_B), A)])
+        axes = np.vstack([A, T + mx.multiply(mx.hat(r_B), A)])
         answer = np.hstack([carried.Gamma, carried.Lambda])
         rows = mx.multiply(axes.T, answer)
-        at_joint = mx.shift_wrench(-r_B, carried.wrench)
-        turned = np.vstack([columns_cross(A, at_joint[:3]), columns_cross(A, at_joint[3:])])
+        w = mx.shift_wrench(-r_B, carried.wrench)
+        turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
-        later = mx.array([[_later(A, at_joint[:3], l, k) for k in range(m)] for l in range(m)], (m, m))
+        later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
         s.write("w.f_q", mx.multiply(axes.T, F_q) + later)
         F_qdot = mx.multiply(answer, u_qdot)
         s.write("w.f_qdot", mx.multiply(axes.T, F_qdot))
         s.write("w.F_q", F_q + shifted(r_B, turned))
         s.write("w.F_qdot", F_qdot)
-        s.write("base.f", mx.shift_wrench(mount(s), mx.rotate_wrench(R, at_joint)))
-        handed = mx.shift(mount(s), mx.rotate(R, mx.shift(-r_B, carried.Lambda)))
+        s.write("base.f", mx.shift_wrench(r_J, mx.rotate_wrench(R, w)))
+        handed = mx.shift(r_J, mx.rotate(R, mx.shift(-r_B, carried.Lambda)))
         s.write("base.Lambda", mx.pack(handed))
-        passed = to_parent(answer, R, omega, omega_J, omega_P, r_B, mount(s))[:, :3]
-        s.write("base.Gamma", shifted(mount(s), rotated_columns(R, shifted(-r_B, passed))))
+        passed = to_parent(answer, R, omega, omega_J, omega_P, r_B, r_J, v_J)[:, :3]
+        s.write("base.Gamma", shifted(r_J, rotated_columns(R, shifted(-r_B, passed))))
     for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes}.items():
         s.write(f"w.{name}", value)
-    for name, value in {"R_rel": R, "omega_J": omega_J, "r_B": r_B, "r_m": mount(s)}.items():
+    for name, value in {"R_rel": R, "omega_J": omega_J, "r_B": r_B, "r_J": r_J, "v_J": v_J}.items():
         s.write(f"w.{name}", value)
 
 
-def joint_changes(s: Scope, A: Array, joint: Motion, r_B: Array) -> tuple[Array, Array]:
-    """Change of ``[omega; omegadot; a]`` of F_i with q and with qdot, (9, m) each; ``joint.a`` is the joint point's."""
+def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tuple[Array, Array]:
+    """Change of ``[omega; omegadot; a]`` of F_i with q and with qdot, (9, m) each; ``joint.a`` is the joint point's.
+
+    With S_k a column of the motion subspace and V the twist, ``dV/dq_k = Sdot_k + ad_V S_k``, and its rate likewise;
+    seen from where the joint point is at rest.
+    """
     qdot, qddot = s.read("qdot", s.key.joints), s.read("qddot", s.key.joints)
-    Adot, Addot = axis_rates(A, qdot, qddot)
+    Adot, Addot, Tdot, Tddot = subspace_rates(A, T, qdot, qddot)
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)
     d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
     d_a = cross_columns(joint.a, A) + _swung_changes(d_omega, d_rate, omega, r_B)
-    v_rate = 2.0 * Adot + cross_columns(omega, A)
-    return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, _swung_changes(A, v_rate, omega, r_B)])
+    v_rate, d_v = 2.0 * Adot + cross_columns(omega, A), Tdot + cross_columns(omega, T)
+    d_a = d_a + Tddot + cross_columns(omegadot, T) + cross_columns(omega, Tdot + d_v)
+    slip = 2.0 * d_v + _swung_changes(A, v_rate, omega, r_B)
+    return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, slip])
 
 
-def axis_rates(A: Array, qdot: Array, qddot: Array) -> tuple[Array, Array]:
-    """First and second time derivative of the axes in F_i: later rotations turn the earlier axes."""
+def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array, Array, Array, Array]:
+    """``Adot, Addot, Tdot, Tddot``: later screws move the columns of the earlier ones in F_i."""
     m = A.shape[1]
-    Adot, Addot = mx.zeros(3, m), mx.zeros(3, m)
-    s, sdot = mx.zeros(3), mx.zeros(3)
+    Adot, Addot, Tdot, Tddot = (mx.zeros(3, m) for _ in range(4))
+    omega, alpha, v, a = (mx.zeros(3) for _ in range(4))
     for k in reversed(range(m)):
-        Adot[:, k] = mx.cross(A[:, k], s)
-        Addot[:, k] = mx.cross(Adot[:, k], s) + mx.cross(A[:, k], sdot)
-        s = s + A[:, k] * qdot[k]
-        sdot = sdot + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
-    return Adot, Addot
+        Adot[:, k] = mx.cross(A[:, k], omega)
+        Addot[:, k] = mx.cross(Adot[:, k], omega) + mx.cross(A[:, k], alpha)
+        Tdot[:, k] = mx.cross(T[:, k], omega) + mx.cross(A[:, k], v)
+        Tddot[:, k] = (
+            mx.cross(Tdot[:, k], omega) + mx.cross(T[:, k], alpha) + mx.cross(Adot[:, k], v) + mx.cross(A[:, k], a)
+        )
+        omega, v = omega + A[:, k] * qdot[k], v + T[:, k] * qdot[k]
+        alpha = alpha + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
+        a = a + T[:, k] * qddot[k] + Tdot[:, k] * qdot[k]
+    return Adot, Addot, Tdot, Tddot
 
 
-def _later(A: Array, moment: Array, l: int, k: int):
-    """``d(A_l . moment)/d q_k``: axis k turns the axes before it."""
-    return mx.dot(mx.cross(A[:, l], A[:, k]), moment) if k > l else 0.0
+def _later(A: Array, T: Array, w: Array, l: int, k: int):
+    """``d(S_l . w)/d q_k``: screw k moves the columns before it."""
+    if k <= l:
+        return 0.0
+    moved = mx.cross(T[:, l], A[:, k]) + mx.cross(A[:, l], T[:, k])
+    return mx.dot(mx.cross(A[:, l], A[:, k]), w[:3]) + mx.dot(moved, w[3:])
 
 
 def _swung_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..algebra.expression import Expression, Symbol, hat, identity, unit, zeros
-from ..algebra.rate import rate, turned_rate
+from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .fields import Fields
@@ -23,18 +23,7 @@ def tip_block(key: LinkClass) -> Block:
     b = Block("tip", "Tip section")
     omega = b.input("omega", (3, 1), r"\boldsymbol{\omega}_i", "rad/s", LINK, "angular velocity of the link")
     v = b.input("v", (3, 1), r"\mathbf{v}_i", "m/s", LINK, "velocity of the origin of F_i")
-    etadot = b.input("etadot", (key.modes, 1), r"\dot{\boldsymbol{\eta}}_i", "m/s", "-", "modal rates")
-    R_T, r_T = tip_pose(b, key)
-    udot = b.step(
-        "udot_T",
-        b.symbol("Phi_c") @ etadot,
-        r"\dot{\mathbf{u}}_T",
-        unit="m/s",
-        frame=LINK,
-        equation="23",
-        meaning="rate of the tip's elastic displacement",
-    )
-    omega_s, alpha_s = _turning(b, key, etadot)
+    R_T, r_T, udot, omega_s, alpha_s = _moving_tip(b, key)
     rates = {"r_T": udot, "omega_s": alpha_s}
     omega_T, v_T = omega + omega_s, v + hat(omega) @ r_T + udot
     b.step(
@@ -68,6 +57,73 @@ def tip_block(key: LinkClass) -> Block:
         meaning="acceleration of the tip point that the velocities cause",
     )
     return b
+
+
+def tip_motion_block(key: LinkClass) -> Block:
+    """The tip section's motion from that of F_i while no mode accelerates, (accconst1b); all in F_i axes.
+
+    Accelerations are those of material points in the inertial frame.
+    """
+    b = Block("tip_motion", "Motion of the tip section")
+    omega = b.input("omega", (3, 1), r"\boldsymbol{\omega}_i", "rad/s", LINK, "angular velocity of the link")
+    alpha = b.input("alpha", (3, 1), r"\boldsymbol{\alpha}_i", "rad/s^2", LINK, "angular acceleration of the link")
+    v = b.input("v", (3, 1), r"\mathbf{v}_i", "m/s", LINK, "velocity of the origin of F_i")
+    a = b.input("a", (3, 1), r"\mathbf{a}_i", "m/s^2", LINK, "acceleration of the origin of F_i")
+    _, r_T, udot, omega_s, alpha_s = _moving_tip(b, key)
+    rates = {"omega": alpha, "r_T": udot, "omega_s": alpha_s}
+    b.step(
+        "omega_t",
+        omega + omega_s,
+        r"\boldsymbol{\omega}_t",
+        unit="rad/s",
+        frame=LINK,
+        equation="46",
+        meaning="angular velocity of the tip section",
+    )
+    b.step(
+        "v_t",
+        v + moving_rate(r_T, omega, rates),
+        r"\mathbf{v}_t",
+        unit="m/s",
+        frame=LINK,
+        equation="46",
+        meaning="velocity of the tip point",
+    )
+    b.step(
+        "alpha_t",
+        alpha + moving_rate(omega_s, omega, rates),
+        r"\boldsymbol{\alpha}_t",
+        unit="rad/s^2",
+        frame=LINK,
+        equation="accconst1b",
+        meaning="angular acceleration of the tip section",
+    )
+    b.step(
+        "a_t",
+        a + acceleration(r_T, omega, rates),
+        r"\mathbf{a}_t",
+        unit="m/s^2",
+        frame=LINK,
+        equation="accconst1b",
+        meaning="acceleration of the tip point",
+    )
+    return b
+
+
+def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Symbol, Expression, Expression]:
+    """``R_T, r_T``, the rate of the tip's displacement, the section's relative angular velocity and its rate."""
+    etadot = b.input("etadot", (key.modes, 1), r"\dot{\boldsymbol{\eta}}_i", "m/s", "-", "modal rates")
+    R_T, r_T = tip_pose(b, key)
+    udot = b.step(
+        "udot_T",
+        b.symbol("Phi_c") @ etadot,
+        r"\dot{\mathbf{u}}_T",
+        unit="m/s",
+        frame=LINK,
+        equation="23",
+        meaning="rate of the tip's elastic displacement",
+    )
+    return R_T, r_T, udot, *_turning(b, key, etadot)
 
 
 def tip_pose_block(key: LinkClass) -> Block:

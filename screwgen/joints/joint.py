@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import reduce
-
 import sympy as sp
 
-from ..algebra.expression import Expression, Rotation, Symbol, block, hat, identity, stack, unit, vector, zeros
-from ..algebra.notation import axis_latex
-from ..algebra.rate import rate
+from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, stack, unit, zeros
+from ..algebra.rate import acceleration, rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
+from .kinematics import Kinematics, kinematics
 
 TIP = "parent's tip frame"
 LINK = "F_i"
@@ -23,24 +21,11 @@ def joint_block(key: LinkClass) -> Block:
     the parent's tip and the joint coordinates do not accelerate.
     """
     b = Block("joint", "Joint")
-    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", "rad", "-", "joint coordinates, in the order of the axes")
-    qdot = b.input("qdot", (key.joints, 1), r"\dot{\mathbf{q}}_i", "rad/s", "-", "joint rates")
+    q, qdot = _coordinates(b, key)
     omega_P = b.input("omega_P", (3, 1), r"\boldsymbol{\omega}_P", "rad/s", TIP, "angular velocity of the parent's tip")
     v_P = b.input("v_P", (3, 1), r"\mathbf{v}_P", "m/s", TIP, "velocity of the parent's tip point")
-    turns, angles, speeds = rotations(key, b, q, qdot)
-    r_m, r_B = joint_points(key, b)
-
-    R = relative_rotation(key, b, turns)
-    A = b.step(
-        "A",
-        axes_matrix(key, turns),
-        r"\mathbf{A}_i",
-        unit="-",
-        frame=LINK,
-        equation="43",
-        meaning="columns: the joint's axes",
-        numbered=(1,),
-    )
+    motion, r_m, r_B, R = posture(key, b, q)
+    A, rates = b.symbol("A"), dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
     omega_J = b.step(
         "omega_J",
         A @ qdot,
@@ -66,24 +51,27 @@ def joint_block(key: LinkClass) -> Block:
         equation="45",
         meaning="angular velocity of the link",
     )
+    r_J = b.symbol("r_J") if key.slides else r_m
     v_R = b.step(
         "v_R",
-        R.T @ (v_P + hat(omega_P) @ r_m),
+        R.T @ (v_P + hat(omega_P) @ r_J),
         r"\mathbf{v}_R",
         unit="m/s",
         frame=LINK,
-        meaning="velocity of the joint point",
+        meaning="velocity of the joint point, fixed to the parent",
     )
+    v_J, slipping = _slip(key, b, motion, qdot, rates, omega_R)
     b.step(
         "v",
-        v_R - hat(omega) @ r_B,
+        v_R + v_J - hat(omega) @ r_B,
         r"\mathbf{v}_i",
         unit="m/s",
         frame=LINK,
         equation="45",
         meaning="velocity of the origin of F_i",
     )
-    axis_rate = _axis_rate(key, turns, angles, speeds)
+    speeds = stack(*b.entries(qdot)) if key.joints else zeros(0)
+    axis_rate = rate(motion.angular @ speeds, rates) if key.joints > 1 else zeros(3)
     beta = b.step(
         "beta_omega",
         axis_rate - hat(omega_J) @ omega_R,
@@ -95,7 +83,7 @@ def joint_block(key: LinkClass) -> Block:
     )
     b.step(
         "beta_v",
-        -hat(omega_J) @ v_R - hat(beta) @ r_B,
+        -hat(omega_J) @ v_R + slipping - hat(beta) @ r_B,
         r"\boldsymbol{\beta}_{v}",
         unit="m/s^2",
         frame=LINK,
@@ -105,24 +93,152 @@ def joint_block(key: LinkClass) -> Block:
     return b
 
 
-def _axis_rate(key: LinkClass, turns, angles, speeds) -> Expression:
-    """``Adot qdot``: later rotations turn the earlier axes in F_i."""
-    if key.joints < 2:
-        return zeros(3)
-    rates = dict(zip((a.name for a in angles), speeds, strict=True))
-    return rate(axes_matrix(key, turns) @ stack(*speeds), rates)
+def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, omega_R: Symbol):
+    """Where the joint slides: the joint point's velocity relative to the parent, and what that adds to ``beta_v``."""
+    if not key.slides:
+        return zeros(3), zeros(3)
+    v_J = b.step(
+        "v_J",
+        b.symbol("T") @ qdot,
+        r"\mathbf{v}_J",
+        unit="m/s",
+        frame=LINK,
+        meaning="velocity of the joint point relative to the parent's tip",
+    )
+    slip_rate = b.step(
+        "slip_rate",
+        rate(motion.linear @ stack(*b.entries(qdot)), rates),
+        r"\dot{\mathbf{T}}_i\dot{\mathbf{q}}_i",
+        unit="m/s^2",
+        frame=LINK,
+        meaning="acceleration of the joint point by the rates alone, in the axes of F_i",
+    )
+    return v_J, slip_rate + hat(omega_R) @ v_J
+
+
+def motion_block(key: LinkClass) -> Block:
+    """The link's motion from that of the parent's tip while no joint accelerates, (accconst4); all in F_i axes.
+
+    Accelerations are those of material points in the inertial frame. ``S`` is the motion subspace at the origin of F_i.
+    """
+    b = Block("joint_motion", "Motion of the link")
+    q, qdot = _coordinates(b, key)
+    omega_R = b.input(
+        "omega_R", (3, 1), r"\boldsymbol{\omega}_R", "rad/s", LINK, "angular velocity of the parent's tip"
+    )
+    alpha_R = b.input("alpha_R", (3, 1), r"\boldsymbol{\alpha}_R", "rad/s^2", LINK, "its rate")
+    a_R = b.input("a_R", (3, 1), r"\mathbf{a}_R", "m/s^2", LINK, "acceleration of the parent's tip point")
+    motion, r_m, r_B, R = posture(key, b, q)
+    A, speeds = b.symbol("A"), stack(*b.entries(qdot)) if key.joints else zeros(0)
+    of_q = dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
+    T = b.symbol("T") if key.slides else zeros(3, key.joints)
+    b.step(
+        "S",
+        stack(A, T + hat(r_B) @ A),
+        r"\mathbf{S}_i",
+        unit="-, m",
+        frame=LINK,
+        numbered=(1,),
+        meaning="motion subspace at the origin of F_i",
+    )
+    omega_J = b.step(
+        "omega_J",
+        A @ qdot,
+        r"\boldsymbol{\omega}_J",
+        unit="rad/s",
+        frame=LINK,
+        meaning="angular velocity of the link relative to its parent's tip",
+    )
+    omega = b.step(
+        "omega",
+        omega_R + omega_J,
+        r"\boldsymbol{\omega}_i",
+        unit="rad/s",
+        frame=LINK,
+        equation="45",
+        meaning="angular velocity of the link",
+    )
+    axis_rate = rate(motion.angular @ speeds, of_q) if key.joints > 1 else zeros(3)
+    alpha = b.step(
+        "alpha",
+        alpha_R - hat(omega_J) @ omega_R + axis_rate,
+        r"\boldsymbol{\alpha}_i",
+        unit="rad/s^2",
+        frame=LINK,
+        meaning="angular acceleration while no joint accelerates",
+        equation="accconst4",
+    )
+    r_R = b.step(
+        "r_R",
+        R.T @ (b.symbol("r_J") if key.slides else r_m),
+        r"\mathbf{r}_R",
+        unit="m",
+        frame=LINK,
+        meaning="joint point relative to the parent's tip point",
+    )
+    b.step(
+        "lever",
+        r_R - r_B,
+        r"\mathbf{r}_{R,i}",
+        unit="m",
+        frame=LINK,
+        meaning="origin of F_i relative to the parent's tip point",
+    )
+    seen = {"omega_R": alpha_R}
+    if key.slides:
+        v_J, _ = _slip(key, b, motion, qdot, of_q, omega_R)
+        seen |= {"r_R": v_J, "v_J": b.symbol("slip_rate") + hat(omega_J) @ v_J}
+    a_J = b.step(
+        "a_J",
+        a_R + acceleration(r_R, omega_R, seen),
+        r"\mathbf{a}_J",
+        unit="m/s^2",
+        frame=LINK,
+        equation="accconst4",
+        meaning="acceleration of the joint point while no joint accelerates",
+    )
+    b.step(
+        "a",
+        a_J - acceleration(r_B, omega, {"omega": alpha}),
+        r"\mathbf{a}_i",
+        unit="m/s^2",
+        frame=LINK,
+        equation="accconst4",
+        meaning="acceleration of the origin of F_i while no joint accelerates",
+    )
+    return b
 
 
 def posture_block(key: LinkClass) -> Block:
-    """The relative rotation and the joint's axes alone, as functions of q (DAE form, poses)."""
+    """Relative pose and motion subspace alone, as functions of q (DAE form, poses)."""
     b = Block("posture", "Posture of the joint")
-    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", "rad", "-", "joint coordinates, in the order of the axes")
-    turns, _, _ = rotations(key, b, q, q)
-    joint_points(key, b)
-    relative_rotation(key, b, turns)
+    posture(key, b, _coordinates(b, key, rates=False)[0])
+    return b
+
+
+def _coordinates(b: Block, key: LinkClass, rates: bool = True) -> tuple[Symbol, Symbol]:
+    units = "rad, m" if any(not s.turn for s in key.screws) else "rad"
+    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", units, "-", "joint coordinates, in the order of the axes")
+    speed = ", ".join(f"{u}/s" for u in units.split(", "))
+    return q, b.input("qdot", (key.joints, 1), r"\dot{\mathbf{q}}_i", speed, "-", "joint rates") if rates else q
+
+
+def posture(key: LinkClass, b: Block, q: Symbol) -> tuple[Kinematics, Expression, Expression, Symbol]:
+    """The joint's motion, the mount's offset and the joint point in F_i, ``R_rel``; with the steps of all of them."""
+    motion = kinematics(key.screws, b.entries(q))
+    r_m, r_B = joint_points(key, b)
+    R_m = _mount_rotation(key, b)
+    R = b.step(
+        "R_rel",
+        R_m @ motion.rotation,
+        r"\mathbf{R}_{(i-1)i}",
+        unit="-",
+        frame=TIP,
+        meaning="rotation of F_i relative to the parent's tip frame",
+    )
     b.step(
         "A",
-        axes_matrix(key, turns),
+        motion.angular,
         r"\mathbf{A}_i",
         unit="-",
         frame=LINK,
@@ -130,53 +246,42 @@ def posture_block(key: LinkClass) -> Block:
         meaning="columns: the joint's axes",
         numbered=(1,),
     )
-    return b
-
-
-def rotations(key: LinkClass, b: Block, q: Symbol, qdot: Symbol):
-    """One elementary rotation per axis, with its angle and its rate."""
-    angles, speeds = b.entries(q), b.entries(qdot)
-    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in axis) for axis in key.axes]
-    return [Rotation(axis, angle) for axis, angle in zip(exact, angles, strict=True)], angles, speeds
-
-
-def relative_rotation(key: LinkClass, b: Block, turns: list[Rotation]) -> Symbol:
-    """``R_rel = R_mount exp(a1 q1) exp(a2 q2) ...``: components in F_i to the parent's tip frame."""
-    chain: list[Expression] = list(turns)
-    if key.mount_rpy:
-        rpy = b.parameter("mount_rpy", (3, 1), r"\boldsymbol{\alpha}_m", "rad", TIP, "roll, pitch, yaw of the mount")
-        roll, pitch, yaw = b.entries(rpy)
-        axes = [tuple(sp.Integer(int(i == j)) for i in range(3)) for j in range(3)]
-        R_m = b.step(
-            "R_m",
-            Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll),
-            r"\mathbf{R}_m",
-            unit="-",
-            frame=TIP,
-            meaning="rotation of the mount",
+    if key.slides:
+        b.step(
+            "T",
+            motion.linear,
+            r"\mathbf{T}_i",
+            unit="m/rad, -",
+            frame=LINK,
+            meaning="columns: how the coordinates move the joint point",
+            numbered=(1,),
         )
-        chain.insert(0, R_m)
+        b.step(
+            "r_J",
+            r_m + R_m @ motion.displacement,
+            r"\mathbf{r}_J",
+            unit="m",
+            frame=TIP,
+            meaning="joint point relative to the parent's tip point",
+        )
+    return motion, r_m, r_B, R
+
+
+def _mount_rotation(key: LinkClass, b: Block) -> Expression:
+    """``R_m``: components in the mount's axes to the parent's tip frame."""
+    if not key.mount_rpy:
+        return identity(3)
+    rpy = b.parameter("mount_rpy", (3, 1), r"\boldsymbol{\alpha}_m", "rad", TIP, "roll, pitch, yaw of the mount")
+    roll, pitch, yaw = b.entries(rpy)
+    axes = [tuple(sp.Integer(int(i == j)) for i in range(3)) for j in range(3)]
     return b.step(
-        "R_rel",
-        reduce(lambda x, y: x @ y, chain, identity(3)),
-        r"\mathbf{R}_{(i-1)i}",
+        "R_m",
+        Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll),
+        r"\mathbf{R}_m",
         unit="-",
         frame=TIP,
-        meaning="rotation of F_i relative to the parent's tip frame",
+        meaning="rotation of the mount",
     )
-
-
-def axes_matrix(key: LinkClass, turns: list[Rotation]) -> Expression:
-    """``[(R_2 ... R_m)^T a_1, ..., a_m]``: every axis as the rotations after it leave it, in F_i."""
-    if not turns:
-        return zeros(3, 0)
-    columns = []
-    for i, turn in enumerate(turns):
-        column: Expression = vector(turn.axis, axis_latex(turn.axis))
-        for later in turns[i + 1 :]:
-            column = later.T @ column
-        columns.append(column)
-    return block(columns)
 
 
 def joint_points(key: LinkClass, b: Block) -> tuple[Expression, Expression]:

@@ -155,7 +155,7 @@ class ArmState:
     def _join(self, i: int, q: np.ndarray) -> None:
         """The joint's axes, their projector and its rate, inertial components; and the axes in F_i at q = 0."""
         link = self.links[i]
-        v, axes = link.values, [np.asarray(a, float).reshape(3, 1) for a in self.model.chain.keys[i].axes]
+        v, axes = link.values, [np.asarray(s.axis, float).reshape(3, 1) for s in self.model.chain.keys[i].screws]
         turned = []
         for k, axis in enumerate(axes):
             for later, angle in zip(axes[k + 1 :], q[k + 1 :], strict=True):

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from ..bases import shapes
 from .robot import Link
+from .screw import Screw
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
@@ -27,7 +28,8 @@ class LinkClass:
     bases: tuple[str, str, str, str]
     """The basis of each direction that has modes."""
     counts: tuple[int, int, int, int]
-    axes: tuple[tuple[float, float, float], ...]
+    screws: tuple[Screw, ...]
+    """The degrees of freedom of the joint, in order."""
     mount_xyz: bool
     mount_rpy: bool
     armature: bool
@@ -54,7 +56,12 @@ class LinkClass:
     @property
     def joints(self) -> int:
         """The number of joint coordinates."""
-        return len(self.axes)
+        return len(self.screws)
+
+    @property
+    def slides(self) -> bool:
+        """Whether the joint moves its link along an axis."""
+        return any(screw.slides for screw in self.screws)
 
     @property
     def sprung(self) -> bool:
@@ -83,7 +90,7 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
         counts=counts,
-        axes=tuple(joint.axes),
+        screws=joint.screws,
         mount_xyz=mount is not None and mount.xyz is not None,
         mount_rpy=mount is not None and mount.rpy is not None,
         armature=bool(joint.armature),

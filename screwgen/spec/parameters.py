@@ -1,7 +1,7 @@
 """The runtime parameters of a robot, exactly what its file states, and the names of its coordinates."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
@@ -67,6 +67,9 @@ FIELDS = {
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
 }
 
+SLIDING = {"joint.armature": "kg", "joint.damping": "N·s/m", "joint.stiffness": "N/m"}
+"""Units where the axis slides instead of turning."""
+
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
 
@@ -79,7 +82,9 @@ def parameters(robot: Robot) -> tuple[Parameter, ...]:
 def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
-        yield from spread(field, value, i, link.name)
+        for parameter in spread(field, value, i, link.name):
+            sliding = field in SLIDING and not link.joint.screws[parameter.index[0]].turn
+            yield replace(parameter, unit=SLIDING[field]) if sliding else parameter
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])

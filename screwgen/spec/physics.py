@@ -1,9 +1,11 @@
 """What mechanics asks of numbers that belong together: axes of one joint, inertia of one body."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from .ranges import several
+from .screw import Screw
 from .values import Path, array, numbers, refuse, shown
 
 Vector = tuple[float, float, float]
@@ -16,20 +18,29 @@ UNIT = 4 * 2.0**-52  # a vector this near to unit length stays as it is, so that
 ROUNDING = 1e-6  # of the trace: what the printed digits of an inertia may miss
 
 
-def axes(value: Any) -> tuple[Vector, ...]:
-    """At most three unit vectors, none parallel to the one before it."""
+def axes(value: Any) -> tuple[Vector | Screw, ...]:
+    """At most three unit vectors or screws, none parallel to the one before it."""
     stated = array(value, 'an array of axes, as ["y", "z"]')
     if len(stated) > MAX_AXES:
         raise refuse(f"has {len(stated)} axes; at most {MAX_AXES} are allowed")
     units = tuple(axis(entry, at=(i,)) for i, entry in enumerate(stated))
     for i in range(1, len(units)):
-        if math.hypot(*cross(units[i - 1], units[i])) < PARALLEL:
+        if parallel(units[i - 1], units[i]):
             raise refuse("is parallel to the axis before it; the two must differ in direction", at=(i,))
     return units
 
 
-def axis(value: Any, *, at: Path) -> Vector:
-    """A letter or a vector, as the unit vector that it stands for."""
+def parallel(a: Vector | Screw, b: Vector | Screw) -> bool:
+    """Whether two motions are the same but for their size."""
+    first, second = (x if isinstance(x, Screw) else Screw(x) for x in (a, b))
+    alike = first.turn == second.turn and (first.travel == second.travel or not first.turn)
+    return alike and math.hypot(*cross(first.axis, second.axis)) < PARALLEL
+
+
+def axis(value: Any, *, at: Path) -> Vector | Screw:
+    """A letter or a vector, as the unit vector that it stands for; a screw with its axis at length 1."""
+    if isinstance(value, Screw):
+        return replace(value, axis=unit(numbers(value.axis, 3, at=at), at=at))
     if isinstance(value, str):
         if value not in LETTERS:
             raise refuse(f'is {shown(value)}; it must be "x", "y", "z" or an array of 3 numbers', at)

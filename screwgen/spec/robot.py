@@ -17,13 +17,14 @@ from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia
 from .ranges import several, within
+from .screw import Screw
 from .section import PRODUCTS, Section
 from .values import boolean, choice, count, quoted, refuse
 
 Vector = tuple[float, float, float]
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
-Axes = Annotated[tuple[tuple[float, float, float], ...], PlainValidator(axes)]
+Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes)]
 PerAxis = tuple[float, ...]
 Count = Annotated[int, PlainValidator(count)]
 Basis = Annotated[str, PlainValidator(choice(*BASES))]
@@ -130,8 +131,9 @@ class Mount(Part):
 class Joint(Part):
     """Rotations about `axes`, in order: R_rel = R_mount exp(a1 q1) exp(a2 q2) …; no axes: welded.
 
-    An axis is "x", "y", "z" or a vector, held as a unit vector. One number >= 0 per axis, if stated (one axis: without
-    brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
+    An axis is "x", "y", "z" or a vector, held as a unit vector; in Python also a `Screw`, which may slide.
+    One number >= 0 per axis, if stated (one axis: without brackets as well): `armature` (kg·m², rotor inertia at the
+    joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
     """
 
     axes: Axes = Field(description='the axes of rotation in order, as ["y", "z"]; [] welds the link')
@@ -155,6 +157,11 @@ class Joint(Part):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
         return given | alone
+
+    @property
+    def screws(self) -> tuple[Screw, ...]:
+        """The degrees of freedom in order."""
+        return tuple(axis if isinstance(axis, Screw) else Screw(axis) for axis in self.axes)
 
     @model_validator(mode="after")
     def _one_number_per_axis(self) -> Self:

@@ -13,6 +13,7 @@ from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
+from ...spec.screw import Screw
 from .content import Table
 from .symbols import Entry
 
@@ -43,12 +44,19 @@ def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
 
 def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
     """The axes of a joint that are not a coordinate axis, with the names that the equations use."""
-    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in axis) for axis in key.axes]
+    exact = [tuple(sp.Integer(int(x)) if x == int(x) else sp.Float(x) for x in s.axis) for s in key.screws]
     return [(axis, rf"\mathbf{{a}}_{{{j}}}") for j, axis in enumerate(exact, 1) if sorted(axis) != [0, 0, 1]]
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_axis, key.axes)) or "welded"
+    return ", ".join(map(_screw, key.screws)) or "welded"
+
+
+def _screw(screw: Screw) -> str:
+    axis = _axis(screw.axis)
+    if not screw.slides:
+        return axis
+    return f"{axis}, {screw.travel:.4g} m/rad" if screw.turn else f"{axis}, sliding"
 
 
 def _axis(axis: Sequence[float]) -> str:

@@ -1,0 +1,85 @@
+"""How a joint moves its link: relative pose and motion subspace, from the screws of the joint.
+
+A joint is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
+and the link's frame at the joint point. What else the algorithms need of a joint follows from these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import reduce
+
+import sympy as sp
+
+from ..algebra.expression import Expression, Rotation, Symbol, add, block, hat, identity, stack, vector, zeros
+from ..algebra.notation import axis_latex
+from ..spec.screw import Screw
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The relative motion of a joint, as expressions of its coordinates."""
+
+    rotation: Expression
+    """(3, 3): components in F_i to components in the mount's axes."""
+    displacement: Expression
+    """(3, 1), m: the joint point of the link from that of the mount, in the mount's axes."""
+    angular: Expression
+    """(3, m): the motion subspace's angular part, the axes, in F_i."""
+    linear: Expression
+    """(3, m): its linear part at the link's joint point, in F_i."""
+
+
+def kinematics(screws: Sequence[Screw], coordinates: Sequence[Symbol]) -> Kinematics:
+    """The relative motion of a product of exponentials: its derivatives by each coordinate are the columns."""
+    axes = [_axis(screw) for screw in screws]
+    turns = [Rotation(_exact(s.axis), q) if s.turn else identity(3) for s, q in zip(screws, coordinates, strict=True)]
+    shifts = [
+        (_exact_number(s.travel) * axis) @ q if s.slides else zeros(3)
+        for s, axis, q in zip(screws, axes, coordinates, strict=True)
+    ]
+    angular, linear = [], []
+    for k, screw in enumerate(screws):
+        turning = axes[k] if screw.turn else zeros(3)
+        later = _displacement(turns[k + 1 :], shifts[k + 1 :])
+        moving = add(_exact_number(screw.travel) * axes[k] if screw.slides else zeros(3), hat(turning) @ later)
+        angular.append(_turned_back(turns[k + 1 :], turning))
+        linear.append(_turned_back(turns[k + 1 :], moving))
+    return Kinematics(
+        reduce(lambda a, b: a @ b, turns, identity(3)),
+        _displacement(turns, shifts),
+        block(angular) if screws else zeros(3, 0),
+        block(linear) if screws else zeros(3, 0),
+    )
+
+
+def subspace(motion: Kinematics) -> Expression:
+    """The motion subspace (6, m), angular part first, at the link's joint point in F_i."""
+    return stack(motion.angular, motion.linear)
+
+
+def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> Expression:
+    """The displacement of a product, in the axes before it."""
+    total: Expression = zeros(3)
+    for turn, shift in zip(reversed(turns), reversed(shifts), strict=True):
+        total = add(shift, turn @ total)
+    return total
+
+
+def _turned_back(turns: Sequence[Expression], column: Expression) -> Expression:
+    """A column in the axes behind all ``turns``."""
+    return reduce(lambda x, turn: turn.T @ x, turns, column)
+
+
+def _axis(screw: Screw) -> Expression:
+    exact = _exact(screw.axis)
+    return vector(exact, axis_latex(exact))
+
+
+def _exact(values: Sequence[float]) -> tuple[sp.Expr, ...]:
+    return tuple(_exact_number(x) for x in values)
+
+
+def _exact_number(x: float) -> sp.Expr:
+    return sp.Integer(int(x)) if x == int(x) else sp.Float(x)

@@ -1,0 +1,41 @@
+"""The unit screw: one degree of freedom of a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A motion ``exp(s q)`` along one axis through the joint point, where ``q`` is the joint's coordinate.
+
+    ``axis``: a unit vector, in the axes of the mount turned by the screws before it. ``turn``: whether the link turns
+    about the axis, by ``q`` in rad; otherwise ``q`` is in m. ``travel``: how far the link moves along the axis per unit
+    of ``q``: m per rad where it turns (the pitch over 2π), m per m where it slides.
+    """
+
+    axis: Vector
+    turn: bool = True
+    travel: float = 0.0
+
+    @property
+    def unit(self) -> str:
+        """The unit of the coordinate."""
+        return "rad" if self.turn else "m"
+
+    @property
+    def force(self) -> str:
+        """The unit of the generalised force."""
+        return "N*m" if self.turn else "N"
+
+    @property
+    def slides(self) -> bool:
+        """Whether the link moves along the axis."""
+        return self.travel != 0.0
+
+
+def slide(axis: Vector) -> Screw:
+    """A prismatic degree of freedom: ``q`` m along the axis."""
+    return Screw(axis, turn=False, travel=1.0)

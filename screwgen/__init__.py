@@ -18,6 +18,7 @@ from .simulation.validity import ModelLeftError, ModelValidityWarning, Validity
 from .spec.frequencies import Frequencies
 from .spec.load import dump, load
 from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
+from .spec.screw import Screw
 from .spec.section import Section
 from .studies.analysis import Analysis, analyse
 from .studies.convergence import Convergence, convergence
@@ -49,6 +50,7 @@ __all__ = [
     "RobotFileError",
     "Rollout",
     "Run",
+    "Screw",
     "ScrewgenError",
     "Section",
     "SingularError",

@@ -170,9 +170,10 @@ def tip_rotation(link: Link, q: ca.SX, where: dict) -> ca.SX:
 def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_rotation) -> Cloud:
     """Place one link's elements and bodies in the inertial frame, outboard of a tip frame."""
     R = parent_R @ ca.DM(link.mount_R)
-    for axis, angle in zip(link.axes, angles, strict=True):
-        R = R @ turn(axis, angle)
     joint_point = parent_point + parent_R @ ca.DM(link.mount_xyz)
+    for axis, turns, travel, angle in zip(link.axes, link.turns, link.travel, angles, strict=True):
+        joint_point += R @ ca.DM(axis * travel) * angle
+        R = R @ turn(axis, angle) if turns else R
     origin = joint_point - R @ ca.DM([link.a, 0, 0])
     shift = deformed(link, q, where, {d: link.shapes[d].nodes for d in DIRECTIONS})
     shift[0, :] += ca.DM(link.a + link.length * link.nodes).T

@@ -30,6 +30,8 @@ class Link:
     rhoA: float
     rhoIp: float  # 0 where the file states none
     axes: np.ndarray  # (m, 3), unit vectors
+    turns: tuple[bool, ...]  # of each axis; a link that does not turn about it slides along it
+    travel: np.ndarray  # (m,), m along the axis per unit of the coordinate
     mount_R: np.ndarray  # (3, 3)
     mount_xyz: np.ndarray  # (3,), parent's tip axes
     armature: np.ndarray  # (m,)
@@ -100,7 +102,7 @@ def read_link(link: dict, extra_nodes: int = 0) -> Link:
     shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count) for d in DIRECTIONS}
     K, damping = modal_matrices(link, line, shapes)
     nodes, weights = quadrature(count)
-    axes = np.array([unit_axis(axis) for axis in joint["axes"]]).reshape(-1, 3)
+    axes = np.array([unit_axis(getattr(axis, "axis", axis)) for axis in joint["axes"]]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
     mount, bodies = joint.get("mount", {}), link.get("bodies", [])
     return Link(
@@ -109,6 +111,8 @@ def read_link(link: dict, extra_nodes: int = 0) -> Link:
         rhoA=line["rhoA"],
         rhoIp=line["rhoIp"],
         axes=axes,
+        turns=tuple(getattr(axis, "turn", True) for axis in joint["axes"]),
+        travel=np.array([getattr(axis, "travel", 0.0) for axis in joint["axes"]]),
         mount_R=rpy_matrix(mount.get("rpy", [0.0] * 3)),
         mount_xyz=np.array(mount.get("xyz", [0.0] * 3), dtype=float),
         armature=per_axis("armature"),

@@ -19,13 +19,13 @@ def energy_block(key: LinkClass) -> Block:
     b = LinkBlock(key)
     b.name, b.title = "energy", "Energy"
     velocity = b.vel + hat(b.omega) @ b.rho + b.udot
-    kinetic = Integral(velocity.T @ velocity, b.rhoA, b.fields.integrate)
+    kinetic = b.integral(velocity.T @ velocity)
     if key.spin:
         omega_x = b.entries(b.omega)[0]
-        spin = omega_x + (b.phi_t @ b.etadot if key.counts[3] else zeros(1))
-        kinetic = kinetic + Integral(spin @ spin, b.rhoIp, b.fields.integrate)
+        spin = omega_x + (b.body.phi_t @ b.etadot if key.counts[3] else zeros(1))
+        kinetic = kinetic + Integral(spin @ spin, b.body.rhoIp, b.body.fields.integrate)
     half = sp.Rational(1, 2)
     b.step("kinetic", half * kinetic, "T", unit="J", equation="2T", meaning="kinetic energy")
-    stress = b.eta.T @ (Diagonal(b.K) @ b.eta) if key.modes else zeros(1)
+    stress = b.eta.T @ (Diagonal(b.body.K) @ b.eta) if key.modes else zeros(1)
     b.step("stress", half * stress, r"U_{\eta}", unit="J", meaning="stress energy")
     return b

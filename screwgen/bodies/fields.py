@@ -1,21 +1,13 @@
-"""Integrals along the link, in closed form.
-
-The field of a link depends on ξ through the generators 1, ξ, φ_k and, more coarsely, through the
-position ``rho`` and the elastic velocity ``udot`` of an element, which are themselves sums of
-generators.  An integrand is a polynomial in these; every monomial's integral is either a *moment*
-that a block has named (``∫ρA ρ dξ = S``), or is expanded into finer ones, down to the constants of
-the basis times powers of l.
-"""
+"""The field of a rod: mode shapes as matrices, and integrals along it in closed form."""
 
 from __future__ import annotations
-
-import itertools
 
 import numpy as np
 import sympy as sp
 
 from ..bases import ORDER, products
 from ..spec.link_class import LinkClass
+from .moments import Moments
 
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
@@ -24,15 +16,14 @@ STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
 XI = sp.Symbol("xi", real=True)
 
 
-class Fields:
+class Fields(Moments):
     """The generators of a link class, their basis constants, and the rule that integrates them."""
 
     def __init__(self, key: LinkClass, length: sp.Symbol, start: sp.Expr):
         self.key, self.length, self.start = key, length, start
         self.phi = [sp.Symbol(f"phi_{k + 1}", real=True) for k in range(key.modes)]
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
-        self.coarse: dict[sp.Symbol, sp.Expr] = {}
-        self.moments: dict[tuple, sp.Expr] = {}
+        super().__init__([XI, *self.phi, *self.strain_shape])
         self._constants = {d: key.shapes(d) for d, _ in key.directions}
 
     # the shapes as matrices -------------------------------------------------------------------
@@ -77,47 +68,6 @@ class Fields:
 
     # integration ------------------------------------------------------------------------------
 
-    def name_coarse(self, symbols, expressions) -> None:
-        """Let each symbol stand for a sum of finer generators."""
-        self.coarse.update(zip(np.ravel(symbols), np.ravel(expressions), strict=True))
-
-    def name_moment(self, weight: str, value: sp.Expr, *generators: sp.Symbol) -> None:
-        """Let ``value`` be the integral of ``weight`` times the product of ``generators``."""
-        self.moments[(weight, _key(generators))] = value
-
-    def integrate(self, entry: sp.Expr, weight: str | None) -> sp.Expr:
-        """``∫ weight · entry dξ`` over the link; ``weight`` names a line property (None: 1)."""
-        free = entry.free_symbols
-        generators = {g for g in self._generators() if g in free}
-        if not generators:
-            return sp.S.Zero if entry == 0 else entry * self._moment(weight, ())
-        coefficients: dict[tuple, list[sp.Expr]] = {}
-        for term in sp.Add.make_args(sp.expand(entry)):
-            monomial, rest = [], []
-            for factor in sp.Mul.make_args(term):
-                base, power = factor.as_base_exp()
-                if base in generators:
-                    monomial += [base] * int(power)
-                else:
-                    rest.append(factor)
-            coefficients.setdefault(_key(monomial), []).append(sp.Mul(*rest))
-        return sp.Add(*(sp.Add(*parts) * self._moment(weight, key) for key, parts in coefficients.items()))
-
-    def _generators(self):
-        return itertools.chain(self.coarse, [XI], self.phi, self.strain_shape)
-
-    def _moment(self, weight: str | None, key: tuple) -> sp.Expr:
-        if (weight, key) in self.moments:
-            return self.moments[weight, key]
-        by_name = {g.name: g for g in self._generators()}
-        monomial = [by_name[n] for n in key]
-        for position, generator in enumerate(monomial):
-            if generator in self.coarse:
-                rest = sp.Mul(*monomial[:position], *monomial[position + 1 :])
-                return self.integrate(sp.expand(rest * self.coarse[generator]), weight)
-        value = self._fine(monomial)
-        return value if weight is None else sp.Symbol(weight, real=True) * value
-
     def _fine(self, monomial: list[sp.Symbol]) -> sp.Expr:
         """The integral of a product of ξ, φ_k and strain shapes: powers of l times constants of the basis."""
         l, a = self.length, self.start
@@ -149,10 +99,6 @@ class Fields:
         (direction, i), (shape, _) = self.key.directions[k], self._shape(k)
         order = ORDER[direction]
         return _number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
-
-
-def _key(generators) -> tuple[str, ...]:
-    return tuple(sorted(g.name for g in generators))
 
 
 def _number(value) -> sp.Expr:

@@ -1,15 +1,20 @@
-"""The link block: M*, D*, H* and the modal rows of one flexible link, (26)-(34) and (72)-(89)."""
+"""The link block: M*, D*, H* and the modal rows of one link, (26)-(34) and (72)-(89), over its body's invariants."""
 
 from __future__ import annotations
 
 import numpy as np
+import sympy as sp
 
-from ..algebra.expression import Diagonal, Trace, add, block, hat, identity, stack, unit, zeros
+from ..algebra.expression import Diagonal, Expression, Integral, Trace, add, block, hat, identity, stack, unit, zeros
+from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .link_constants import FRAME, LinkConstants
+from .contract import FRAME, Body
+from .lumped import lumped
+from .rigid import Rigid
+from .rod import Rod
 
 
-class LinkBlock(LinkConstants):
+class LinkBlock(Block):
     """The block of one link class, written down in the order of the derivation.
 
     Field: an element at ξ sits at ``rho = r_b + Phi eta``; its velocity is ``v + omega x rho + udot``
@@ -26,20 +31,102 @@ class LinkBlock(LinkConstants):
         super().__init__("turning_link" if turning else "link", title)
         self.key, self.turning = key, turning
         self._declare()
+        self.body: Body = Rod(self, key) if key.beam else Rigid(self)
+        self.start = self._start()
+        self.body.declare(self.start)
         self._constants()
         self._moments()
         self._inertia()
         self._bias()
 
+    def _declare(self) -> None:
+        r, state = self.key.modes, self.input
+        self.omega = state("omega", (3, 1), r"\boldsymbol{\omega}_i", "rad/s", FRAME, "angular velocity of the link")
+        self.vel = state("v", (3, 1), r"\mathbf{v}_i", "m/s", FRAME, "velocity of the origin of F_i")
+        self.g = state("g", (3, 1), r"\mathbf{g}_i", "m/s^2", FRAME, "free fall in F_i, R_oi^T g")
+        self.eta = state("eta", (r, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
+        self.etadot = state("etadot", (r, 1), r"\dot{\boldsymbol{\eta}}_i", "m/s", "-", "modal rates")
+        self.rho = self.field("rho", _column(*sp.symbols("rho_x:z", real=True)), r"\mathbf{r}_{ib}")
+        self.udot = self.field("udot", _column(*sp.symbols("udot_x:z", real=True)), r"\dot{\mathbf{r}}_{\xi}")
+
+    def _start(self) -> Expression:
+        """The place of the joint on the centreline of F_i."""
+        if not self.key.frame_at:
+            return zeros(1)
+        meaning = "place of F_i on the centreline, from the joint"
+        frame_at = self.parameter("frame_at", (1, 1), "f_i", "m", FRAME, meaning)
+        return self.step("start", -frame_at, "a_i", unit="m", equation="5", meaning="place of the joint in F_i")
+
+    def integral(self, integrand: Expression) -> Integral:
+        """``∫ρA integrand dξ`` over the body."""
+        return Integral(integrand, self.body.rhoA, self.body.fields.integrate)
+
+    def _constants(self) -> None:
+        m_B, S_B, J_B = self._base_bodies()
+        mu, S, J = self.body.moments()
+        self.m = self.step("m", mu + m_B, "m_i", unit="kg", equation="27", meaning="mass, base bodies included")
+        self.S_0 = self.step(
+            "S_0",
+            S + S_B,
+            r"\mathbf{S}_0",
+            unit="kg*m",
+            frame=FRAME,
+            equation="27",
+            meaning="first moment, undeformed",
+        )
+        self.J_0 = self.step(
+            "J_0",
+            J + J_B,
+            r"\mathbf{J}_0",
+            unit="kg*m^2",
+            frame=FRAME,
+            meaning="second moment, undeformed",
+            symmetric=True,
+        )
+        self.spin = self.body.spin()
+        I_0 = self.step(
+            "I_0",
+            Trace(self.J_0) @ identity(3) - self.J_0 + self.spin,
+            r"\mathbf{I}_{b}",
+            unit="kg*m^2",
+            frame=FRAME,
+            equation="Iibi",
+            symmetric=True,
+            meaning="inertia about the origin, undeformed",
+        )
+        self.M_star = self.step(
+            "M_star",
+            block([I_0, hat(self.S_0)], [-hat(self.S_0), self.m @ identity(3)]),
+            r"\mathbf{M}^*_i",
+            unit="kg, kg*m, kg*m^2",
+            frame=FRAME,
+            equation="27",
+            meaning="inertia of the undeformed link",
+            symmetric=True,
+        )
+        self.body.fields.name_moment("rhoA", self.values["m"].item())
+        self.body.modal()
+
+    def _base_bodies(self) -> tuple[Expression, Expression, Expression]:
+        """Base bodies about the origin of F_i: moved there from the joint point where the two differ."""
+        m, S, J, _ = lumped(self, self.key, "base", "B")
+        if self.key.body is not None:
+            m, S, J = (add(*pair) for pair in zip((m, S, J), self.key.body.moments(self), strict=True))
+        elif not (self.key.frame_at and self.key.bodies_at("base")):
+            return m, S, J
+        r_B = self.start @ unit(0)
+        shifted = J + r_B @ S.T + S @ r_B.T + m @ (r_B @ r_B.T)
+        return m, S + m @ r_B, shifted
+
     def _moments(self) -> None:
         """Moments of the deformed link, each named for the integrals that follow."""
-        rhoA, rho, udot = self.rhoA, self.rho, self.udot
+        rho, udot, r = self.rho, self.udot, self.key.modes
         self.S = self.step(
-            "S", self.S_0 + self.sigma @ self.eta, r"\mathbf{S}", unit="kg*m", frame=FRAME, meaning="first moment"
+            "S", self.S_0 + self.body.sigma @ self.eta, r"\mathbf{S}", unit="kg*m", frame=FRAME, meaning="first moment"
         )
         self.Sdot = self.step(
             "Sdot",
-            self.sigma @ self.etadot,
+            self.body.sigma @ self.etadot,
             r"\dot{\mathbf{S}}",
             unit="kg*m/s",
             frame=FRAME,
@@ -49,7 +136,7 @@ class LinkBlock(LinkConstants):
         self._name_moment("Sdot", (udot,))
         self.step(
             "L",
-            self.integral(rho @ self.phi_row, rhoA),
+            self.integral(rho @ self.body.phi_row) if r else zeros(3, 0),
             r"\mathbf{L}",
             unit="kg*m",
             frame=FRAME,
@@ -59,19 +146,18 @@ class LinkBlock(LinkConstants):
         )
         self.step(
             "Ldot",
-            self.integral(udot @ self.phi_row, rhoA),
+            self.integral(udot @ self.body.phi_row) if r else zeros(3, 0),
             r"\dot{\mathbf{L}}",
             unit="kg*m/s",
             frame=FRAME,
             meaning="rate of L",
             numbered=(1,),
         )
-        self._name_moment("L", (rho, self.phi_row))
-        self._name_moment("Ldot", (udot, self.phi_row))
-        J = self.integral(self.r_b @ self.u.T + self.u @ rho.T, rhoA)
-        self.J = self.step(
-            "J", self.J_0 + J, r"\mathbf{J}", unit="kg*m^2", frame=FRAME, symmetric=True, meaning="second moment"
-        )
+        if r:
+            self._name_moment("L", (rho, self.body.phi_row))
+            self._name_moment("Ldot", (udot, self.body.phi_row))
+        J = self.J_0 + self.integral(self.body.r_b @ self.body.u.T + self.body.u @ rho.T) if r else self.J_0
+        self.J = self.step("J", J, r"\mathbf{J}", unit="kg*m^2", frame=FRAME, symmetric=True, meaning="second moment")
         self._name_moment("J", (rho, rho))
 
     def _inertia(self) -> None:
@@ -105,9 +191,7 @@ class LinkBlock(LinkConstants):
             symmetric=True,
             meaning="what the deformation adds to M*",
         )
-        coupling = (
-            self.integral(stack(hat(self.rho) @ self.Phi, self.Phi), self.rhoA) if self.key.modes else zeros(6, 0)
-        )
+        coupling = self.integral(stack(hat(self.rho) @ self.body.Phi, self.body.Phi)) if self.key.modes else zeros(6, 0)
         M_D = self.step(
             "M_D",
             add(coupling, self._spin_coupling()),
@@ -131,11 +215,11 @@ class LinkBlock(LinkConstants):
     def _spin_coupling(self):
         if not (self.key.spin and self.key.counts[3]):
             return zeros(6, self.key.modes)
-        return stack(unit(0) @ self.sigma_t, zeros(3, self.key.modes))
+        return stack(unit(0) @ self.body.sigma_t, zeros(3, self.key.modes))
 
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""
-        rho, udot, omega, rhoA = self.rho, self.udot, self.omega, self.rhoA
+        rho, udot, omega = self.rho, self.udot, self.omega
         a_0 = self.step(
             "a_0",
             hat(omega) @ self.vel - self.g,
@@ -147,7 +231,7 @@ class LinkBlock(LinkConstants):
         Omega, faster = self._turn_operator(), ", angular acceleration included" if self.turning else ""
         self.step(
             "B",
-            self.integral(self.udot_modal @ rho.T, rhoA),
+            self.integral(self.body.udot_modal @ rho.T) if self.key.modes else zeros(3, 3),
             r"\mathbf{B}",
             unit="kg*m^2/s",
             frame=FRAME,
@@ -155,7 +239,7 @@ class LinkBlock(LinkConstants):
         )
         self._name_moment("B", (udot, rho))
         coriolis = hat(omega) @ udot
-        half = self.integral(stack(hat(rho) @ coriolis, coriolis), rhoA) if self.key.modes else zeros(6)
+        half = self.integral(stack(hat(rho) @ coriolis, coriolis)) if self.key.modes else zeros(6)
         h_c = self.step("h_c", half, r"\mathbf{h}_c", unit="N*m, N", frame=FRAME, meaning="half of the Coriolis wrench")
         h_MD = self.step(
             "h_MD",
@@ -167,7 +251,7 @@ class LinkBlock(LinkConstants):
             meaning="Coriolis wrench of the deformation's inertia",
         )
         field = a_0 + Omega @ rho
-        rigid = self.integral(stack(hat(rho) @ field, field), rhoA)
+        rigid = self.integral(stack(hat(rho) @ field, field))
         H = self.step(
             "H_star",
             add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()),
@@ -179,13 +263,13 @@ class LinkBlock(LinkConstants):
         )
         display = r"\mathbf{h}_{V\alpha}" if self.turning else r"\mathbf{h}_{V}"
         self.step("h_V", H + h_MD, display, unit="N*m, N", frame=FRAME, meaning=f"bias of the twist rows{faster}")
-        modal = self.Phi.T @ (field + 2 * coriolis)
+        modal = self.integral(self.body.Phi.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
         twisted = self.key.spin and self.key.counts[3] and self.turning
         self.step(
             "h_eta",
             add(
-                self.integral(modal, rhoA) if self.key.modes else zeros(0),
-                self.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes),
+                modal,
+                self.body.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes),
             ),
             r"\mathbf{h}_{\eta\alpha}" if self.turning else r"\mathbf{h}_{\eta}",
             unit="N",
@@ -222,12 +306,12 @@ class LinkBlock(LinkConstants):
         """The wrench that the spin inertia of the sections needs for ``alpha``."""
         if not (self.key.spin and self.turning):
             return zeros(6)
-        return stack(unit(0) @ (self.I_s @ self.entries(self.alpha)[0]), zeros(3))
+        return stack(unit(0) @ (self.body.I_s @ self.entries(self.alpha)[0]), zeros(3))
 
     def _modal_force(self) -> None:
-        stress = Diagonal(self.K) @ self.eta
+        stress = Diagonal(self.body.K) @ self.eta
         if self.key.damping:
-            stress = stress + Diagonal(self.D) @ self.etadot
+            stress = stress + Diagonal(self.body.D) @ self.etadot
         f = self.step("f_eta", stress, r"\mathbf{f}_{\eta}", unit="N", equation="88", meaning="stress and damping")
         h_eta = self.symbol("h_eta")
         self.step("h_phi", h_eta + f, r"\mathbf{h}_{\phi,i}", unit="N", equation="88", meaning="bias of the modal rows")
@@ -238,7 +322,7 @@ class LinkBlock(LinkConstants):
         axis = hat(self.omega) @ unit(0)
         if not self.key.spin or (which == "sigma_t" and not self.key.counts[3]):
             return zeros(6)
-        momentum = self.I_s @ omega_x if which == "I_s" else self.sigma_t @ self.etadot
+        momentum = self.body.I_s @ omega_x if which == "I_s" else self.body.sigma_t @ self.etadot
         return stack(momentum @ axis, zeros(3))
 
     def _name_moment(self, moment: str, generators: tuple) -> None:
@@ -246,9 +330,13 @@ class LinkBlock(LinkConstants):
         values, first = self.values[moment], self.values[generators[0].name][:, 0]
         if len(generators) == 1:
             for i, generator in enumerate(first):
-                self.fields.name_moment("rhoA", values[i, 0], generator)
+                self.body.fields.name_moment("rhoA", values[i, 0], generator)
             return
         for (i, j), value in np.ndenumerate(values):
             second = self.values[generators[1].name].ravel()[j]
             if second != 0:
-                self.fields.name_moment("rhoA", value, first[i], second)
+                self.body.fields.name_moment("rhoA", value, first[i], second)
+
+
+def _column(*entries) -> np.ndarray:
+    return np.array([[sp.sympify(e)] for e in entries], dtype=object)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from ..algebra.expression import Expression, Symbol, hat, identity, unit, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
@@ -136,8 +138,10 @@ def tip_pose_block(key: LinkClass) -> Block:
 def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     """``R_T = exp(hat(theta))`` and ``r_T = r_b(c) + Phi(c) eta``: the tip section in F_i."""
     eta = b.input("eta", (key.modes, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
-    length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
-    fields = Fields(key, b.values["length"].item(), 0)
+    length: Expression = zeros(1)
+    if key.length:
+        length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
+    fields = Fields(key, b.values["length"].item() if key.length else sp.S.Zero, sp.S.Zero)
     Phi = b.step(
         "Phi_c",
         b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"),

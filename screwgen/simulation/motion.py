@@ -72,7 +72,7 @@ def centrelines(model: Model, q: np.ndarray, points: Sequence[float]) -> np.ndar
     (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
     for i, link in enumerate(model.robot.links):
         place = displacements(model, q[None], i, points)[0]
-        place[:, 0] += link.length * points - (link.frame_at or 0.0)
+        place[:, 0] += (link.length or 0.0) * points - (link.frame_at or 0.0)
         lines.append(r[i] + place @ R[i].T)
     return np.array(lines)
 

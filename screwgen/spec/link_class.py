@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -40,6 +41,12 @@ class LinkClass:
     damping: bool
     section_rotation: bool
     bodies: tuple[BodyClass, ...]
+    length: bool = True
+    """Whether the link states a length."""
+    beam: bool = True
+    """Whether the link states a section, and so is a rod."""
+    body: Hashable | None = None
+    """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
 
@@ -97,7 +104,10 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
         joint_damping=bool(joint.damping),
         stiffness=bool(joint.stiffness),
         frame_at=link.frame_at is not None,
-        spin=link.section.rhoIp is not None,
+        length=link.length is not None,
+        beam=link.section is not None,
+        body=link.body,
+        spin=link.section is not None and link.section.rhoIp is not None,
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),

@@ -94,7 +94,7 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
     """The fields of the link's own body."""
     yield "length", link.length
     yield "frame_at", link.frame_at
-    for name in type(link.section).model_fields:
+    for name in type(link.section).model_fields if link.section else ():
         yield name, getattr(link.section, name)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values

@@ -15,7 +15,7 @@ from ..errors import UsageError
 from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
 from .part import Part
-from .physics import axes, inertia
+from .physics import axes, inertia, own_body
 from .ranges import several, within
 from .screw import Screw
 from .section import PRODUCTS, Section
@@ -193,37 +193,55 @@ class Link(Part):
     """One flexible or rigid link and the joint that carries it.
 
     `length` (m) of the undeformed centreline; `frame_at` (m) from its base to the link frame's origin,
-    a = −frame_at. No `modes`: rigid.
+    a = −frame_at. No `modes`: rigid. A rigid link without `section` has the mass of its `bodies` alone; without
+    `length` its tip is at the joint. In Python, `body` may be a rigid body of one's own (`bodies.contract`).
     """
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
-    length: Annotated[float, PlainValidator(within("length"))] = Field(description="the length of the centreline, m")
+    length: Annotated[float, PlainValidator(within("length"))] | None = Field(
+        None, description="the length of the centreline, m; a link without a section can do without"
+    )
     frame_at: Annotated[float, PlainValidator(within("frame_at"))] | None = Field(
         None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
     )
-    section: Section = Field(description="the section, at least { rhoA = … } or { density = …, area = … }")
+    section: Section | None = Field(
+        None,
+        description="the section, at least { rhoA = … } or { density = …, area = … }; without it only bodies have mass",
+    )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
+    body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
+
+    @model_validator(mode="after")
+    def _section_along_a_length(self) -> Self:
+        if self.length is None and (self.section is not None or self.frame_at is not None):
+            raise refuse("is missing; a link with a section or frame_at needs it", at=("length",))
+        if self.section is None and self.modes.total:
+            raise refuse("is missing; a link with modes needs it", at=("section",))
+        if self.section is None and not self.bodies and self.body is None:
+            what = "is missing; state a section, at least { rhoA = … } or { density = …, area = … }, or bodies"
+            raise refuse(what, at=("section",))
+        return self
 
     @model_validator(mode="after")
     def _frame_on_centreline(self) -> Self:
-        if self.frame_at is not None and self.frame_at > self.length:
+        if self.frame_at is not None and self.length is not None and self.frame_at > self.length:
             what = f"is {self.frame_at}, beyond the tip; it must be from 0 to the length, {self.length}"
             raise refuse(what, at=("frame_at",))
         return self
 
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
-        for direction in self.modes.measured:
+        for direction in self.modes.measured if self.section else ():
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
 
     @model_validator(mode="after")
     def _modes_have_stiffness(self) -> Self:
         for direction, (stiffness, *others) in NEEDS.items():
-            if getattr(self.modes, direction):
+            if self.section and getattr(self.modes, direction):
                 for name in others if direction in self.modes.measured else (stiffness, *others):
                     require(self.section, name, direction)
         return self

@@ -107,7 +107,7 @@ class Statics:
     @cached_property
     def reach(self) -> np.ndarray:
         """(nq,): what makes an angle of a coordinate: a link's length, or 1; more where a spring winds up."""
-        lengths = {link.name: link.length for link in self.model.robot.links}
+        lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
         own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
         return np.where(self.turning, np.maximum(1.0, wound / (2 * np.pi)), own)

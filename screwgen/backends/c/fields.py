@@ -12,6 +12,7 @@ from ...algorithms.scope import derived
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
+from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...topology.parameters import label
 from .code import literal
@@ -209,3 +210,16 @@ def index_type(count: int) -> str:
 def rows(numbers: list[int], width: int = 20) -> list[str]:
     """Numbers of a table, a few per line."""
     return [", ".join(map(str, numbers[i : i + width])) + "," for i in range(0, len(numbers), width)]
+
+
+def limits(robot: Robot) -> list[str]:
+    """Conditions on which a link's own parameters are refused; what no link states has none."""
+    sections = [link.section for link in robot.links]
+    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
+    tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
+    return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in sections)
+
+
+def _limit(name: str, values: Sequence[float | None]) -> str:
+    """A length or mass is positive; it may be zero where some link has none."""
+    return f"link->{name} < 0" if None in values else f"!(link->{name} > 0)"

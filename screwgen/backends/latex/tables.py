@@ -39,7 +39,7 @@ def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass])
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
-    return f"`{link.name}`", f"{decimal(link.length)} m", _axes(key), _modes(key)
+    return f"`{link.name}`", f"{decimal(link.length)} m" if link.length is not None else "-", _axes(key), _modes(key)
 
 
 def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:

@@ -137,10 +137,11 @@ def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
     """Deflections (n_modes,) and rates of random states, at most."""
     links, constants = model.robot.links, model.numpy().constants
     values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
-    masses = [values[f"{link.name}.rhoA"] * link.length + sum(body.mass for body in link.bodies) for link in links]
+    beams = [values.get(f"{link.name}.rhoA", 0.0) * (link.length or 0.0) for link in links]
+    masses = [beam + sum(body.mass for body in link.bodies) for beam, link in zip(beams, links, strict=True)]
     K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
     turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
-    lengths = np.repeat([link.length for link in links], [key.modes for key in model.chain.keys])
+    lengths = np.repeat([link.length or 0.0 for link in links], [key.modes for key in model.chain.keys])
     load, room = WEIGHT * sum(masses) * np.where(turns, lengths, 1.0), SAG * np.where(turns, 1.0, lengths)
     deflection = np.minimum(load / K, room)
     return deflection, deflection * np.sqrt(K / M_eta)

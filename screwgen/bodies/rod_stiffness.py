@@ -27,9 +27,10 @@ MEASURED = (
 """What measurement states for each direction: subscript and meaning."""
 
 
-class LinkStiffness(Block):
-    """The part of the link block that knows K and D, both diagonal and kept as columns."""
+class RodStiffness:
+    """The part of a rod that knows K and D, both diagonal and kept as columns."""
 
+    b: Block
     key: LinkClass
     fields: Fields
     strain: Symbol
@@ -51,9 +52,9 @@ class LinkStiffness(Block):
 
     def _section_stiffness(self) -> Symbol:
         rows = zip(DIRECTIONS, SECTION, self.key.counts, strict=True)
-        stiff = [self.parameter(*row) if n and d not in self.key.measured else zeros(1) for d, row, n in rows]
+        stiff = [self.b.parameter(*row) if n and d not in self.key.measured else zeros(1) for d, row, n in rows]
         C = block(*([stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)))
-        return self.step(
+        return self.b.step(
             "K_full",
             self.integral(self.strain.T @ C @ self.strain, None),
             r"\mathbf{K}_i",
@@ -74,7 +75,7 @@ class LinkStiffness(Block):
         With ``EI β_n⁴ l`` the stiffness of a clamped-free mode and ``ρA l`` its inertia, it says
         ``K_kk = M_kk (2π f_k)²``: neither the length nor the wavenumber is needed.
         """
-        f_n = self.step(
+        f_n = self.b.step(
             "f_n",
             self._frequencies(),
             r"\mathbf{f}_n",
@@ -82,7 +83,7 @@ class LinkStiffness(Block):
             meaning="natural frequency of each mode that is measured, of the bare clamped link",
             numbered=(0,),
         )
-        omega_n = self.step(
+        omega_n = self.b.step(
             "omega_n",
             (2 * sp.pi) * f_n,
             r"\boldsymbol{\omega}_n",
@@ -91,7 +92,7 @@ class LinkStiffness(Block):
             numbered=(0,),
         )
         squared = Diagonal(omega_n) @ Diagonal(omega_n) @ inertia
-        return self.step(
+        return self.b.step(
             "K",
             full @ self._ones("K") + squared,
             r"\mathbf{k}_i",
@@ -107,7 +108,7 @@ class LinkStiffness(Block):
         for direction, n, (letter, meaning) in zip(DIRECTIONS, self.key.counts, MEASURED, strict=True):
             if direction in self.key.measured:
                 name, display = f"frequencies_{direction}", rf"\mathbf{{f}}_{{{letter},i}}"
-                parts.append(self.parameter(name, (n, 1), display, "Hz", "-", meaning, numbered=(0,)))
+                parts.append(self.b.parameter(name, (n, 1), display, "Hz", "-", meaning, numbered=(0,)))
             elif n:
                 parts.append(zeros(n))
         return stack(*parts) if len(parts) > 1 else parts[0]
@@ -116,8 +117,8 @@ class LinkStiffness(Block):
         if not self.key.damping:
             self.D: Expression = zeros(self.key.modes)
             return
-        ratio = self.parameter("damping_ratio", (1, 1), r"\zeta_i", "-", "-", "damping ratio of each mode")
-        self.D = self.step(
+        ratio = self.b.parameter("damping_ratio", (1, 1), r"\zeta_i", "-", "-", "damping ratio of each mode")
+        self.D = self.b.step(
             "D",
             (2 * ratio) @ Root(Diagonal(self.K) @ inertia),
             r"\mathbf{d}_i",
@@ -126,8 +127,8 @@ class LinkStiffness(Block):
         )
 
     def _column(self, name: str, full: Symbol, display: str, unit_: str, meaning: str) -> Symbol:
-        return self.step(name, full @ self._ones(name), display, unit=unit_, meaning=meaning)
+        return self.b.step(name, full @ self._ones(name), display, unit=unit_, meaning=meaning)
 
     def _ones(self, name: str) -> Symbol:
         ones = np.full((self.key.modes, 1), sp.S.One, dtype=object)
-        return self.field(f"{name}_ones", ones, r"\mathbf{1}")
+        return self.b.field(f"{name}_ones", ones, r"\mathbf{1}")

@@ -1,0 +1,41 @@
+"""The rigid link: no modes, and all its mass in the bodies that sit on it."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from ..algebra.expression import Expression, Symbol, zeros
+from ..ir.block import Block
+from .contract import Moments6
+from .moments import Moments
+
+
+class Rigid:
+    """A link without a section. Its integrals are the moments that the link's block names."""
+
+    def __init__(self, b: Block):
+        self.b = b
+        self.rhoA = Symbol("rhoA", (1, 1), r"\rho_i A_i")
+
+    def declare(self, start: Expression) -> None:
+        """Nothing varies along a rigid link."""
+        self.fields = Moments(self.b.values["rho"].flat)
+        self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
+        self.sigma, self.sigma_t, self.K, self.D = zeros(3, 0), zeros(1, 0), zeros(0), zeros(0)
+
+    def moments(self) -> Moments6:
+        """The link alone has no mass."""
+        return zeros(1), zeros(3), zeros(3, 3)
+
+    def spin(self) -> Expression:
+        """The link alone has no inertia."""
+        return zeros(3, 3)
+
+    def modal(self) -> None:
+        """No modes."""
+        step = self.b.step
+        step("sigma", self.sigma, r"\boldsymbol{\Sigma}", unit="kg", meaning="momentum of each mode", numbered=(1,))
+        step("M_Wphi", zeros(0, 0), r"\mathbf{M}_{W\phi,i}", unit="kg", meaning="inertia of the modes")
+        step("M_eta", zeros(0), r"\mathbf{m}_{\eta}", unit="kg", meaning="inertia of each mode")
+        step("K", self.K, r"\mathbf{k}_i", unit="N/m", meaning="stiffness of each mode")

@@ -1,0 +1,154 @@
+"""The rod: a slender uniform beam of a link, whose invariants are integrals along its centreline."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from ..algebra.expression import Expression, identity, is_zero, unit, zeros
+from ..ir.block import Block
+from ..spec.link_class import LinkClass
+from .contract import FRAME, Moments6
+from .fields import AXIS, XI, Fields
+from .rod_stiffness import RodStiffness
+
+
+class Rod(RodStiffness):
+    """Sections along a centreline, with mode shapes in four directions."""
+
+    def __init__(self, b: Block, key: LinkClass):
+        self.b, self.key = b, key
+        self.rhoA = b.parameter("rhoA", (1, 1), r"\rho_i A_i", "kg/m", "-", "mass per length")
+        self.length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
+
+    def declare(self, start: Expression) -> None:
+        """The fields along the rod; ``start`` is the place of the joint on the centreline."""
+        a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
+        f, field = Fields(self.key, self.b.values["length"].item(), a), self.b.field
+        self.fields = f
+        self.r_b = field("r_b", column(XI, 0, 0), r"\mathbf{r}_b")
+        self.Phi = field("Phi", f.Phi(), r"\boldsymbol{\phi}")
+        self.phi_row = field("phi_row", f.translational(), r"\boldsymbol{\varphi}^{\top}")
+        self.lever = field("lever", XI * f.translational(), r"\xi\boldsymbol{\varphi}^{\top}")
+        self.phi_t = field("phi_t", f.twist_row(), r"\boldsymbol{\phi}_t")
+        self.strain = field("strain", f.strain(), r"\boldsymbol{\phi}_{\varepsilon}")
+        self.u = field("u", self._field_of("eta"), r"\mathbf{r}_{\xi}")
+        self.udot_modal = field("udot_modal", self._field_of("etadot"), r"\dot{\mathbf{r}}_{\xi}")
+        f.name_coarse(self.b.values["rho"], self.b.values["r_b"] + self.b.values["u"])
+        f.name_coarse(self.b.values["udot"], self.b.values["udot_modal"])
+
+    def _field_of(self, coordinates: str) -> np.ndarray:
+        """``Phi`` times modal coordinates, in the finest generators."""
+        return self.b.values["Phi"].dot(self.b.values[coordinates]) if self.key.modes else column(0, 0, 0)
+
+    # what follows from the parameters ---------------------------------------------------------
+
+    def moments(self) -> Moments6:
+        """Mass, first and second moment of the straight rod about the origin of F_i."""
+        rhoA, r_b = self.rhoA, self.r_b
+        mu = self.b.step("mu", self.integral(identity(1), rhoA), r"\mu_i", unit="kg", meaning="mass of the beam")
+        return mu, self.integral(r_b, rhoA), self.integral(r_b @ r_b.T, rhoA)
+
+    def spin(self) -> Expression:
+        """``∫ rho I_p dξ e_x e_x^T``: spin about the centreline."""
+        if not self.key.spin:
+            return zeros(3, 3)
+        self.rhoIp = self.b.parameter("rhoIp", (1, 1), r"\rho_i I_{p,i}", "kg*m", "-", "polar inertia per length")
+        self.I_s = self.b.step(
+            "I_s", self.integral(identity(1), self.rhoIp), "I_s", unit="kg*m^2", meaning="spin inertia of the beam"
+        )
+        self.fields.name_moment("rhoIp", self.b.values["I_s"].item())
+        return self.I_s @ (unit(0) @ unit(0).T)
+
+    def modal(self) -> None:
+        """Momentum, lever, product, inertia and stiffness of the modes; named for the integrals to come."""
+        phi, name = self.fields.phi, self.fields.name_moment
+        self.sigma = self.b.step(
+            "sigma",
+            self.integral(self.Phi, self.rhoA),
+            r"\boldsymbol{\Sigma}",
+            unit="kg",
+            frame=FRAME,
+            equation="B1",
+            meaning="momentum of each mode",
+            numbered=(1,),
+        )
+        self.b.step(
+            "chi",
+            self.integral(self.lever, self.rhoA),
+            r"\boldsymbol{\chi}",
+            unit="kg*m",
+            frame=FRAME,
+            meaning="first moment of each mode shape",
+            numbered=(1,),
+        )
+        M_eta = self.integral(self.Phi.T @ self.Phi, self.rhoA)
+        if self.key.spin and self.key.counts[3]:
+            self.sigma_t = self.b.step(
+                "sigma_t",
+                self.integral(self.phi_t, self.rhoIp),
+                r"\boldsymbol{\Sigma}_t",
+                unit="kg*m^2",
+                meaning="spin momentum of each torsion mode",
+            )
+            M_eta = M_eta + self.integral(self.phi_t.T @ self.phi_t, self.rhoIp)
+        self.b.step(
+            "M_Wphi",
+            M_eta,
+            r"\mathbf{M}_{W\phi,i}",
+            unit="kg",
+            equation="86",
+            symmetric=True,
+            meaning="inertia of the modes (torsion: kg*m^2), diagonal",
+        )
+        for k in self._translational():
+            axis = AXIS[self.key.directions[k][0]]
+            name("rhoA", self.b.values["sigma"][axis, k], phi[k])
+            name("rhoA", self.b.values["chi"][0, k], XI, phi[k])
+            name("rhoA", self.b.values["M_Wphi"][k, k], phi[k], phi[k])
+        self._products_of_shapes()
+        self._stiffness()
+
+    def _products_of_shapes(self) -> None:
+        """``∫ρA φ_k φ_m`` of modes in different directions.
+
+        Axial against bending is a full matrix; y against z is diagonal where both draw on the same functions.
+        """
+        groups = {d: [k for k in self._translational() if self.key.directions[k][0] == d] for d in AXIS}
+        self._product("Gamma_xy", groups["axial"], groups["bending_y"])
+        self._product("Gamma_xz", groups["axial"], groups["bending_z"])
+        self._product("Gamma_yz", groups["bending_y"], groups["bending_z"])
+
+    def _product(self, name: str, first: list[int], second: list[int]) -> None:
+        if not (first and second):
+            return
+        phi = self.fields.phi
+        left = self.b.field(
+            f"phi_{name[-2]}_of_{name}", _row(phi[k] for k in first), rf"\boldsymbol{{\varphi}}_{name[-2]}^{{\top}}"
+        )
+        right = self.b.field(
+            f"phi_{name[-1]}_of_{name}", _row(phi[k] for k in second), rf"\boldsymbol{{\varphi}}_{name[-1]}^{{\top}}"
+        )
+        self.b.step(
+            name,
+            self.integral(left.T @ right, self.rhoA),
+            rf"\boldsymbol{{\Gamma}}_{{{name[-2:]}}}",
+            unit="kg",
+            meaning=f"products of the shapes in {name[-2]} with those in {name[-1]}",
+            numbered=(0, 1),
+        )
+        mu = self.b.values["mu"].item()
+        for (i, j), value in np.ndenumerate(self.b.values[name]):
+            same = self.fields.gram(first[i], second[j]) == 1
+            self.fields.name_moment("rhoA", mu if same else value, phi[first[i]], phi[second[j]])
+
+    def _translational(self) -> list[int]:
+        return [k for k, (d, _) in enumerate(self.key.directions) if d in AXIS]
+
+
+def _row(entries) -> np.ndarray:
+    return np.array([list(entries)], dtype=object)
+
+
+def column(*entries) -> np.ndarray:
+    return np.array([[sp.sympify(e)] for e in entries], dtype=object)

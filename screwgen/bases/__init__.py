@@ -4,7 +4,8 @@ A basis is data: functions psi on s in [0, 1], orthonormal there, with diagonal 
 integrals, tip value and tip slope, all dimensionless. It has shapes of two orders: 2 for bending, where curvature
 stores energy, and 1 for stretching and torsion, where the first derivative does.
 
-A further basis is one more small file with a function ``(count, order) -> Shapes`` and one more line in `BASES`.
+A basis is a function ``(count, order) -> Shapes``. Those of the product have names, `BASES`; a function of one's own
+may stand wherever a name may.
 """
 
 from __future__ import annotations
@@ -16,9 +17,12 @@ from .clamped_free import clamped_free
 from .polynomial import polynomial
 from .shapes import Family, Shapes, products
 
-__all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Family", "Shapes", "products", "shapes"]
+__all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Basis", "Family", "Shapes", "products", "shapes"]
 
-BASES: dict[str, Callable[[int, int], Shapes]] = {
+Basis = Callable[[int, int], Shapes]
+"""The shapes of a number of modes, of order 1 or 2."""
+
+BASES: dict[str, Basis] = {
     "polynomial": polynomial,
     "clamped_free": clamped_free,
 }
@@ -33,8 +37,8 @@ ORDER = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
 """Order of the derivative that stores energy, by direction of deflection."""
 
 
-def shapes(basis: str, direction: str, count: int) -> Shapes:
-    """The `count` modes of the basis called `basis` in a direction of `ORDER`; no mode at all is allowed.
+def shapes(basis: str | Basis, direction: str, count: int) -> Shapes:
+    """The `count` modes of a basis, or of the one of that name, in a direction of `ORDER`; no mode at all is allowed.
 
     Raises ValueError for an unknown basis, an unknown direction or a negative count.
     """
@@ -44,10 +48,10 @@ def shapes(basis: str, direction: str, count: int) -> Shapes:
 
 
 @cache
-def of_order(basis: str, order: int, count: int) -> Shapes:
+def of_order(basis: str | Basis, order: int, count: int) -> Shapes:
     """The `count` modes of a basis of order 1 or 2; made once, so that equal shapes are one object."""
-    if basis not in BASES:
+    if isinstance(basis, str) and basis not in BASES:
         raise ValueError(f"unknown basis {basis!r}: choose one of {', '.join(sorted(BASES))}")
     if count < 0:
         raise ValueError(f"the number of modes must not be negative, got {count}")
-    return BASES[basis](count, order)
+    return (BASES[basis] if isinstance(basis, str) else basis)(count, order)

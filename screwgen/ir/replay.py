@@ -14,13 +14,20 @@ BINARY: dict[str, Callable] = {
 }
 
 
-def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, object], object], epsilon=0.0):
+def run(
+    program: Program,
+    inputs: Mapping[str, list],
+    unary: Callable[[str, object], object],
+    epsilon=0.0,
+    literal: Callable[[float], object] = lambda x: x,
+):
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
-    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``.  Returns the
-    outputs and the values of the guards.
+    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``; ``literal`` makes a value of a
+    number that stands in the program.  Returns the outputs and the values of the guards.
     """
     values: dict[int, object] = {}
+    pick = lambda v: values[v.id] if isinstance(v, Node) else literal(v)  # noqa: E731
     for node in program.nodes:
         args = node.args
         if node.op == "input":
@@ -28,11 +35,10 @@ def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, obje
         elif node.op == "epsilon":
             values[node.id] = epsilon
         elif len(args) == 1:
-            values[node.id] = unary(node.op, values[args[0].id] if isinstance(args[0], Node) else args[0])
+            values[node.id] = unary(node.op, pick(args[0]))
         else:
-            a, b = (values[x.id] if isinstance(x, Node) else x for x in args)
+            a, b = map(pick, args)
             values[node.id] = BINARY[node.op](a, b)
-    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 

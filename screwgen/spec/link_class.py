@@ -6,7 +6,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..bases import shapes
+from ..bases import Basis, shapes
 from .robot import Link
 from .screw import Screw
 
@@ -26,7 +26,7 @@ class BodyClass:
 class LinkClass:
     """Everything of a link but its numbers: the complete key of its derivation."""
 
-    bases: tuple[str, str, str, str]
+    bases: tuple[str | Basis, str | Basis, str | Basis, str | Basis]
     """The basis of each direction that has modes."""
     counts: tuple[int, int, int, int]
     screws: tuple[Screw, ...]

@@ -5,12 +5,13 @@ stated 0.0 is a runtime parameter that happens to be zero. SI units and radians 
 those of NOTATION.md.
 """
 
+from collections.abc import Callable
 from numbers import Real
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from ..bases import BASES, DEFAULT, NATURAL, Shapes, shapes
+from ..bases import BASES, DEFAULT, NATURAL, Basis, Shapes, shapes
 from ..errors import UsageError
 from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
@@ -21,13 +22,24 @@ from .screw import Screw
 from .section import PRODUCTS, Section
 from .values import boolean, choice, count, quoted, refuse
 
+
+def basis(value: Any) -> str | Basis:
+    """The name of a basis, or in Python a function `(count, order) -> Shapes`."""
+    return value if callable(value) else choice(*BASES)(value)
+
+
+def named(basis: str | Basis) -> str:
+    """A basis as messages call it."""
+    return quoted(basis) if isinstance(basis, str) else "of one's own"
+
+
 Vector = tuple[float, float, float]
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
 Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes)]
 PerAxis = tuple[float, ...]
 Count = Annotated[int, PlainValidator(count)]
-Basis = Annotated[str, PlainValidator(choice(*BASES))]
+BasisName = Annotated[str | Callable, PlainValidator(basis)]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 PER_AXIS = ("armature", "damping", "stiffness")
@@ -50,7 +62,7 @@ class Modes(Part):
     directions have the link's natural modes, `clamped_free`, as shapes.
     """
 
-    basis: Basis = Field(DEFAULT, description=f"the shapes' family, {' or '.join(map(quoted, BASES))}")
+    basis: BasisName = Field(DEFAULT, description=f"the shapes' family, {' or '.join(map(quoted, BASES))}")
     axial: Count = Field(0, description="number of modes of stretching; needs EA")
     bending_y: Count = Field(0, description="number of modes of bending that deflect in y; needs EIz")
     bending_z: Count = Field(0, description="number of modes of bending that deflect in z; needs EIy")
@@ -79,7 +91,7 @@ class Modes(Part):
     def _frequencies_of_natural_modes(self) -> Self:
         for direction in self.measured:
             if direction.startswith("bending") and self.basis != NATURAL:
-                why = f"is stated with basis {quoted(self.basis)}, whose shapes are not the link's natural modes"
+                why = f"is stated with basis {named(self.basis)}, whose shapes are not the link's natural modes"
                 what = f'{why}; use basis "clamped_free", or state {NEEDS[direction][0]} in the section'
                 raise refuse(what, at=("frequencies", direction))
         return self
@@ -89,7 +101,7 @@ class Modes(Part):
         """The directions whose stiffness is stated by frequencies."""
         return tuple(self.frequencies.stated) if self.frequencies else ()
 
-    def basis_of(self, direction: str) -> str:
+    def basis_of(self, direction: str) -> str | Basis:
         """The basis of a direction's shapes."""
         return NATURAL if direction in self.measured else self.basis
 

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from ...algebra.notation import number
-from ...bases import Shapes
+from ...bases import Basis, Shapes
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter
@@ -66,7 +66,11 @@ def _axis(axis: Sequence[float]) -> str:
 
 def _modes(key: LinkClass) -> str:
     counts = ", ".join(str(n) for n in key.counts)
-    return f"{counts} `{'`, `'.join(dict.fromkeys(filter(None, key.bases)))}`" if key.modes else "rigid"
+    return f"{counts} `{'`, `'.join(dict.fromkeys(map(_basis, filter(None, key.bases))))}`" if key.modes else "rigid"
+
+
+def _basis(basis: str | Basis) -> str:
+    return basis if isinstance(basis, str) else basis(1, 2).family.name
 
 
 def _remarks(link: Link, key: LinkClass) -> str:

@@ -16,10 +16,10 @@ from .scope import Scope
 
 def dae_kinematics(s: Scope) -> None:
     """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
-    q, twist, omega_R = s.read("q", s.key.joints), s.read("twist", 6), relative_posture(s)
+    q, twist, omega_R = s.read("q"), s.read("twist"), relative_posture(s)
     relative = twist[:3] - omega_R
     if s.key.slides:
-        v_R = mx.multiply(s.kept("R_P").T, s.read("base.v", 3)) + mx.cross(omega_R, _joint_from_tip(s, q))
+        v_R = mx.multiply(s.kept("R_P").T, s.read("base.v")) + mx.cross(omega_R, _joint_from_tip(s, q))
         at_joint = twist[3:] + mx.cross(twist[:3], joint_point(s))
         relative = np.concatenate([relative, at_joint - v_R])
     qdot = mx.multiply(pseudo_inverse(s, q), relative)
@@ -32,17 +32,17 @@ def dae_kinematics(s: Scope) -> None:
 
 def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
     """What the tip's velocity follows from."""
-    eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+    eta, etadot = s.read("eta"), s.read("etadot")
     return {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
 
 
 def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: str) -> Array:
     """The link's twist at the joint point against its parent's, in F_i axes; ``omega``, ``v``: of the parent's tip."""
-    omega_P = s.read(f"base.{omega}", 3)
+    omega_P = s.read(f"base.{omega}")
     turning = twist[:3] - mx.multiply(R.T, omega_P)
     if not s.key.slides:
         return turning
-    v_R = mx.multiply(R.T, s.read(f"base.{v}", 3) + mx.cross(omega_P, joint_offset(s, q)))
+    v_R = mx.multiply(R.T, s.read(f"base.{v}") + mx.cross(omega_P, joint_offset(s, q)))
     return np.concatenate([turning, twist[3:] + mx.cross(twist[:3], joint_point(s)) - v_R])
 
 
@@ -72,15 +72,15 @@ def motion_subspace(s: Scope, q: Array) -> Array:
 
 def twist_rates(s: Scope) -> None:
     """The rate of the link's twist in its own frame; the free fall that the elimination left out is added."""
-    R = quaternion_matrix(s.read("quaternion", 4))
-    fall = mx.multiply(R.T, s.read("gravity", 3))
-    alpha, twist = s.read("alpha", 6), s.read("twist", 6)
+    R = quaternion_matrix(s.read("quaternion"))
+    fall = mx.multiply(R.T, s.read("gravity"))
+    alpha, twist = s.read("alpha"), s.read("twist")
     s.write("Vdot", np.concatenate([alpha[:3], alpha[3:] + fall - mx.cross(twist[:3], twist[3:])]))
 
 
 def pose_rates(s: Scope) -> None:
     """``d/dt`` of the pose: quaternion ``Q omega / 2`` and position ``R v``."""
-    Q, twist = s.read("quaternion", 4), s.read("twist", 6)
+    Q, twist = s.read("quaternion"), s.read("twist")
     s.write("quaternion_rate", 0.5 * quaternion_product(Q, np.concatenate([mx.zeros(1), twist[:3]])))
     s.write("position_rate", mx.multiply(quaternion_matrix(Q), twist[3:]))
 
@@ -90,16 +90,16 @@ def pose_rates(s: Scope) -> None:
 
 def project(s: Scope) -> None:
     """Base to tip: two Gauss-Newton corrections of q from the poses, then forward kinematics."""
-    q, twist, eta, etadot = s.read("q", s.key.joints), s.read("twist", 6), *_modal(s)
-    R_raw = quaternion_matrix(s.read("quaternion", 4))
-    R_P = s.read("base.R_m", 3, 3)
+    q, twist, eta, etadot = s.read("q"), s.read("twist"), *_modal(s)
+    R_raw = quaternion_matrix(s.read("quaternion"))
+    R_P = s.read("base.R_m")
     measured = mx.multiply(R_P.T, R_raw)
-    r_raw = s.read("position", 3) + mx.multiply(R_raw, joint_point(s)) if s.key.slides else None
+    r_raw = s.read("position") + mx.multiply(R_raw, joint_point(s)) if s.key.slides else None
     for _ in range(2):
         (R,) = s.lower("posture", {"q": q}, "R_rel")
         error = _half_skew(mx.multiply(R.T, measured))
         if r_raw is not None:
-            gap = mx.multiply(R_P.T, r_raw - s.read("base.r_m", 3)) - joint_offset(s, q)
+            gap = mx.multiply(R_P.T, r_raw - s.read("base.r_m")) - joint_offset(s, q)
             error = np.concatenate([error, mx.multiply(R.T, gap)])
         q = q + mx.multiply(pseudo_inverse(s, q), error)
     (R,) = s.lower("posture", {"q": q}, "R_rel")
@@ -111,11 +111,11 @@ def project(s: Scope) -> None:
 
 def forward_kinematics(s: Scope) -> None:
     """Base to tip: poses and twists of the DAE form from q and qdot."""
-    _place(s, s.read("q", s.key.joints), s.read("qdot", s.key.joints), *_modal(s))
+    _place(s, s.read("q"), s.read("qdot"), *_modal(s))
 
 
 def _modal(s: Scope) -> tuple[Array, Array]:
-    return s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+    return s.read("eta"), s.read("etadot")
 
 
 def _half_skew(E: Array) -> Array:
@@ -130,7 +130,7 @@ def _measured_tip(s: Scope, R: Array, twist: Array, eta: Array, etadot: Array) -
     s.write("tip.omega_m", omega_T)
     s.write("tip.v_m", v_T)
     s.write("tip.R_m", mx.multiply(R, _tip_rotation(s, eta)))
-    s.write("tip.r_m", s.read("position", 3) + mx.multiply(R, r_T))
+    s.write("tip.r_m", s.read("position") + mx.multiply(R, r_T))
 
 
 def _tip_rotation(s: Scope, eta: Array) -> Array:
@@ -138,18 +138,18 @@ def _tip_rotation(s: Scope, eta: Array) -> Array:
 
 
 def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
-    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
     s.write("new_twist", np.concatenate([omega, v]))
-    R = mx.multiply(s.read("base.R", 3, 3), R_rel)
-    r = s.read("base.r", 3) + mx.multiply(s.read("base.R", 3, 3), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
-    Q = quaternion_product(s.read("base.Q", 4), _joint_quaternion(s, q))
+    R = mx.multiply(s.read("base.R"), R_rel)
+    r = s.read("base.r") + mx.multiply(s.read("base.R"), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
+    Q = quaternion_product(s.read("base.Q"), _joint_quaternion(s, q))
     s.write("new_quaternion", Q)
     s.write("new_position", r)
     state = {"omega": omega, "v": v, "eta": eta, "etadot": etadot}
     r_T, omega_T, v_T = s.lower("tip", state, "r_T", "omega_T", "v_T")
-    s.write("tip.omega", omega_T)
-    s.write("tip.v", v_T)
+    s.write("tip.omega_T", omega_T)
+    s.write("tip.v_T", v_T)
     s.write("tip.R", mx.multiply(R, _tip_rotation(s, eta)))
     s.write("tip.r", r + mx.multiply(R, r_T))
     s.write("tip.Q", quaternion_product(Q, _tip_quaternion(s, eta)))
@@ -228,11 +228,11 @@ LINK_ROWS = (
 
 def joint_rows(s: Scope) -> None:
     """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
-    twist, q = s.read("twist", 6), s.read("q", s.key.joints)
-    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    twist, q = s.read("twist"), s.read("q")
+    parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     S_plus = pseudo_inverse(s, q)
-    qdot = mx.multiply(S_plus, _relative_twist(s, q, R, twist, "omega", "v"))
+    qdot = mx.multiply(S_plus, _relative_twist(s, q, R, twist, "omega_T", "v_T"))
     beta = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "beta_omega", "beta_v")
     _free_terms(s, twist)
     given = {
@@ -241,8 +241,8 @@ def joint_rows(s: Scope) -> None:
         "S_plus": S_plus,
         "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
-        "b_P": s.read("base.b", 6),
-        "tau": s.read("tau", s.key.joints),
+        "b_P": s.read("base.b"),
+        "tau": s.read("tau"),
         "qdot": qdot,
         "q": q,
     }
@@ -256,9 +256,9 @@ def joint_rows(s: Scope) -> None:
 
 def _free_terms(s: Scope, twist: Array) -> None:
     """Store inertia and bias of the link, of its tip section and of the bodies there, weight included."""
-    g = mx.multiply(quaternion_matrix(s.read("quaternion", 4)).T, s.read("gravity", 3))
+    g = mx.multiply(quaternion_matrix(s.read("quaternion")).T, s.read("gravity"))
     state = {"omega": twist[:3], "v": twist[3:], "g": g}
-    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
     I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
     s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
     s.keep("M_D", M_D)
@@ -272,8 +272,8 @@ def _free_terms(s: Scope, twist: Array) -> None:
     s.keep("r_T", values["r_T"])
     s.keep("Phi_c", values["Phi_c"])
     s.keep("b_T", np.concatenate([values["b_omega"], values["b_v"]]))
-    s.write("tip.omega", values["omega_T"])
-    s.write("tip.v", values["v_T"])
+    s.write("tip.omega_T", values["omega_T"])
+    s.write("tip.v_T", values["v_T"])
     state = {"omega_T": values["omega_T"], "v_T": values["v_T"], "g_T": mx.multiply(s.kept("R_T").T, g)}
     m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
     s.keep("M_T", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
@@ -285,7 +285,7 @@ def link_rows(s: Scope) -> None:
     r = s.key.modes
     given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
     given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
-    given |= {"m_eta": s.read("m_eta", r), "h_phi": s.kept("h_eta") + s.read("f_eta", r), "w_ext": s.read("w_ext", 6)}
-    given |= {"X": s.read("tip.X", 6, 6), "PX": s.read("tip.PX", 6, 6)}
+    given |= {"m_eta": s.read("m_eta"), "h_phi": s.kept("h_eta") + s.read("f_eta"), "w_ext": s.read("w_ext")}
+    given |= {"X": s.read("tip.X"), "PX": s.read("tip.PX")}
     for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):
         s.write(name, value)

@@ -38,7 +38,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     """The n + 1 nodes with what is known beforehand: a base at rest, falling up; a tip that carries nothing."""
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
-    out[0] |= {"omega": [0.0] * 3, "v": [0.0] * 3, "alpha_0": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
+    out[0] |= {"alpha_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
     out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
     out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3, "h_M": [0.0] * 6}

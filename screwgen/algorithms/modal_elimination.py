@@ -45,14 +45,14 @@ def _tip_shapes(s: Scope) -> Array:
 
 def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     M_V, M_D, h_V, h_eta = own
-    r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta", s.key.modes), _tip_shapes(s)
+    r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta"), _tip_shapes(s)
     M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
     h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p))
     loaded = mx.multiply(Lambda, Theta)
     C = s.name("C", M_D + _columns(r_T, loaded))
     elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + (m_eta[i] if i == j else 0.0)  # noqa: E731
     inertia = mx.symmetric(s.key.modes, elastic)
-    h_phi = s.name("h_phi", h_eta + s.read("f_eta", s.key.modes) + mx.multiply(Theta.T, p))
+    h_phi = s.name("h_phi", h_eta + s.read("f_eta") + mx.multiply(Theta.T, p))
     L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
     s.name("modes_inverse", inverse)
     Z, z = mx.forward(L, C.T), mx.forward(L, h_phi)
@@ -75,7 +75,7 @@ def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Arr
     """With ``Y = G E diag(1/m) E^T G^T = U U^T``: ``Lambda -> Lambda - Lambda U (I + U^T Lambda U)^-1 U^T Lambda``."""
     M_V, M_D, h_V, h_eta = own
     r_T, G, E = s.kept("r_T"), _turned(s), _shapes(s)
-    m_eta, h_phi = s.read("m_eta", s.key.modes), h_eta + s.read("f_eta", s.key.modes)
+    m_eta, h_phi = s.read("m_eta"), h_eta + s.read("f_eta")
     for m in m_eta:
         s.tracer.guard(m)
     s.keep("M_D", M_D)
@@ -119,7 +119,7 @@ def _compliant_accelerations(s: Scope, delta: Array) -> Array:
     """``etaddot = -diag(1/m) (h + M_D^T delta + E^T G^T f)`` with the tip's load ``f``."""
     load = mx.multiply(s.kept("carried"), mx.multiply(s.kept("reach"), delta)) + s.kept("p_carried")
     force = s.kept("h_phi") + mx.multiply(s.kept("M_D").T, delta) + mx.chain(_shapes(s).T, _turned(s).T, load)
-    return -mx.divide(force, s.read("m_eta", s.key.modes))
+    return -mx.divide(force, s.read("m_eta"))
 
 
 def _root(s: Scope, Y: Array) -> Array:

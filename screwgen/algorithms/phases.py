@@ -23,7 +23,7 @@ from .validity import axial_motion
 
 def kinematics(s: Scope) -> None:
     """Base to tip: angular velocity, and acceleration at rest of joints and modes, from q, qdot, eta, etadot."""
-    q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
+    q, qdot = s.read("q"), s.read("qdot")
     omega_R = relative_posture(s)
     joint_motion(s, q, qdot, omega_R)
     tip_motion(s)
@@ -31,18 +31,18 @@ def kinematics(s: Scope) -> None:
 
 def relative_posture(s: Scope) -> Array:
     """Store how the link stands to its parent; returns the angular velocity of the parent's tip in F_i axes."""
-    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
+    (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
     s.keep("R_rel", R_rel)
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
-        R = s.name("R_P", mx.multiply(s.read("base.R_T", 3, 3), R_rel))
+        R = s.name("R_P", mx.multiply(s.read("base.R_T"), R_rel))
         s.keep("R_P", R)
-        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega", 3)))
+        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega")))
 
 
 def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
     """Store angular velocity, ``alpha_0`` and the motion subspace at the origin of F_i."""
     with s.step("acceleration of the parent's tip in F_i axes"):
-        parent = mx.rotate_wrench(s.kept("R_P").T, s.read("base.alpha_0", 6))
+        parent = mx.rotate_wrench(s.kept("R_P").T, s.read("base.alpha_0"))
     given = {"q": q, "qdot": qdot, "omega_R": omega_R, "alpha_R": parent[:3], "a_R": parent[3:]}
     names = ("S", "lever", "omega", "alpha", "a")
     S, lever, omega, alpha, a = s.lower("joint_motion", given, *names)
@@ -60,7 +60,7 @@ def swing(alpha: Array, omega: Array, r: Array) -> Array:
 def tip_motion(s: Scope) -> None:
     """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
     alpha_0 = s.kept("alpha_0")
-    state = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    state = {"eta": s.read("eta"), "etadot": s.read("etadot")}
     state |= {"omega": s.kept("omega"), "alpha": alpha_0[:3], "a": alpha_0[3:]}
     r_T, Phi_c, omega, alpha, a = s.lower("tip_motion", state, "r_T", "Phi_c", "omega_t", "alpha_t", "a_t")
     R_T, J_l, Psi_c = mx.identity(3), mx.identity(3), mx.zeros(3, s.key.modes)
@@ -80,7 +80,7 @@ def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
     """``M_V, M_D, h_V, h_eta`` of the link alone, the forces at ``alpha_0``."""
     alpha_0 = s.kept("alpha_0")
     state = {"omega": s.kept("omega"), "alpha": alpha_0[:3], "v": mx.zeros(3), "g": -alpha_0[3:]}
-    state |= {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
     m, I, S, M_D, h_V, h_eta = s.lower("turning_link", state, "m", "I", "S", "M_D", "h_V", "h_eta")
     return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
 
@@ -97,10 +97,10 @@ def tip_load(s: Scope) -> tuple[Array, Array]:
     with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
         m, S, I = tip_bodies(s)
         M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
-        Lambda = s.name("Lambda_T", mx.unpack(s.read("tip.Lambda", 21)) + M_T)
-        outside = mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6))
-        bias = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6), m, S, I)
-        return Lambda, s.name("p_T", s.read("tip.p", 6) + bias - outside)
+        Lambda = s.name("Lambda_T", mx.unpack(s.read("tip.Lambda")) + M_T)
+        outside = mx.rotate_wrench(s.kept("R_T"), s.read("w_ext"))
+        bias = body_force(s.read("tip.omega"), s.read("tip.alpha_0"), m, S, I)
+        return Lambda, s.name("p_T", s.read("tip.p") + bias - outside)
 
 
 def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
@@ -145,7 +145,7 @@ def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and what they add to the acceleration of the tip."""
     R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
-        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta", 6))))
+        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))))
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
         s.write("qddot", qddot)
     with s.step("joint wrench (48)"):
@@ -176,8 +176,8 @@ def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
 
 def inverse_outward(s: Scope) -> None:
     """Base to tip: what qddot and etaddot add to the accelerations."""
-    qddot, etaddot = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes)
-    carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta", 6)))
+    qddot, etaddot = s.read("qddot"), s.read("etaddot")
+    carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta")))
     delta = carried + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
     s.write("tip.delta", tip_acceleration(s, delta, etaddot))
@@ -185,19 +185,19 @@ def inverse_outward(s: Scope) -> None:
 
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the wrenches that the accelerations need, and the generalised forces."""
-    qddot, etaddot, delta = s.read("qddot", s.key.joints), s.read("etaddot", s.key.modes), s.kept("delta")
+    qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
     m, S, I = tip_bodies(s)
-    bodies = body_force(s.read("tip.omega", 3), s.read("tip.alpha_0", 6) + s.read("tip.delta", 6), m, S, I)
-    load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext", 6)) + s.read("tip.p", 6)
+    bodies = body_force(s.read("tip.omega"), s.read("tip.alpha_0") + s.read("tip.delta"), m, S, I)
+    load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
     if s.key.bends:
         axial_motion(s, s.kept("omega"), s.kept("alpha_0")[3] + delta[3], needed[3])
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
-    modal = mx.multiply(M_D.T, delta) + s.read("m_eta", s.key.modes) * etaddot
+    modal = mx.multiply(M_D.T, delta) + s.read("m_eta") * etaddot
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
-    s.write("force_eta", modal + h_eta + s.read("f_eta", s.key.modes) + turned + moved)
+    s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)
     s.write("force", mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s))
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
@@ -209,10 +209,10 @@ def inverse_inward(s: Scope) -> None:
 def poses(s: Scope) -> None:
     """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
     R_rel, R_T, r_T = _relative_pose(s)
-    R_P, r_P = s.read("base.R", 3, 3), s.read("base.r", 3)
+    R_P, r_P = s.read("base.R"), s.read("base.r")
     with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
         R = mx.multiply(R_P, R_rel)
-        joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q", s.key.joints) if s.key.slides else None))
+        joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
         r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)
@@ -225,8 +225,8 @@ def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
     """``R_rel, R_T, r_T``: kept by an earlier phase, or computed."""
     if "R_rel" in s.layouts:
         return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
-    (R_rel,) = s.lower("posture", {"q": s.read("q", s.key.joints)}, "R_rel")
-    eta = {"eta": s.read("eta", s.key.modes)}
+    (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
+    eta = {"eta": s.read("eta")}
     r_T = s.lower("tip_pose", eta, "r_T")[0]
     R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
     return R_rel, R_T, r_T
@@ -234,39 +234,39 @@ def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
 
 def velocities(s: Scope) -> None:
     """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
-    q, qdot = s.read("q", s.key.joints), s.read("qdot", s.key.joints)
-    parent = {"omega_P": s.read("base.omega", 3), "v_P": s.read("base.v", 3)}
+    q, qdot = s.read("q"), s.read("qdot")
+    parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "omega", "v")
     s.keep("twist", np.concatenate([omega, v]))
-    modal = {"eta": s.read("eta", s.key.modes), "etadot": s.read("etadot", s.key.modes)}
+    modal = {"eta": s.read("eta"), "etadot": s.read("etadot")}
     omega_T, v_T = s.lower("tip", {"omega": omega, "v": v, **modal}, "omega_T", "v_T")
-    s.write("tip.omega", omega_T)
-    s.write("tip.v", v_T)
+    s.write("tip.omega_T", omega_T)
+    s.write("tip.v_T", v_T)
 
 
 def tip_twist(s: Scope) -> None:
     """The twist of the tip section, at the tip point, in inertial axes."""
-    R = s.read("tip.R", 3, 3)
-    s.write("tip_twist", [*mx.multiply(R, s.read("tip.omega", 3)), *mx.multiply(R, s.read("tip.v", 3))])
+    R = s.read("tip.R")
+    s.write("tip_twist", [*mx.multiply(R, s.read("tip.omega_T")), *mx.multiply(R, s.read("tip.v_T"))])
 
 
 def energy(s: Scope) -> None:
     """Energies of one link: kinetic, and potential of stress, joint springs and weight."""
-    q, qdot, eta = s.read("q", s.key.joints), s.read("qdot", s.key.joints), s.read("eta", s.key.modes)
+    q, qdot, eta = s.read("q"), s.read("qdot"), s.read("eta")
     twist = s.kept("twist")
-    state = {"omega": twist[:3], "v": twist[3:], "g": mx.zeros(3), "eta": eta, "etadot": s.read("etadot", s.key.modes)}
+    state = {"omega": twist[:3], "v": twist[3:], "g": mx.zeros(3), "eta": eta, "etadot": s.read("etadot")}
     kinetic, stress, m, S = s.lower("energy", state, "kinetic", "stress", "m", "S")
-    V_T = np.concatenate([s.read("tip.omega", 3), s.read("tip.v", 3)])
+    V_T = np.concatenate([s.read("tip.omega_T"), s.read("tip.v_T")])
     still = {"omega_T": V_T[:3], "v_T": V_T[3:], "g_T": mx.zeros(3)}
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
     rotor = mx.dot(qdot, armature(s) * qdot)
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
-    R, r, R_T, r_T = s.read("R", 3, 3), s.read("r", 3), s.read("tip.R", 3, 3), s.read("tip.r", 3)
+    R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
     spring = mx.dot(q * stiffness(s), q)
-    s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity", 3), moment)])
+    s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity"), moment)])
 
 
 # --------------------------------------------------------------------------------- parts of the joint
@@ -299,14 +299,14 @@ def stiffness(s: Scope) -> Array:
 
 def own_inertia(s: Scope) -> Array:
     """The inertia of the joint's own coordinates: the armature, or what is given of a sprung joint."""
-    return s.read("m_q", s.key.joints) if s.key.sprung else armature(s)
+    return s.read("m_q") if s.key.sprung else armature(s)
 
 
 def own_force(s: Scope) -> Array:
     """What damper and spring of the joint need."""
-    return s.read("f_q", s.key.joints) if s.key.sprung else mx.zeros(s.key.joints)
+    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)
 
 
 def drive(s: Scope) -> Array:
     """What motor, damper and spring give together."""
-    return s.read("tau", s.key.joints) - own_force(s)
+    return s.read("tau") - own_force(s)

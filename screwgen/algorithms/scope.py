@@ -30,6 +30,7 @@ from ..spec.link_class import LinkClass
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
 from .matrices import zeros
+from .signals import signal
 
 
 @cache
@@ -111,7 +112,8 @@ class Scope:
     fresh: dict[str, Array] = field(default_factory=dict)
 
     def read(self, name: str, *shape: int) -> Array:
-        """An input signal."""
+        """An input signal; ``shape`` where it has no type of its own in :mod:`.signals`."""
+        shape = shape or signal(name).size(self.key.joints, self.key.modes)
         size = int(np.prod(shape))
         if name not in self.inputs:
             self.inputs[name] = self.tracer.input(name, size)

@@ -55,17 +55,17 @@ def motion(s: Scope) -> None:
     s.write("w.acc_i", s.name("acc", link.stacked))
     s.write("w.a_J", a_J)
     tip = tip_motion(s, link)
-    s.write("tip.omega", tip.omega)
+    s.write("tip.omega_T", tip.omega)
     s.write("tip.acc", tip.stacked)
 
 
 def link_motion(s: Scope) -> tuple[Motion, Array]:
     """The motion of F_i, and the acceleration of its joint point."""
-    q, qdot, qddot = (s.read(name, s.key.joints) for name in ("q", "qdot", "qddot"))
+    q, qdot, qddot = (s.read(name) for name in ("q", "qdot", "qddot"))
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     with s.step("motion: that of the parent's tip in F_i axes"):
-        parent = mx.rotate_wrench(R.T, s.read("base.acc", 6))
-        omega_R = mx.multiply(R.T, s.read("base.omega", 3))
+        parent = mx.rotate_wrench(R.T, s.read("base.acc"))
+        omega_R = mx.multiply(R.T, s.read("base.omega_T"))
     given = {"q": q, "qdot": qdot, "omega_R": omega_R, "alpha_R": parent[:3], "a_R": parent[3:]}
     A, omega, alpha, a_J = s.lower("joint_motion", given, "A", "omega", "alpha", "a_J")
     with s.step("motion: angular acceleration, inertial acceleration of the origin of F_i against free fall"):
@@ -87,12 +87,12 @@ def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
     given = tip_state(s) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
     omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
-        etaddot = s.read("etaddot", s.key.modes)
+        etaddot = s.read("etaddot")
         return Motion(omega, alpha + mx.multiply(t.phi, etaddot), a + mx.multiply(Phi, etaddot))
 
 
 def tip_state(s: Scope) -> dict[str, Array]:
-    eta, etadot = s.read("eta", s.key.modes), s.read("etadot", s.key.modes)
+    eta, etadot = s.read("eta"), s.read("etadot")
     return {"omega": mx.zeros(3), "v": mx.zeros(3), "eta": eta, "etadot": etadot}
 
 
@@ -113,7 +113,7 @@ def turning(s: Scope) -> Turning:
     values = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
     with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
-        thetaddot = mx.multiply(Psi, s.read("etaddot", r))
+        thetaddot = mx.multiply(Psi, s.read("etaddot"))
         Jdot, Jddot = _rates_of_J(s, values, thetaddot)
         return Turning(*(mx.multiply(m, Psi) for m in (J, Jdot, Jddot)), values["omega_s"])
 
@@ -183,7 +183,7 @@ def link_answers(s: Scope) -> Load:
     motion with them, and of the modal forces with the link's motion.
     """
     r = s.key.modes
-    link = Motion(s.read("w.omega_i", 3), *np.split(s.read("w.acc_i", 6), 2))
+    link = Motion(s.read("w.omega_i"), *np.split(s.read("w.acc_i"), 2))
     t, load, (r_T, Phi, udot) = turning(s), tip_load(s), tip_point(s)
     E = np.vstack([t.phi, Phi])
     own, slopes = link_wrench(s, link)
@@ -217,21 +217,21 @@ def link_answers(s: Scope) -> Load:
 
 
 def tip_load(s: Scope) -> Load:
-    omega, acc = s.read("tip.omega", 3), s.read("tip.acc", 6)
+    omega, acc = s.read("tip.omega_T"), s.read("tip.acc")
     state = {"omega_T": omega, "v_T": mx.zeros(3), "g_T": mx.zeros(3)}
     m, S, I, tau, F = s.lower("tip_body", state, "m_T", "S_T", "I_T", "h_T_tau", "h_T_F")
     bias, R = np.concatenate([tau, F]), tip_rotation(s)
     with s.step("tip load: the next link, bodies and external wrench, in F_i axes at the tip point"):
         M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
-        wrench = s.read("tip.f", 6) + mx.multiply(M_T, acc) + bias - s.read("w_ext", 6)
-        Gamma = s.read("tip.Gamma", 6, 3) + mx.array(columns(bias, omega)).T
-        Lambda = mx.rotate(R, mx.unpack(s.read("tip.Lambda", 21)) + M_T)
+        wrench = s.read("tip.f") + mx.multiply(M_T, acc) + bias - s.read("w_ext")
+        Gamma = s.read("tip.Gamma") + mx.array(columns(bias, omega)).T
+        Lambda = mx.rotate(R, mx.unpack(s.read("tip.Lambda")) + M_T)
         return Load(mx.rotate_wrench(R, wrench), Lambda, rotated_columns(R, mx.multiply(Gamma, R.T)))
 
 
 def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Array]]:
     """Wrench and modal force of the link alone; and their changes with omega, eta and etadot."""
-    eta, etadot, etaddot = (s.read(name, s.key.modes) for name in ("eta", "etadot", "etaddot"))
+    eta, etadot, etaddot = (s.read(name) for name in ("eta", "etadot", "etaddot"))
     state = {"omega": link.omega, "v": mx.zeros(3), "g": mx.zeros(3), "eta": eta, "etadot": etadot}
     I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
     with s.step("link: wrench and modal forces of the link alone, and their slopes"):
@@ -264,15 +264,15 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 def joint_answers(s: Scope, carried: Load) -> None:
     """The joint's rows, their changes with the joint's coordinates, and what is handed to the parent."""
-    m, omega_P = s.key.joints, s.read("base.omega", 3)
-    q, qdot = s.read("q", m), s.read("qdot", m)
+    m, omega_P = s.key.joints, s.read("base.omega_T")
+    q, qdot = s.read("q"), s.read("qdot")
     R, A = s.lower("posture", {"q": q}, "R_rel", "A")
     T = s.lower("posture", {"q": q}, "T")[0] if s.key.slides else mx.zeros(3, m)
-    omega, acc = s.read("w.omega_i", 3), s.read("w.acc_i", 6)
+    omega, acc = s.read("w.omega_i"), s.read("w.acc_i")
     r_B, r_J = joint_point(s), joint_offset(s, q)
     with s.step("joint: change of the link's motion with the joint's coordinates and rates"):
         omega_J, v_J = mx.multiply(A, qdot), mx.multiply(R, mx.multiply(T, qdot))
-        u_q, u_qdot = joint_changes(s, A, T, Motion(omega, acc[:3], s.read("w.a_J", 3)), r_B)
+        u_q, u_qdot = joint_changes(s, A, T, Motion(omega, acc[:3], s.read("w.a_J")), r_B)
     with s.step("joint: its rows and their changes; what is handed to the parent"):
         axes = np.vstack([A, T + mx.multiply(mx.hat(r_B), A)])
         answer = np.hstack([carried.Gamma, carried.Lambda])
@@ -303,7 +303,7 @@ def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tu
     With S_k a column of the motion subspace and V the twist, ``dV/dq_k = Sdot_k + ad_V S_k``, and its rate likewise;
     seen from where the joint point is at rest.
     """
-    qdot, qddot = s.read("qdot", s.key.joints), s.read("qddot", s.key.joints)
+    qdot, qddot = s.read("qdot"), s.read("qddot")
     Adot, Addot, Tdot, Tddot = subspace_rates(A, T, qdot, qddot)
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)

@@ -24,7 +24,7 @@ def measure(s: Scope) -> None:
     if not s.key.bends:
         s.write("measures", mx.zeros(len(MEASURES)))
         return
-    motion, wrench = s.read("motion", 4), s.read("wrench", 6)
-    given = {"eta": s.read("eta", s.key.modes), "omega_t": motion[:2], "a_x": motion[2:3], "F_x": wrench[3:4]}
+    motion, wrench = s.read("motion"), s.read("wrench")
+    given = {"eta": s.read("eta"), "omega_t": motion[:2], "a_x": motion[2:3], "F_x": wrench[3:4]}
     given["F_own"] = motion[3:]
     s.write("measures", np.concatenate([np.ravel(x) for x in s.lower("validity", given, *MEASURES)]))

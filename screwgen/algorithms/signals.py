@@ -1,0 +1,186 @@
+"""The signals that the phases exchange: shape, unit, frame and meaning of each, said once.
+
+``node.*`` are kept between a link and those that it carries, ``w.*`` by a link from one phase to the next; all others are
+inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates of a link and ``r`` for its modes. Angular
+parts come first. Accelerations of points are those of material points in the inertial frame, free fall taken off.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
+CARRIER = "axes of the F_i that carries the node"
+TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
+MODAL, MIXED = "m (torsion: rad)", "see the joint's rows"
+
+
+class Signal(NamedTuple):
+    """The type of a signal."""
+
+    shape: tuple[int | str, ...]
+    unit: str
+    frame: str
+    meaning: str
+
+    def size(self, joints: int, modes: int) -> tuple[int, ...]:
+        """The shape for a link of so many joint coordinates and modes."""
+        return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
+
+    @property
+    def comment(self) -> str:
+        """Unit, meaning and frame, as a header states them."""
+        unit = "" if self.unit == "-" else f"{self.unit}: "
+        return unit + self.meaning + ("" if self.frame == "-" else f", in {self.frame}")
+
+
+NODE = {
+    "omega": Signal((3,), "rad/s", CARRIER, "angular velocity of the tip section"),
+    "v": Signal((3,), "m/s", CARRIER, "velocity of the tip point"),
+    "alpha_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
+    "delta": Signal((6,), ACCELERATION, CARRIER, "what the accelerations of joints and modes add"),
+    "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
+    "Lambda": Signal((21,), INERTIA, CARRIER, "inertia of what the tip carries, upper triangle row by row"),
+    "p": Signal((6,), WRENCH, CARRIER, "wrench that it needs while no joint and no mode accelerates"),
+    "omega_T": Signal((3,), "rad/s", TIP, "angular velocity of the tip section"),
+    "v_T": Signal((3,), "m/s", TIP, "velocity of the tip point"),
+    "b": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section that the velocities cause"),
+    "acc": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section"),
+    "f": Signal((6,), WRENCH, TIP, "wrench of what the tip carries"),
+    "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "change of that wrench with the angular velocity"),
+    "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
+    "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
+    "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
+    "R_m": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame before projection, row by row"),
+    "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),
+    "omega_m": Signal((3,), "rad/s", TIP, "angular velocity of the tip section before projection"),
+    "v_m": Signal((3,), "m/s", TIP, "velocity of the tip point before projection"),
+    "X": Signal((6, 6), "-, m", "next F_i", "twist of the next joint point from that of the tip"),
+    "PX": Signal((6, 6), MIXED, "next F_i", "columns of this tip in the next joint's rows"),
+    "h_M": Signal((6,), MIXED, "next F_i", "what the tip's term of the Z-form adds to the next joint's rows"),
+}
+"""Of a node: the tip section of a link, or the base."""
+
+CALL = {
+    "q": Signal(("m",), "rad", "-", "joint coordinates"),
+    "qdot": Signal(("m",), "rad/s", "-", "joint rates"),
+    "qddot": Signal(("m",), "rad/s^2", "-", "joint accelerations"),
+    "new_q": Signal(("m",), "rad", "-", "joint coordinates, corrected"),
+    "tau": Signal(("m",), "N*m", "-", "joint torques"),
+    "m_q": Signal(("m",), "kg*m^2", "-", "inertia of the joint coordinates"),
+    "f_q": Signal(("m",), "N*m", "-", "force of springs and dampers of the joint"),
+    "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
+    "eta": Signal(("r",), MODAL, "-", "modal coordinates"),
+    "etadot": Signal(("r",), "m/s (torsion: rad/s)", "-", "modal rates"),
+    "etaddot": Signal(("r",), "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
+    "m_eta": Signal(("r",), "kg (torsion: kg*m^2)", "-", "inertia of the modes"),
+    "f_eta": Signal(("r",), "N (torsion: N*m)", "-", "stress and damping of the modes"),
+    "force_eta": Signal(("r",), "N (torsion: N*m)", "-", "force of the modal coordinates"),
+    "gravity": Signal((3,), "m/s^2", INERTIAL, "acceleration of free fall"),
+    "w_ext": Signal((6,), WRENCH, TIP, "external wrench on the tip section"),
+    "wrench": Signal((6,), WRENCH, F_I, "wrench of the joint on the link, at the joint point"),
+    "alpha": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),
+    "Vdot": Signal((6,), ACCELERATION, F_I, "rate of the twist"),
+    "twist": Signal((6,), TWIST, F_I, "angular velocity of F_i and velocity of its origin"),
+    "new_twist": Signal((6,), TWIST, F_I, "the twist on the joints"),
+    "quaternion": Signal((4,), "-", INERTIAL, "rotation of F_i, quaternion (w, x, y, z)"),
+    "new_quaternion": Signal((4,), "-", INERTIAL, "rotation of F_i on the joints, unit quaternion"),
+    "quaternion_rate": Signal((4,), "1/s", INERTIAL, "rate of the quaternion"),
+    "position": Signal((3,), "m", INERTIAL, "position of the origin of F_i"),
+    "new_position": Signal((3,), "m", INERTIAL, "position of the origin of F_i on the joints"),
+    "position_rate": Signal((3,), "m/s", INERTIAL, "rate of the position"),
+    "R": Signal((3, 3), "-", INERTIAL, "rotation of F_i, row by row"),
+    "r": Signal((3,), "m", INERTIAL, "position of the origin of F_i"),
+    "tip_twist": Signal((6,), TWIST, INERTIAL, "angular velocity of the tip section and velocity of the tip point"),
+    "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "turn about y and z, axial acceleration, own axial force"),
+    "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
+    "kinetic": Signal((1,), "J", "-", "kinetic energy"),
+    "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
+    "joint_w": Signal((6, 6), MIXED, F_I, "joint's rows, columns of its wrench"),
+    "joint_V": Signal((6, 6), MIXED, F_I, "joint's rows, columns of the link's twist rate"),
+    "joint_H": Signal((6,), MIXED, F_I, "joint's rows, bias"),
+    "joint_W": Signal((6,), MIXED, F_I, "joint's rows, torques"),
+    "V_w": Signal((6, 6), "-, m", F_I, "twist rows, columns of the joint's wrench"),
+    "V_V": Signal((6, 6), INERTIA, F_I, "twist rows, columns of the twist rate"),
+    "V_eta": Signal((6, "r"), "kg*m, kg", F_I, "twist rows, columns of the modal accelerations"),
+    "V_next": Signal((6, 6), "-, m", F_I, "twist rows, columns of the next joint's wrench"),
+    "V_H": Signal((6,), WRENCH, F_I, "twist rows, bias"),
+    "V_W": Signal((6,), WRENCH, F_I, "twist rows, external wrench"),
+    "eta_V": Signal(("r", 6), "kg*m, kg", F_I, "modal rows, columns of the twist rate"),
+    "eta_eta": Signal(("r", "r"), "kg", "-", "modal rows, columns of the modal accelerations"),
+    "eta_next": Signal(("r", 6), "-, 1/m", F_I, "modal rows, columns of the next joint's wrench"),
+    "eta_H": Signal(("r",), "N", "-", "modal rows, bias"),
+    "eta_W": Signal(("r",), "N", "-", "modal rows, external wrench"),
+    "next_V": Signal((6, 6), MIXED, "next F_i", "next joint's rows, columns of the twist rate"),
+    "next_eta": Signal((6, "r"), MIXED, "next F_i", "next joint's rows, columns of the modal accelerations"),
+}
+"""Of a call, for one link."""
+
+STORE = {
+    "omega": Signal((3,), "rad/s", F_I, "angular velocity"),
+    "alpha_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
+    "delta": Signal((6,), ACCELERATION, F_I, "what the accelerations of joints and modes add"),
+    "R_rel": Signal((3, 3), "-", "parent's tip frame", "rotation of F_i"),
+    "R_P": Signal((3, 3), "-", "parent's F_i", "rotation of F_i"),
+    "lever": Signal((3,), "m", F_I, "origin of F_i from the parent's tip point"),
+    "S": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
+    "r_T": Signal((3,), "m", F_I, "tip point"),
+    "R_T": Signal((3, 3), "-", F_I, "rotation of the tip frame"),
+    "J_l": Signal((3, 3), "-", F_I, "left Jacobian of the tip section's turn"),
+    "Psi_c": Signal((3, "r"), "1/m", F_I, "turn of the tip section by each mode"),
+    "Phi_c": Signal((3, "r"), "-", F_I, "displacement of the tip point by each mode"),
+    "own_axial": Signal(("r+7",), "kg, N", F_I, "row of the axial force that moves the link"),
+    "twist": Signal((6,), TWIST, F_I, "angular velocity of F_i and velocity of its origin"),
+    "modes_L": Signal(("r", "r"), "-", "-", "unit lower factor of the modes' inertia"),
+    "modes_W": Signal(("r", 6), "1/m", F_I, "modal accelerations by those of F_i"),
+    "modes_w": Signal(("r",), "m/s^2", "-", "modal accelerations by the forces"),
+    "reach": Signal((6, 6), "-, m", F_I, "acceleration of the tip by that of F_i, the modes left to give way"),
+    "carried": Signal((6, 6), INERTIA, F_I, "inertia of what the tip carries, the modes left to give way"),
+    "p_carried": Signal((6,), WRENCH, F_I, "its bias"),
+    "h_phi": Signal(("r",), "N", "-", "bias of the modal rows"),
+    "M_D": Signal((6, "r"), "kg*m, kg", F_I, "wrench that modal accelerations need"),
+    "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor of the joint's inertia"),
+    "joint_W": Signal(("m", 6), "-, 1/m", F_I, "joint accelerations by those of F_i"),
+    "joint_w": Signal(("m",), "rad/s^2", "-", "joint accelerations by the torques"),
+    "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and what it carries"),
+    "p_i": Signal((6,), WRENCH, F_I, "its bias"),
+    "M_V": Signal((6, 6), INERTIA, F_I, "inertia in the twist rows"),
+    "M_T": Signal((6, 6), INERTIA, TIP, "inertia of the bodies at the tip"),
+    "h_V": Signal((6,), WRENCH, F_I, "bias of the twist rows"),
+    "h_T": Signal((6,), WRENCH, TIP, "bias of the bodies at the tip"),
+    "h_eta": Signal(("r",), "N", "-", "gyroscopic force and weight on the modes"),
+    "b_T": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section that the velocities cause"),
+    "omega_i": Signal((3,), "rad/s", F_I, "angular velocity"),
+    "acc_i": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),
+    "a_J": Signal((3,), "m/s^2", F_I, "acceleration of the joint point"),
+    "omega_J": Signal((3,), "rad/s", F_I, "angular velocity relative to the parent's tip"),
+    "omega_s": Signal((3,), "rad/s", F_I, "angular velocity of the tip section relative to F_i"),
+    "udot_T": Signal((3,), "m/s", F_I, "velocity of the tip point relative to F_i"),
+    "r_B": Signal((3,), "m", F_I, "joint point"),
+    "r_J": Signal((3,), "m", "parent's tip frame", "joint point from the parent's tip point"),
+    "v_J": Signal((3,), "m/s", "parent's tip frame", "velocity of the joint point relative to the parent's tip"),
+    "axes": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
+    "E": Signal((6, "r"), "1/m, -", F_I, "motion of the tip section by each mode"),
+    "u_q": Signal((9, "m"), "-", F_I, "change of the motion of F_i with the joint coordinates"),
+    "u_qdot": Signal((9, "m"), "-", F_I, "change of the motion of F_i with the joint rates"),
+    "tip_eta": Signal((9, "r"), "-", F_I, "change of the tip's motion with the modes"),
+    "tip_etadot": Signal((9, "r"), "-", F_I, "change of the tip's motion with the modal rates"),
+    "rows_q": Signal(("m", 9), "-", F_I, "change of the joint's forces with the motion of F_i"),
+    "rows_eta": Signal(("r", 9), "-", F_I, "change of the modal forces with the motion of F_i"),
+    "F_q": Signal((6, "m"), WRENCH, F_I, "change of the wrench with the joint coordinates"),
+    "F_qdot": Signal((6, "m"), WRENCH, F_I, "change of the wrench with the joint rates"),
+    "F_eta": Signal((6, "r"), WRENCH, F_I, "change of the wrench with the modes"),
+    "F_etadot": Signal((6, "r"), WRENCH, F_I, "change of the wrench with the modal rates"),
+    "f_q": Signal(("m", "m"), "N*m", "-", "change of the joint's forces with its coordinates"),
+    "f_qdot": Signal(("m", "m"), "N*m*s", "-", "change of the joint's forces with its rates"),
+    "f_eta": Signal(("r", "r"), "N/m", "-", "change of the modal forces with the modes"),
+    "f_etadot": Signal(("r", "r"), "N*s/m", "-", "change of the modal forces with the modal rates"),
+    "M_eta_eta": Signal(("r", "r"), "kg", "-", "inertia that the tip's load adds to the modes"),
+}
+"""Of a link's own store."""
+
+
+def signal(name: str) -> Signal:
+    """The type of the signal that a phase calls ``name``."""
+    where, _, what = name.rpartition(".")
+    return {"base": NODE, "tip": NODE, "w": STORE, "": CALL}[where][what]

@@ -22,37 +22,13 @@ from . import rows as rw
 from .functions import Functions
 from .fused import fuse
 from .schedule import COLUMNS
+from .signals import STORE
 
-SHAPES = {
-    "F_q": (6, "m"),
-    "F_qdot": (6, "m"),
-    "f_q": ("m", "m"),
-    "f_qdot": ("m", "m"),
-    "u_q": (9, "m"),
-    "u_qdot": (9, "m"),
-    "rows_q": ("m", 9),
-    "axes": (6, "m"),
-    "F_eta": (6, "r"),
-    "F_etadot": (6, "r"),
-    "f_eta": ("r", "r"),
-    "f_etadot": ("r", "r"),
-    "tip_eta": (9, "r"),
-    "tip_etadot": (9, "r"),
-    "rows_eta": ("r", 9),
-    "M_eta_eta": ("r", "r"),
-    "E": (6, "r"),
-    "R_T": (3, 3),
-    "R_rel": (3, 3),
-    "r_T": (3,),
-    "udot_T": (3,),
-    "omega_s": (3,),
-    "omega_i": (3,),
-    "omega_J": (3,),
-    "r_B": (3,),
-    "r_J": (3,),
-    "v_J": (3,),
-}
-"""What the phases leave in a link's store for the pairs; m joint and r modal coordinates."""
+PAIRS = (
+    "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
+    "E R_T R_rel r_T udot_T omega_s omega_i omega_J r_B r_J v_J"
+).split()
+"""What the phases leave in a link's store for the pairs of links."""
 
 Section = Callable[[str], AbstractContextManager]
 
@@ -85,8 +61,8 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
 
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
-    sizes = {"m": chain.keys[i].joints, "r": chain.keys[i].modes}
-    shapes = {name: tuple(sizes.get(x, x) for x in shape) for name, shape in SHAPES.items()}
+    key = chain.keys[i]
+    shapes = {name: STORE[name].size(key.joints, key.modes) for name in PAIRS}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
 

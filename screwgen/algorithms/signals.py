@@ -1,8 +1,9 @@
 """The signals that the phases exchange: shape, unit, frame and meaning of each, said once.
 
-``node.*`` are kept between a link and those that it carries, ``w.*`` by a link from one phase to the next; all others are
-inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates of a link and ``r`` for its modes. Angular
-parts come first. Accelerations of points are those of material points in the inertial frame, free fall taken off.
+Those of a node stand between a link and the links that it carries. Those of the store are kept by a link from one phase
+to the next. All others are inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates of a link and
+``r`` for its modes. Angular parts come first. Accelerations are those of material points in the inertial frame, free
+fall taken off.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
+from ...algorithms.signals import NODE, STORE
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
@@ -137,31 +138,14 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     return out
 
 
-NODE = {
-    "omega": "rad/s: angular velocity, in the node's own frame",
-    "v": "m/s: velocity of the node",
-    "omega_m": "rad/s: angular velocity before projection",
-    "v_m": "m/s: velocity before projection",
-    "alpha_0": "rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, free fall taken off",
-    "delta": "rad/s^2, m/s^2: what the accelerations of joints and modes add",
-    "R_T": "rotation to the link frame, row by row",
-    "Lambda": "inertia that the next link hands down, upper triangle row by row",
-    "p": "N*m, N: what it needs while no joint and no mode accelerates",
-    "R": "rotation to the inertial frame, row by row",
-    "r": "m: position in the inertial frame",
-    "R_m": "rotation before projection, row by row",
-    "Q": "unit quaternion (w, x, y, z) to the inertial frame",
-}
-
-
 def node_fields(programs: Iterable[Program]) -> list[Field]:
     """The members of a node that the programs read or write."""
-    return [Field(n, s, NODE.get(n, "")) for n, s in _signals(programs, ("base.", "tip.")).items()]
+    return [Field(n, s, NODE[n].comment) for n, s in _signals(programs, ("base.", "tip.")).items()]
 
 
 def store_fields(programs: Iterable[Program]) -> list[Field]:
     """The members of a link's store."""
-    return [Field(n, s, "") for n, s in _signals(programs, ("w.",)).items()]
+    return [Field(n, s, STORE[n].comment) for n, s in _signals(programs, ("w.",)).items()]
 
 
 def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,31 +10,14 @@ from dataclasses import dataclass, field
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places
 from ...algorithms.schedule import OUTWARD, Algorithm
+from ...algorithms.signals import CALL
 from ...algorithms.structure import Passage, passages
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
 
-JOINT = {"q", "qdot", "tau", "m_q", "f_q", "qddot", "new_q", "force"}
-MODAL = {"eta", "etadot", "m_eta", "f_eta", "etaddot", "force_eta"}
-STRIDE = {
-    "w_ext": 6,
-    "wrench": 6,
-    "motion": 4,
-    "measures": 4,
-    "twist": 6,
-    "alpha": 6,
-    "Vdot": 6,
-    "quaternion": 4,
-    "new_twist": 6,
-    "new_quaternion": 4,
-    "new_position": 3,
-    "R": 9,
-    "r": 3,
-    "tip_twist": 6,
-}
 WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
-READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "wrench", "motion")}
+READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "position", "wrench", "motion")}
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
 WITHIN = {"motion": "wrench"}  # asked for only with the other
@@ -302,13 +286,15 @@ class Places:
         return out
 
     def _address(self, member: str, name: str, optional=True) -> str:
-        if name in JOINT:
-            return f"call->{member} + q"
-        if name in MODAL:
-            return f"call->{member} + e"
         if name in ("eta_H", "eta_W"):
             return f"call->{name[-1]} + {12 * self.links.chain.n} + e"
-        place = f"call->{member} + {STRIDE[name]} * i" if name in STRIDE else f"call->{member}"
+        match CALL[name].shape:
+            case ("m",):
+                place = f"call->{member} + q"
+            case ("r",):
+                place = f"call->{member} + e"
+            case shape:
+                place = f"call->{member}" if name == "gravity" else f"call->{member} + {math.prod(shape)} * i"
         return f"call->{member} ? {place} : 0" if optional and name in OPTIONAL else place
 
     def _assembly(self, writes: list[str], real: str) -> list[tuple[str, str]]:

@@ -127,6 +127,7 @@ class CProject:
             "n_modes": chain.n_modes,
             "nq": chain.nq,
             "sprung": chain.sprung,
+            "slides": any(key.slides for key in chain.keys),
             "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
             "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
             "nx": state_size(chain),

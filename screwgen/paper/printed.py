@@ -67,6 +67,10 @@ class PrintedModel:
     def chain(self) -> Chain:
         return self.model.chain
 
+    def record(self) -> dict:
+        """Which equations are as printed."""
+        return {"as_printed": list(self.as_printed)}
+
     def assemble(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys``, ``H_sys``, ``W_sys`` at joint form ``q``, ``v`` (nq,), torques and external wrenches (n, 6)."""
         numeric = self.model.numpy()

@@ -9,12 +9,12 @@ import pytest
 from conftest import require_tool
 from latex_documents import too_wide
 
-from screwgen.algebra.plain import WIDTH, shown
 from screwgen.cli.main import main
 from screwgen.paper import document
+from screwgen.paper.plain import WIDTH, shown
 from screwgen.paper.register import equations, errata
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 ERRATA_PAGE, README = ROOT / "docs" / "errata.md", ROOT / "README.md"
 
 

@@ -81,9 +81,13 @@ def plugins() -> tuple[Plugin, ...]:
     One that is declared but whose module is not there is left out: its folder may be deleted.  Raises ScrewgenError
     for one that is there and cannot be imported.
     """
-    declared = {entry.name: entry for entry in (*entry_points(group=GROUP), *_of_checkout())}
-    found = (_loaded(declared[name]) for name in sorted(declared))
+    found = (_loaded(entry) for _, entry in sorted(declared().items()))
     return tuple(plugin for plugin in found if plugin is not None)
+
+
+def declared() -> dict[str, EntryPoint]:
+    """The plug-ins that are declared, by name, whether or not their modules are there."""
+    return {entry.name: entry for entry in (*entry_points(group=GROUP), *_of_checkout())}
 
 
 def _of_checkout() -> list[EntryPoint]:
@@ -91,8 +95,8 @@ def _of_checkout() -> list[EntryPoint]:
     if not CHECKOUT.is_file():
         return []
     project = tomllib.loads(CHECKOUT.read_text(encoding="utf-8")).get("project", {})
-    declared = project.get("entry-points", {}).get(GROUP, {}) if project.get("name") == "screwgen" else {}
-    return [EntryPoint(name, value, GROUP) for name, value in declared.items()]
+    table = project.get("entry-points", {}).get(GROUP, {}) if project.get("name") == "screwgen" else {}
+    return [EntryPoint(name, value, GROUP) for name, value in table.items()]
 
 
 def _loaded(entry: EntryPoint) -> Plugin | None:

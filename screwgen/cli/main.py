@@ -14,7 +14,8 @@ from typing import Annotated
 
 import typer
 
-from ..plugins import plugins
+from ..errors import UsageError
+from ..plugins import declared, plugins
 from .process import guarded, prepare
 
 EPILOG = (
@@ -277,6 +278,8 @@ def application() -> typer.Typer:
 
 def _command(arguments: list[str]) -> int:
     command = typer.main.get_command(application())
+    if arguments and arguments[0] not in command.commands and arguments[0] in declared():
+        raise UsageError(f"the command '{arguments[0]}' is that of a plug-in which is not installed")
     status = command.main(arguments, prog_name="screwgen", standalone_mode=False)
     if status == 130:
         raise KeyboardInterrupt

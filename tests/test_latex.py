@@ -15,6 +15,7 @@ from screwgen.algebra.notation import latex as formula
 from screwgen.algebra.notation import number, tilde
 from screwgen.algorithms.scope import derived
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.content import CITATION
 from screwgen.backends.latex.layout import PAGE, width
 from screwgen.backends.latex.scalars import scalars
 from screwgen.backends.latex.steps import block_view
@@ -51,6 +52,13 @@ def test_no_dates_and_no_places(name):
     for text in (tex(name), page(name)):
         assert not re.search(r"/(?:home|tmp|work|Users)/|\b20\d\d-\d\d", text)
         assert "http" not in text.replace("http://www.w3.org", "") and "<script" not in text
+
+
+@every_robot
+def test_the_paper_is_cited_once(name):
+    authors, title = CITATION.split(": ")
+    for text in (" ".join(tex(name).split()), " ".join(page(name).split())):
+        assert text.count(authors) == text.count(title) == 1
 
 
 @every_robot

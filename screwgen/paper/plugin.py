@@ -8,14 +8,14 @@ from typing import Any
 from ..plugins import Plugin
 
 Z_FORM = """\
-The Z-form of the paper, with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2; r_2; …; η; Z_1; Z_2;
-…; dη/dt] holds for every link its rotation vector, the position of its origin in its own components, and Z = [ω;
-dr/dt]. `exponential` gives R = exp(θ), J with ω = J dθ/dt, and its inverse, which is infinite from a full turn on
-(|θ| = 2π: exponential coordinates end there). `cauchy_state` takes coordinates and rates to `x_c`, with angles from 0
-to π; at π, θ and −θ are one rotation, and a motion through it makes θ jump. `z_form` gives T_γ, Γ\\*, h_Ms, M_dyn and
-h_dyn of the rows of joints and links; `assemble_z` the whole system with unknowns [w_1; dZ_1/dt; w_2; dZ_2/dt; …;
-d²η/dt²]. `cauchy` gives dx_c/dt = A_c x_c + g_c, the rates of the memory, and the joint wrenches. `J_inverse` and
-`A_c` are smooth up to that full turn, `cauchy_state` up to that jump."""
+The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
+r_2; …; η; Z_1; Z_2; …; dη/dt] holds for every link its rotation vector, the position of its origin in its own
+components, and Z = [ω; dr/dt]. `exponential` gives R = exp(θ), J with ω = J dθ/dt, and its inverse, which is infinite
+from a full turn on (|θ| = 2π: exponential coordinates end there). `cauchy_state` takes coordinates and rates to
+`x_c`, with angles from 0 to π; at π, θ and −θ are one rotation, and a motion through it makes θ jump. `z_form` gives
+T_γ, Γ\\*, h_Ms, M_dyn and h_dyn of the rows of joints and links; `assemble_z` the whole system with unknowns [w_1;
+dZ_1/dt; w_2; dZ_2/dt; …; d²η/dt²]. `cauchy` gives dx_c/dt = A_c x_c + g_c, the rates of the memory, and the joint
+wrenches. `J_inverse` and `A_c` are smooth up to that full turn, `cauchy_state` up to that jump."""
 
 
 def _commands(app) -> None:

@@ -76,7 +76,9 @@ class Model:
 
     @cached_property
     def _plugins(self) -> tuple[Plugin, ...]:
-        return plugins() if self._given_plugins is None else tuple(self._given_plugins)
+        found = plugins() if self._given_plugins is None else tuple(self._given_plugins)
+        merged("attribute", vars(type(self)) | vars(self), *(p.attributes for p in found))
+        return found
 
     if not TYPE_CHECKING:  # so that a checker still sees a name that nothing has
 

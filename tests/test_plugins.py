@@ -74,6 +74,9 @@ def test_a_name_that_two_have_is_refused():
         Model(ROBOT, [MINE, MINE]).casadi()
     with pytest.raises(ScrewgenError, match="have the block 'doubled'"):
         latex.document(ROBOT, [MINE, MINE])
+    for name in ("nq", "robot"):
+        with pytest.raises(ScrewgenError, match=f"have the attribute '{name}'"):
+            Model(ROBOT, [Plugin(attributes={name: links})]).casadi()
     assert merged("thing", {"a": 1}, {"b": 2}) == {"a": 1, "b": 2}
 
 
@@ -131,6 +134,12 @@ def test_an_entry_point_is_found(installed, capsys, tmp_path):
     file.write_text(screwgen.dump(ROBOT), encoding="utf-8")
     assert main(["evaluate", str(file), "--formulation", "halved"]) == 0
     assert '"remark": "halved"' in capsys.readouterr().out
+
+
+def test_a_command_that_two_have_is_refused(installed, capsys):
+    installed("halving", MODULE.replace("hello", "generate"), "halving:PLUGIN")
+    assert main(["--help"]) == 2
+    assert capsys.readouterr().err.endswith("have commands of one name\n")
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from typing import Annotated
 
 import typer
 
-from ..errors import UsageError
+from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
 from .process import guarded, prepare
 
@@ -267,17 +267,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
 
 
-def application() -> typer.Typer:
-    """The product's commands with those that plug-ins add."""
+def application():
+    """The product's commands with those that plug-ins add.  Raises ScrewgenError if two have one name."""
     whole = copy(app)
-    whole.registered_commands = list(app.registered_commands)
+    whole.registered_commands, whole.registered_groups = list(app.registered_commands), list(app.registered_groups)
     for plugin in plugins():
         plugin.commands(whole)
-    return whole
+    found = typer.main.get_command(whole)
+    if len(found.commands) < len(whole.registered_commands) + len(whole.registered_groups):
+        raise ScrewgenError("two plug-ins, or a plug-in and the product, have commands of one name")
+    return found
 
 
 def _command(arguments: list[str]) -> int:
-    command = typer.main.get_command(application())
+    command = application()
     if arguments and arguments[0] not in command.commands and arguments[0] in declared():
         raise UsageError(f"the command '{arguments[0]}' is that of a plug-in which is not installed")
     status = command.main(arguments, prog_name="screwgen", standalone_mode=False)

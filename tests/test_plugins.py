@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pickle
+import sys
 
 import casadi as ca
 import numpy as np
@@ -71,7 +72,7 @@ def test_a_model_without_plug_ins_has_nothing_of_them():
 
 def test_a_name_that_two_have_is_refused():
     with pytest.raises(ScrewgenError, match="have the CasADi function 'square'"):
-        Model(ROBOT, [MINE, MINE]).casadi()
+        Model(ROBOT, [Plugin(casadi=square)] * 2).casadi()
     with pytest.raises(ScrewgenError, match="have the block 'doubled'"):
         latex.document(ROBOT, [MINE, MINE])
     for name in ("nq", "robot"):
@@ -117,6 +118,7 @@ def installed(tmp_path, monkeypatch):
         (folder / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {module}\nVersion: 1.0\n", encoding="utf-8")
         (folder / "entry_points.txt").write_text(f"[{GROUP}]\n{module} = {value}\n", encoding="utf-8")
         monkeypatch.syspath_prepend(str(tmp_path))
+        monkeypatch.delitem(sys.modules, module, raising=False)
         importlib.invalidate_caches()
 
     return install

@@ -86,8 +86,16 @@ def plugins() -> tuple[Plugin, ...]:
 
 
 def declared() -> dict[str, EntryPoint]:
-    """The plug-ins that are declared, by name, whether or not their modules are there."""
-    return {entry.name: entry for entry in (*entry_points(group=GROUP), *_of_checkout())}
+    """The plug-ins that are declared, by name, whether or not their modules are there.
+
+    Those of a checkout replace what its metadata says.  Raises ScrewgenError where two packages take one name.
+    """
+    own = {entry.name: entry for entry in _of_checkout()}
+    found: dict[str, EntryPoint] = {}
+    for entry in entry_points(group=GROUP):
+        if found.setdefault(entry.name, entry).value != entry.value and entry.name not in own:
+            raise ScrewgenError(f"two packages have a plug-in '{entry.name}': {found[entry.name].value}, {entry.value}")
+    return found | own
 
 
 def _of_checkout() -> list[EntryPoint]:

@@ -159,6 +159,16 @@ def test_one_that_cannot_be_imported_is_an_error(installed, capsys, text, value,
     assert message in error and error.count("\n") == 1
 
 
+def test_a_name_that_two_packages_take_is_refused(installed, tmp_path, capsys):
+    installed("halving", MODULE, "halving:PLUGIN")
+    other = tmp_path / "other-1.0.dist-info"
+    other.mkdir()
+    (other / "METADATA").write_text("Metadata-Version: 2.1\nName: other\nVersion: 1.0\n", encoding="utf-8")
+    (other / "entry_points.txt").write_text(f"[{GROUP}]\nhalving = other:PLUGIN\n", encoding="utf-8")
+    assert main(["--help"]) == 2
+    assert "two packages have a plug-in 'halving': " in capsys.readouterr().err
+
+
 def test_one_whose_module_is_not_there_is_left_out(installed, capsys):
     before = plugins()
     installed("gone", "", "no_such_module_at_all.inside:PLUGIN")

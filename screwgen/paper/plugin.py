@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
-
 from ..plugins import Plugin
+from .z_form_blocks import z_form_block, z_rows_block
+from .z_functions import cauchy_names
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
@@ -16,6 +15,9 @@ from a full turn on (|θ| = 2π: exponential coordinates end there). `cauchy_sta
 T_γ, Γ\\*, h_Ms, M_dyn and h_dyn of the rows of joints and links; `assemble_z` the whole system with unknowns [w_1;
 dZ_1/dt; w_2; dZ_2/dt; …; d²η/dt²]. `cauchy` gives dx_c/dt = A_c x_c + g_c, the rates of the memory, and the joint
 wrenches. `J_inverse` and `A_c` are smooth up to that full turn, `cauchy_state` up to that jump."""
+
+
+# What takes long to import is imported when a hook is called.
 
 
 def _commands(app) -> None:
@@ -30,26 +32,7 @@ def _printed(robot):
     return PrintedModel(robot)
 
 
-def _cauchy_names(model) -> dict[str, list[str]]:
-    """The names of the entries of ``x_c`` and of the unknowns ``q_sys`` of the Z-form."""
-    from .z_functions import cauchy_names
-
-    return cauchy_names(model.chain)
-
-
-def _blocks(key) -> dict:
-    from .z_form_blocks import z_rows_block
-
-    return {"z_rows": z_rows_block(key)}
-
-
-def _common() -> dict:
-    from .z_form_blocks import z_form_block
-
-    return {"z_form": z_form_block()}
-
-
-def _casadi(chain) -> Mapping[str, Callable[[], Any]]:
+def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
     return z_functions(chain)
@@ -64,9 +47,9 @@ def _chapter(chain):
 PLUGIN = Plugin(
     commands=_commands,
     formulations={"printed": _printed},
-    attributes={"cauchy_names": _cauchy_names},
-    blocks=_blocks,
-    common=_common,
+    attributes={"cauchy_names": lambda model: cauchy_names(model.chain)},
+    blocks=lambda key: {"z_rows": z_rows_block(key)},
+    common=lambda: {"z_form": z_form_block()},
     casadi=_casadi,
     casadi_notes=Z_FORM,
     chapter=_chapter,

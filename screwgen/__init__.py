@@ -7,8 +7,7 @@ from . import sympy_cache  # noqa: F401
 
 # isort: split
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
-from .formulation import derive
-from .model import Model
+from .model import Model, derive
 from .simulation.controllers import PD, Holding
 from .simulation.integrate import DivergedError
 from .simulation.rollout import Rollout, rollout

@@ -10,17 +10,18 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
 from .algorithms.dae_functions import dae_names
-from .algorithms.scope import common, derived
-from .arguments import Given
+from .algorithms.scope import derived
+from .arguments import Given, choice
 from .backends.numpy.numeric import Numeric
 from .errors import PrecisionWarning, UsageError
 from .folder import check_folder, write_folder
 from .ir.block import Block
-from .paper.z_functions import cauchy_names
+from .plugins import Formulation, Plugin, merged, plugins
 from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
@@ -29,13 +30,18 @@ from .topology.chain import Chain
 from .version import __version__ as VERSION
 
 TARGETS = ("c", "casadi", "latex")
+CONSISTENT = "consistent"
 
 
 class Model:
-    """A robot with its derived blocks; every product is made when it is first asked for."""
+    """A robot with its derived blocks; every product is made when it is first asked for.
 
-    def __init__(self, robot: Robot):
+    ``plugins``: those that add to the model, all that are installed if None.
+    """
+
+    def __init__(self, robot: Robot, plugins: Sequence[Plugin] | None = None):
         self.robot = robot
+        self._given_plugins = plugins
         self.chain = Chain(robot)
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
@@ -63,34 +69,43 @@ class Model:
         return self.chain.n_joints
 
     def blocks(self, link: int) -> dict[str, Block]:
-        """The derived blocks of a link (those of its class, and those that all links share) by name."""
-        return derived(self.chain.keys[link]) | common()
+        """The derived blocks of a link by name: those of its class, and what plug-ins add."""
+        key = self.chain.keys[link]
+        more = (blocks for p in self._plugins for blocks in (p.blocks(key), p.common()))
+        return merged("block", derived(key), *more)
+
+    @cached_property
+    def _plugins(self) -> tuple[Plugin, ...]:
+        found = plugins() if self._given_plugins is None else tuple(self._given_plugins)
+        merged("attribute", vars(type(self)) | vars(self), *(p.attributes for p in found))
+        return found
+
+    if not TYPE_CHECKING:  # so that a checker still sees a name that nothing has
+
+        def __getattr__(self, name: str) -> Any:
+            """What plug-ins add, such as ``cauchy_names``."""
+            known = {} if name.startswith("_") else merged("attribute", *(p.attributes for p in self._plugins))
+            if name not in known:
+                raise AttributeError(f"'Model' has no attribute '{name}'", name=name, obj=self)
+            return known[name](self)
 
     @property
     def dae_names(self) -> dict[str, list[str]]:
         """The names of the entries of ``x`` and ``z`` of the DAE form."""
         return dae_names(self.chain)
 
-    @property
-    def cauchy_names(self) -> dict[str, list[str]]:
-        """The names of the entries of ``x_c`` and of the unknowns ``q_sys`` of the Z-form."""
-        return cauchy_names(self.chain)
-
     @cached_property
     def _casadi(self) -> Mapping:
         from .backends.casadi import functions as casadi
         from .backends.casadi import motion as casadi_motion
-        from .paper import z_casadi as casadi_z
 
-        makers = casadi.functions(self.chain) | casadi.dae_functions(self.chain) | casadi_z.z_functions(self.chain)
-        makers |= casadi_motion.motion_functions(self.chain)
-        found = casadi.Functions(
-            makers
-            | {
-                "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
-                "dae": lambda: casadi.dae(self.chain, found["assemble"]),
-            }
-        )
+        own = (casadi.functions, casadi.dae_functions, casadi_motion.motion_functions)
+        integrands = {
+            "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
+            "dae": lambda: casadi.dae(self.chain, found["assemble"]),
+        }
+        makers = (make(self.chain) for make in (*own, *(p.casadi for p in self._plugins)))
+        found = casadi.Functions(merged("CasADi function", *makers, integrands))
         return found
 
     def casadi(self) -> Mapping:
@@ -239,13 +254,14 @@ class Model:
 
         found = self.casadi()
         written = {name: found[name] for name in found if not name.startswith("step_")}
-        return casadi_files(self.robot, written, self.parameter_names, VERSION)
+        notes = [p.casadi_notes for p in self._plugins if p.casadi_notes]
+        return casadi_files(self.robot, written, self.parameter_names, VERSION, notes)
 
     def _latex_files(self) -> dict[str, bytes]:
         from .backends.latex import document as latex
 
-        name = self.robot.name
-        return {f"{name}.tex": latex.document(self.robot).encode(), f"{name}.html": latex.html(self.robot).encode()}
+        made = {".tex": latex.document, ".html": latex.html}
+        return {f"{self.robot.name}{end}": make(self.robot, self._plugins).encode() for end, make in made.items()}
 
     def _repr_html_(self) -> str:
         """The equations, as a notebook shows them."""
@@ -257,11 +273,32 @@ class Model:
         """The functions on NumPy arrays, at the file's parameters or at ``p``."""
         return Numeric(self.chain, self.chain.parameters.vector(p))
 
-    def __reduce__(self) -> tuple[Callable, tuple[Robot]]:
+    def __reduce__(self) -> tuple[Callable, tuple]:
         """What was said is pickled; the rest is made again from it."""
-        return type(self), (self.robot,)
+        return type(self), (self.robot, self._given_plugins)
 
 
-def derive(robot: Robot) -> Model:
-    """Derive a robot's model.  Cheap: blocks are derived per link class, when they are needed."""
-    return Model(robot)
+def formulations() -> dict[str, Callable[[Robot], Model | Formulation]]:
+    """What makes a model in each formulation, by name: the product's own first, then those of plug-ins."""
+    return merged("formulation", {CONSISTENT: Model}, *(p.formulations for p in plugins()))
+
+
+@overload
+def derive(robot: Robot, formulation: Literal["consistent"] = "consistent") -> Model: ...
+
+
+@overload
+def derive(robot: Robot, formulation: str) -> Model | Formulation: ...
+
+
+def derive(robot: Robot, formulation: str = CONSISTENT) -> Model | Formulation:
+    """A robot's model.  Cheap: blocks are derived per link class, when they are needed.
+
+    ``formulation``: ``"consistent"``, derived and equal to Lagrange's equations, or what a plug-in adds:
+    ``"printed"``, the paper's equations as they stand, to be looked at beside the other.  Raises UsageError for a
+    name that nothing has.
+    """
+    if formulation == CONSISTENT:
+        return Model(robot)
+    known = formulations()
+    return known[choice(formulation, known, "there is no formulation")](robot)

@@ -13,8 +13,13 @@ from helpers import example_file
 
 from screwgen import Robot, load
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.steps import BlockView
+from screwgen.ir.block import Block
+from screwgen.plugins import plugins
+from screwgen.spec.link_class import LinkClass
 
 ROOT = Path(__file__).resolve().parents[1]
+PLUGINS = plugins()
 NAMES = ("ella", "six_link", "strange", "measured")
 every_robot = pytest.mark.parametrize("name", NAMES)
 
@@ -82,12 +87,19 @@ def robot(name: str) -> Robot:
 
 @cache
 def tex(name: str) -> str:
-    return latex.document(robot(name))
+    return latex.document(robot(name), PLUGINS)
 
 
 @cache
 def page(name: str) -> str:
-    return latex.html(robot(name))
+    return latex.html(robot(name), PLUGINS)
+
+
+@cache
+def views(key: LinkClass) -> tuple[tuple[Block, BlockView], ...]:
+    """The blocks that the section of a class shows, those of plug-ins too."""
+    blocks = latex.class_blocks(key, PLUGINS)
+    return tuple((blocks[view.name], view) for view in latex.class_views(key, blocks))
 
 
 def too_wide(text: str, where: Path) -> float:

@@ -1,6 +1,7 @@
 """The architecture: imports run one way, and each outside library has its place."""
 
 import ast
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ def imports(path: Path) -> set[tuple[str, ...]]:
     """All that a file imports, as dotted names from the top; relative imports are resolved."""
     found = set()
     here = ("screwgen", *path.with_suffix("").parts)
-    for node in ast.walk(ast.parse((PACKAGE / path).read_text(encoding="utf-8"))):
+    for node in run(ast.parse((PACKAGE / path).read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             found |= {tuple(alias.name.split(".")) for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -23,6 +24,14 @@ def imports(path: Path) -> set[tuple[str, ...]]:
             inside = {(*module, alias.name) for alias in node.names}
             found |= inside if module == base or is_package(module) else {tuple(module)}
     return found
+
+
+def run(node: ast.AST) -> Iterator[ast.AST]:
+    """All nodes but those that only a type checker sees."""
+    for child in ast.iter_child_nodes(node):
+        if not (isinstance(child, ast.If) and ast.unparse(child.test) == "TYPE_CHECKING"):
+            yield child
+            yield from run(child)
 
 
 def is_package(module: tuple[str, ...]) -> bool:

@@ -8,19 +8,19 @@ from collections import Counter
 import pytest
 import sympy as sp
 from helpers import arm, link
-from latex_documents import every_robot, page, robot, tex
+from latex_documents import PLUGINS, every_robot, page, robot, tex, views
 
 from screwgen import Robot
 from screwgen.algebra.notation import latex as formula
 from screwgen.algebra.notation import number, tilde
 from screwgen.algorithms.scope import derived
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.content import CITATION
 from screwgen.backends.latex.layout import PAGE, width
 from screwgen.backends.latex.scalars import scalars
 from screwgen.backends.latex.steps import block_view
 from screwgen.backends.latex.symbols import entries, written
 from screwgen.ir.block import Block
-from screwgen.paper.z_latex import z_view
 from screwgen.topology.chain import Chain
 
 # -------- LaTeX
@@ -28,8 +28,8 @@ from screwgen.topology.chain import Chain
 
 @every_robot
 def test_the_same_every_time(name):
-    assert latex.document(robot(name)) == tex(name)
-    assert latex.html(robot(name)) == page(name)
+    assert latex.document(robot(name), PLUGINS) == tex(name)
+    assert latex.html(robot(name), PLUGINS) == page(name)
 
 
 @every_robot
@@ -55,6 +55,13 @@ def test_no_dates_and_no_places(name):
 
 
 @every_robot
+def test_the_paper_is_cited_once(name):
+    authors, title = CITATION.split(": ")
+    for text in (" ".join(tex(name).split()), " ".join(page(name).split())):
+        assert text.count(authors) == text.count(title) == 1
+
+
+@every_robot
 def test_every_step_is_shown_once_with_name_and_equation(name):
     chain = Chain(robot(name))
     sections = re.split(r"\\section\{", tex(name))
@@ -62,10 +69,10 @@ def test_every_step_is_shown_once_with_name_and_equation(name):
     assert sorted(shown) == list(range(1, len(chain.classes) + 1))
     for class_number, key in enumerate(chain.classes, 1):
         referred = [shown[int(n)] for n in re.findall(r"As for class (\d+)", shown[class_number])]
-        wanted = Counter(step.name for view in latex.class_views(key) for step in view.steps)
+        wanted = Counter(step.name for _, view in views(key) for step in view.steps)
         own = _steps(shown[class_number])
         assert own <= wanted
-        for view in latex.class_views(key):
+        for _, view in views(key):
             for step in view.steps:
                 assert own[step.name] == wanted[step.name] or any(_steps(s)[step.name] for s in referred), step.name
                 assert step.equation == "" or f"({step.equation})" in tex(name)
@@ -78,7 +85,7 @@ def _steps(section: str) -> Counter:
 @every_robot
 def test_nothing_that_is_zero_is_shown(name):
     for key in Chain(robot(name)).classes:
-        for view in latex.class_views(key):
+        for _, view in views(key):
             for step in view.steps:
                 assert all(right.strip() not in ("= 0", r"= \mathbf{0}") for _, right, *_ in step.formula), step.name
 
@@ -86,9 +93,9 @@ def test_nothing_that_is_zero_is_shown(name):
 @every_robot
 def test_the_table_explains_every_symbol(name):
     chain = Chain(robot(name))
-    views = [(derived(key)[v.name], v) for key in chain.classes for v in latex.class_views(key)]
-    explained = {entry.display for entry in entries(views)}
-    for _, view in views:
+    shown = [pair for key in chain.classes for pair in views(key)]
+    explained = {entry.display for entry in entries(shown)}
+    for _, view in shown:
         defined = {written(s) for s in view.defined if not s.display.startswith("-")}
         used = {formula(s) for s in view.used if not _is_entry(s)}
         assert defined | used <= explained, (defined | used) - explained
@@ -102,7 +109,7 @@ def _is_entry(symbol) -> bool:
 @every_robot
 def test_the_table_has_no_symbol_twice(name):
     chain = Chain(robot(name))
-    table = entries((derived(key)[v.name], v) for key in chain.classes for v in latex.class_views(key))
+    table = entries(pair for key in chain.classes for pair in views(key))
     counts = Counter(entry.display for entry in table)
     assert max(counts.values()) == 1
     assert all(entry.meaning for entry in table)
@@ -110,7 +117,7 @@ def test_the_table_has_no_symbol_twice(name):
 
 @every_robot
 def test_the_table_says_shape_frame_and_origin_of_every_symbol(name):
-    (table,) = next(s.items for s in latex.content(robot(name)).sections if s.title == "Symbols")
+    (table,) = next(s.items for s in latex.content(robot(name), PLUGINS).sections if s.title == "Symbols")
     assert all(cell for row in table.rows for cell in row)
     rows = {row[0]: row[1:] for row in table.rows}
     assert rows[r"$\mathbf{M}_i$"][2:] == (r"$\mathcal{F}_i$", r"$(6 + r_i) \times (6 + r_i)$", "state")
@@ -120,7 +127,8 @@ def test_the_table_says_shape_frame_and_origin_of_every_symbol(name):
 
 def test_the_system_shown_is_the_robot_s():
     """One link: three places, the pattern of both forms without a second link, 14 unknowns."""
-    text = latex.document(Robot.model_validate(arm(link("rod", axes="y", modes={"bending_y": 1, "bending_z": 1}))))
+    rod = Robot.model_validate(arm(link("rod", axes="y", modes={"bending_y": 1, "bending_z": 1})))
+    text = latex.document(rod, PLUGINS)
     system = text[text.index("The stacked system") : text.index("Its solution")]
     assert "unknowns: here $14$" in system
     assert r"[\mathbf{w}_1;\ \dot{\mathbf{V}}_1;\ \ddot{\boldsymbol{\eta}}_1]" in system
@@ -131,8 +139,10 @@ def test_the_system_shown_is_the_robot_s():
 @every_robot
 def test_no_step_says_that_a_symbol_is_itself(name):
     """As ``c_1 = c_1(x)`` would."""
-    for key in Chain(robot(name)).classes:
-        for view in (*latex.class_views(key), z_view()):
+    chain = Chain(robot(name))
+    chapters = [pair for plugin in PLUGINS for pair in plugin.chapter(chain).views]
+    for key in chain.classes:
+        for _, view in (*views(key), *chapters):
             for step in view.steps:
                 left, right, *_ = step.formula[0]
                 assert not right.removeprefix("= ").startswith(f"{left}("), step.name
@@ -221,7 +231,7 @@ def test_short_sums_are_written_out_and_long_ones_abridged():
 @every_robot
 def test_every_line_fits(name):
     for key in Chain(robot(name)).classes:
-        for view in latex.class_views(key):
+        for _, view in views(key):
             for step in view.steps:
                 for row in (*step.formula, *step.components):
                     assert width(" ".join(row)) <= PAGE + 4.0, step.name

@@ -42,7 +42,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     out[0] |= {"alpha_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
     out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
-    out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3, "h_M": [0.0] * 6}
+    out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3}
     out[0] |= {"acc": out[0]["alpha_0"]}
     out[-1] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18}
     out[-1] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
@@ -62,8 +62,11 @@ class Functions:
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
 
+    def _nodes(self) -> list[dict[str, list]]:
+        return nodes(self.chain, self.gravity)
+
     def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
-        places = nodes(self.chain, self.gravity)
+        places = self._nodes()
         links = [dict(c) for c in self.constants]
         for part in parts:
             for link, more in zip(links, part, strict=True):

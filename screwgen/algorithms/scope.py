@@ -25,7 +25,6 @@ from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, motion_block, posture_block
-from ..paper.z_form_blocks import z_form_block, z_rows_block
 from ..spec.link_class import LinkClass
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
@@ -49,15 +48,8 @@ def derived(key: LinkClass) -> dict[str, Block]:
         "joint_rows": joint_rows_block(key),
         "link_rows": link_rows_block(key),
         "energy": energy_block(key),
-        "z_rows": z_rows_block(key),
         "validity": validity_block(key),
     }
-
-
-@cache
-def common() -> dict[str, Block]:
-    """The blocks that are the same for every link."""
-    return {"z_form": z_form_block()}
 
 
 @cache
@@ -143,12 +135,9 @@ class Scope:
         value = self.read(f"c.{label}", 1).item()
         return value if sign > 0 else -value
 
-    def blocks(self) -> dict[str, Block]:
-        return derived(self.key) | common()
-
-    def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
-        """Record a derived block; columns come back flat, matrices as matrices."""
-        owner = self.blocks()[block]
+    def lower(self, block: str | Block, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
+        """Record a block, of the class by its name or any; columns come back flat, matrices as matrices."""
+        owner = block if isinstance(block, Block) else derived(self.key)[block]
         values = lower(owner, inputs, outputs, self.tracer, self.constant)
         flat = [owner.signal(n).shape[1] == 1 and 1 not in owner.signal(n).numbered for n in outputs]
         return [values[n][:, 0] if column else values[n] for n, column in zip(outputs, flat, strict=True)]

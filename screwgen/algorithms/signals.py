@@ -1,9 +1,9 @@
 """The signals that the phases exchange: shape, unit, frame and meaning of each, said once.
 
 Those of a node stand between a link and the links that it carries. Those of the store are kept by a link from one phase
-to the next. All others are inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates of a link and
-``r`` for its modes. Angular parts come first. Accelerations are those of material points in the inertial frame, free
-fall taken off.
+to the next. All others are inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates and
+``r`` for the modes of a link. Angular parts come first. Accelerations are those of material points in the inertial
+frame, free fall taken off.
 """
 
 from __future__ import annotations
@@ -58,7 +58,6 @@ NODE = {
     "v_m": Signal((3,), "m/s", TIP, "velocity of the tip point before projection"),
     "X": Signal((6, 6), "-, m", "next F_i", "twist of the next joint point from that of the tip"),
     "PX": Signal((6, 6), MIXED, "next F_i", "columns of this tip in the next joint's rows"),
-    "h_M": Signal((6,), MIXED, "next F_i", "what the tip's term of the Z-form adds to the next joint's rows"),
 }
 """Of a node: the tip section of a link, or the base."""
 

@@ -34,13 +34,13 @@ def folder() -> Path:
     return installed if installed.is_dir() else PACKAGE.parent / "templates"
 
 
-def render(template: str, /, **values: object) -> str:
-    """The text of ``template``, a path below the folder of templates such as ``latex/document.tex.jinja``.
+def render(template: str, below: Path | None = None, /, **values: object) -> str:
+    """The text of ``template``, a path such as ``latex/document.tex.jinja`` below the product's templates or ``below``.
 
     Templates of LaTeX (``.tex``) have delimiters of their own; values that enter HTML (``.html``) are
     escaped unless they have an ``__html__`` method, as `markup` gives it.
     """
-    return _environment(_kind(template)).get_template(template).render(**values)
+    return _environment(_kind(template), below or folder()).get_template(template).render(**values)
 
 
 def markup(html: str) -> str:
@@ -54,9 +54,9 @@ def _kind(template: str) -> str:
 
 
 @cache
-def _environment(kind: str) -> jinja2.Environment:
+def _environment(kind: str, below: Path) -> jinja2.Environment:
     return jinja2.Environment(
-        loader=jinja2.FileSystemLoader(folder()),
+        loader=jinja2.FileSystemLoader(below),
         undefined=jinja2.StrictUndefined,
         autoescape=kind == ".html",
         keep_trailing_newline=True,

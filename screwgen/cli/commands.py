@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import PrecisionWarning, SingularError, StoppedError, UsageError
-from ..model import TARGETS, Model, derive
+from ..model import CONSISTENT, TARGETS, Model, derive, formulations
+from ..plugins import Formulation, plugins
 from ..simulation.state import State, read_state, state_of
 from ..spec.load import one_line
-from ..spec.robot import Robot
 from .output import bar, busy, load_robot, say
 
 
@@ -176,36 +176,30 @@ FORMS = ("joint", "dae")
 
 def run_evaluate(robot: str, state: str | None, backend: str, form: str, formulation: str) -> None:
     """Print the JSON of an evaluation."""
-    from ..formulation import FORMULATIONS
-
-    check_choice("--formulation", formulation, FORMULATIONS)
+    check_choice("--formulation", formulation, formulations())
     check_choice("--backend", backend, BACKENDS)
     check_choice("--form", form, FORMS)
     if (backend, form) not in EVALUATIONS:
         raise UsageError(f"--backend {backend} does not evaluate --form {form}; choose another")
-    if formulation == "printed" and (backend, form) != ("numpy", "joint"):
+    if formulation != CONSISTENT and (backend, form) != ("numpy", "joint"):
         raise UsageError(
-            "--formulation printed is evaluated by NumPy in the joint form; leave out --backend and --form"
+            f"--formulation {formulation} is evaluated by NumPy in the joint form; leave out --backend and --form"
         )
-    evaluated = _printed if formulation == "printed" else partial(_consistent, backend=backend, form=form)
-    print(json_format.dumps(evaluated(load_robot(robot), state), allow_nan=False))
+    loaded = load_robot(robot)
+    if formulation == CONSISTENT:
+        model = derive(loaded)
+        found = evaluation(model, _state(state, model), backend, form)
+    else:
+        found = _formulated(derive(loaded, formulation), state)
+    print(json_format.dumps(found, allow_nan=False))
 
 
-def _consistent(robot: Robot, state: str | None, backend: str, form: str) -> dict:
-    model = derive(robot)
-    return evaluation(model, _state(state, model), backend, form)
-
-
-def _printed(robot: Robot, state: str | None) -> dict:
-    """An evaluation with the paper's equations as printed, and which of them changed it."""
-    from ..paper.printed import PrintedModel
-
-    printed = PrintedModel(robot)
-    s = _state(state, printed.model)
-    vdot, wrench = printed.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
-    own = evaluation(printed.model, s)
+def _formulated(other: Formulation, state: str | None) -> dict:
+    """An evaluation in another formulation: its dynamics, and the rest as derived."""
+    s = _state(state, other.model)
+    vdot, wrench = other.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
     dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench + 0.0).tolist()}
-    return own | dynamics | {"as_printed": list(printed.as_printed)}
+    return evaluation(other.model, s) | dynamics | other.record()
 
 
 def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "joint") -> dict:
@@ -307,24 +301,19 @@ def run_latex(robot: str, output: str, quiet: bool) -> None:
 def _tex(robot) -> bytes:
     from ..backends.latex import document as latex
 
-    return latex.document(robot).encode()
+    return latex.document(robot, plugins()).encode()
 
 
 def _html(robot) -> bytes:
     from ..backends.latex import document as latex
 
-    return latex.html(robot).encode()
+    return latex.html(robot, plugins()).encode()
 
 
 def _pdf(robot) -> bytes:
-    import tempfile
-
     from ..backends.latex import document as latex
 
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "equations.pdf"
-        latex.write_pdf(latex.document(robot), path)
-        return path.read_bytes()
+    return latex.pdf(_tex(robot).decode())
 
 
 LATEX = {".tex": _tex, ".pdf": _pdf, ".html": _html}

@@ -1,4 +1,4 @@
-"""The command line: options and help texts, and how a command ends. What commands do is in `cli_commands`.
+"""The command line: options and help texts, and how a command ends. What commands do is in `commands`.
 
 Exit status: 0 done; 2 a request that cannot be met, nothing written; 1 a computation that failed: a singular
 posture, a method that diverged; 130 interrupted. Errors are one line on stderr. Heavy modules are imported by
@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from copy import copy
 from typing import Annotated
 
 import typer
 
+from ..errors import ScrewgenError, UsageError
+from ..plugins import declared, plugins
 from .process import guarded, prepare
 
 EPILOG = (
@@ -151,7 +154,7 @@ def evaluate(
     ] = "numpy",
     form: Form = "joint",
     formulation: Annotated[
-        str, typer.Option(metavar="NAME", help="consistent, or printed: the paper's equations as they stand.")
+        str, typer.Option(metavar="NAME", help="consistent, or another that a plug-in adds.")
     ] = "consistent",
 ) -> None:
     """Print accelerations, joint wrenches, tip pose and energies at a state, as JSON."""
@@ -254,32 +257,6 @@ def latex(
     run_latex(robot, output, quiet or context.obj)
 
 
-@app.command(short_help="Show the paper's equations, checked.", epilog=EPILOG)
-def paper(
-    context: typer.Context,
-    label: Annotated[
-        list[str] | None,
-        typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).", show_default=False),
-    ] = None,
-    errata: Annotated[bool, typer.Option("--errata", help="The errata, not the equations.")] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print as JSON, formulas in LaTeX.")] = False,
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md.", show_default=False
-        ),
-    ] = None,
-    quiet: Quiet = False,
-) -> None:
-    """Show the paper's printed equations: what holds, what fails, and what holds instead, judged by numbers.
-
-    Without a label: the list. With labels: equations printed, derived, their difference; errata with their figures.
-    """
-    from .paper import run_paper
-
-    run_paper(label or (), errata, json, output, quiet or context.obj)
-
-
 # ------------------------------------------------------------------------------ the process
 
 
@@ -290,8 +267,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
 
 
+def application():
+    """The product's commands with those that plug-ins add.  Raises ScrewgenError if two have one name."""
+    whole = copy(app)
+    whole.registered_commands, whole.registered_groups = list(app.registered_commands), list(app.registered_groups)
+    for plugin in plugins():
+        plugin.commands(whole)
+    found = typer.main.get_command(whole)
+    if len(found.commands) < len(whole.registered_commands) + len(whole.registered_groups):
+        raise ScrewgenError("two plug-ins, or a plug-in and the product, have commands of one name")
+    return found
+
+
 def _command(arguments: list[str]) -> int:
-    command = typer.main.get_command(app)
+    command = application()
+    if arguments and arguments[0] not in command.commands and arguments[0] in declared():
+        raise UsageError(f"the command '{arguments[0]}' is that of a plug-in which is not installed")
     status = command.main(arguments, prog_name="screwgen", standalone_mode=False)
     if status == 130:
         raise KeyboardInterrupt

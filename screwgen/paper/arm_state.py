@@ -12,7 +12,7 @@ from numpy.linalg import inv, pinv
 from numpy.polynomial.legendre import leggauss
 from scipy.spatial.transform import Rotation
 
-from .jets import skew
+from .jets import skew, turn
 from .moving_link import adjoint, blocks, body_jacobian, exponential_coordinates, small_adjoint, stack
 
 if TYPE_CHECKING:
@@ -159,7 +159,7 @@ class ArmState:
         turned = []
         for k, axis in enumerate(axes):
             for later, angle in zip(axes[k + 1 :], q[k + 1 :], strict=True):
-                axis = rotation(later, angle).T @ axis
+                axis = turn(later, angle, 0, 0).value.T @ axis
             turned.append(v["R"] @ axis)
         A = np.hstack(turned) if axes else np.zeros((3, 0))
         A_plus = pinv(A) if axes else np.zeros((0, 3))
@@ -185,9 +185,3 @@ class ArmState:
             places["i-1"] = places["i"] - 1
         values = {f"{n}:{index}": x for index, k in places.items() for n, x in self.links[k].values.items()}
         return View(values, {index: self.links[k].weights for index, k in places.items()})
-
-
-def rotation(axis: np.ndarray, angle: float) -> np.ndarray:
-    """``exp(hat(axis) angle)`` of a unit axis."""
-    K = skew(axis)
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K

@@ -7,6 +7,7 @@ from copy import copy
 
 import numpy as np
 from numpy.linalg import inv, lstsq, solve
+from scipy.spatial.transform import Rotation
 
 from .jets import Jet, constant, skew
 from .modal_rows import Rows
@@ -97,7 +98,7 @@ def inertial_states(x_c: np.ndarray, links: Links) -> np.ndarray:
     out = []
     for k, link in enumerate(links):
         q, Z = x_c[POSES][6 * k : 6 * k + 6], x_c[RATES][6 * k : 6 * k + 6]
-        R, r, turning = exponential(q[:3]), q[3:], skew(Z[:3])
+        R, r, turning = Rotation.from_rotvec(q[:3, 0]).as_matrix(), q[3:], skew(Z[:3])
         V = Z + stack(np.zeros((3, 1)), turning @ r)
         r_xi, rate = (link.shapes(link.c) @ x_c[part][MODES * k : MODES * (k + 1)] for part in (ETAS, ETADOTS))
         out += [R.reshape(-1, 1), R @ r, adjoint(R, R @ r) @ V, R @ r_xi, R @ (rate + turning @ r_xi)]
@@ -111,12 +112,6 @@ def measured_states(links: Links) -> np.ndarray:
         v, R = link.values, link.values["R"]
         out += [R.reshape(-1, 1), v["r_o"], v["Ad"] @ v["V"], R @ v["r_xi_c"], R @ v["V_xi_c"][3:]]
     return np.vstack(out)
-
-
-def exponential(theta: np.ndarray) -> np.ndarray:
-    """``exp(hat(theta))`` by Rodrigues' formula."""
-    angle, K = np.linalg.norm(theta), skew(theta)
-    return I3 + np.sin(angle) / angle * K + (1 - np.cos(angle)) / angle**2 * K @ K
 
 
 def later(links: Links, t: float) -> list[MovingLink]:

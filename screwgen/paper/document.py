@@ -7,11 +7,10 @@ from collections.abc import Sequence
 
 from ..algebra.expression import Block, Expression, Sum, is_zero
 from ..algebra.notation import latex, terms
-from ..backends.latex import text as latex_text
-from ..backends.latex.content import Display, Document, Heading, Item, Paragraph, Section, Table
+from ..backends.latex import document as latex_document
+from ..backends.latex.content import CITATION, Display, Document, Heading, Item, Paragraph, Section, Table
 from ..backends.latex.layout import PAGE, Formula, fill, width
 from ..backends.latex.layout import equation as broken
-from ..backends.templates import render
 from ..version import __version__
 from .equation import Equation, Relation
 from .equation import Formula as Statement
@@ -20,11 +19,6 @@ from .register import SECTIONS
 from .terminal import counted, judgement, number, where
 
 TITLE = "The paper, checked"
-CITATION = (
-    "S. Yaqubi, A. Kitzinger, A. Müller, H. Gattringer, J. Mattila: Screw-Theoretic PDE-Based Synthesis for Unified "
-    "Representation of Multibody Flexible Manipulator Dynamics, arXiv:2601.16242v3"
-)
-"""The paper."""
 METHOD = (
     "Every printed equation is evaluated on random motions of a two-link arm whose velocities, accelerations, momenta "
     "and wrenches are computed from their definitions, without any formula of the paper or of the derivation. An "
@@ -38,14 +32,12 @@ FIGURE_WIDTHS = (0.52, 0.16, 0.16, 0.16)
 
 def tex(equations: Sequence[Equation], errata: Sequence[Erratum]) -> str:
     """The equations and errata as a LaTeX document."""
-    document = content(equations, errata)
-    return render("latex/document.tex.jinja", document=document, text=latex_text.tex, rows=latex_text.tex_rows)
+    return latex_document.tex(content(equations, errata))
 
 
 def html(equations: Sequence[Equation], errata: Sequence[Erratum]) -> str:
     """The same as one HTML page with MathML."""
-    document = content(equations, errata)
-    return render("latex/document.html.jinja", document=document, text=latex_text.in_html, rows=latex_text.html_rows)
+    return latex_document.page(content(equations, errata))
 
 
 def content(equations: Sequence[Equation], errata: Sequence[Erratum]) -> Document:

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 from scipy.optimize import brentq
 
-from .arm import LENGTHS, SECTION, SET_POINTS
+from .arm import AXES, LENGTHS, SECTION, SET_POINTS, turn
 from .clamped_beam import Beam, places
 from .moving_link import exponential_coordinates
 
@@ -171,15 +171,9 @@ def section(seed: int) -> tuple[float, float]:
 # --------------------------------------------------------------------------------------- control law
 
 
-def base_rotation(q1: float, q2: float) -> np.ndarray:
-    """The universal joint's rotation, ``exp(e_y q1) exp(e_z q2)``."""
-    c, s = np.cos(q1), np.sin(q1)
-    return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]) @ about_z(q2)
-
-
-def about_z(q: float) -> np.ndarray:
-    c, s = np.cos(q), np.sin(q)
-    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+def rotation_vector(axes: str, *angles: float) -> np.ndarray:
+    """The exponential coordinates of turns about axes in order, such as "yz" of the universal joint."""
+    return exponential_coordinates(turn(axes, list(angles)).as_matrix())[:, 0]
 
 
 def loop_work(gains: np.ndarray, radius: float, points: int = 128) -> tuple[float, float, float]:
@@ -188,12 +182,12 @@ def loop_work(gains: np.ndarray, radius: float, points: int = 128) -> tuple[floa
     With exponential coordinates of the link and body-fixed torques; with joint angles; and the first one's amount.
     """
     centre = np.array(SET_POINTS[:2])
-    target = exponential_coordinates(base_rotation(*centre))[:, 0]
+    target = rotation_vector(AXES[0], *centre)
     printed, joints, amount = 0.0, 0.0, 0.0
     for t in 2 * pi * np.arange(points) / points:
         q, dq = centre + radius * np.array([cos(t), sin(t)]), radius * np.array([-sin(t), cos(t)])
-        omega = about_z(q[1]).T @ [0, dq[0], 0] + [0, 0, dq[1]]
-        torque = gains * (target - exponential_coordinates(base_rotation(*q))[:, 0])
+        omega = dq[0] * turn("z", [-q[1]]).apply([0, 1, 0]) + dq[1] * np.array([0, 0, 1])
+        torque = gains * (target - rotation_vector(AXES[0], *q))
         printed += torque @ omega * 2 * pi / points
         amount += abs(torque @ omega) * 2 * pi / points
         joints += gains[1:] @ ((centre - q) * dq) * 2 * pi / points

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from functools import cache
 from math import pi, sqrt
-from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sp
 
+from ..model import derive
+from ..spec.robot import Body, Joint, Link, Modes, Robot
+from ..studies.modes import natural_frequencies
 from . import ella_judges as judges
 from .arm import LENGTHS, MASSES, SECTION, SET_POINTS, ella
 from .clamped_beam import Beam
 from .ella_section import axial, axial_frequency, clamped_free, printed_bending, printed_bound
 from .erratum import Erratum, Figure
 from .frame_elements import arm_frequencies
-
-if TYPE_CHECKING:
-    from ..spec.robot import Robot
 
 STEP = 1e-3
 """s: the paper's."""
@@ -88,9 +87,6 @@ def stiffness() -> tuple[Figure, ...]:
 @cache
 def model_frequencies(robot: Robot) -> np.ndarray:
     """Natural frequencies in Hz of the derived model of an arm, its joints locked."""
-    from ..model import derive
-    from ..studies.modes import natural_frequencies
-
     return natural_frequencies(derive(robot))
 
 
@@ -111,8 +107,6 @@ def rotation() -> tuple[Figure, ...]:
 
 def loaded_forearm() -> Robot:
     """The second link alone, clamped, with the payload, bending in y in six polynomials."""
-    from ..spec.robot import Body, Joint, Link, Modes, Robot
-
     link = Link(
         name="forearm",
         length=LENGTHS[1],
@@ -144,8 +138,8 @@ def second_mode() -> tuple[Figure, ...]:
 def control() -> tuple[Figure, ...]:
     """Exponential coordinates in the place of joint angles."""
     printed, joints, _ = judges.loop_work(np.array([0.0, 100.0, 100.0]), 0.3)
-    R = judges.base_rotation(*SET_POINTS[:2])
-    one, two = (judges.exponential_coordinates(x)[:, 0] for x in (R, R @ judges.about_z(SET_POINTS[2])))
+    y, *z = SET_POINTS
+    one, two = (judges.rotation_vector("yz", y, turned) for turned in (z[0], sum(z)))
     return (
         Figure("$\\theta_{z_2}$ with the joints at the set points", "rad", two[2], SET_POINTS[2], SET_POINTS[2]),
         Figure("$\\theta_{y_1}$ with the joints at the set points", "rad", one[1], SET_POINTS[0], SET_POINTS[0]),

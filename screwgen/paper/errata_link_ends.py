@@ -6,6 +6,8 @@ import numpy as np
 from numpy.linalg import matrix_rank, norm
 from numpy.polynomial.legendre import leggauss
 
+from ..model import derive
+from ..spec.robot import Joint, Link, Robot
 from ..spec.section import Section
 from .arm import LENGTHS, MASSES, SECTION, ella
 from .beam_at_rest import BeamAtRest
@@ -74,9 +76,6 @@ def rank_of_inertia() -> tuple[Figure, ...]:
 
 def _spin_of_bar(density: float, radius: float, length: float) -> float:
     """What the joint of a derived model feels that turns a round bar about its centreline, kg·m²."""
-    from ..model import derive
-    from ..spec.robot import Joint, Link, Robot
-
     area = np.pi * radius**2
     section = Section(density=density, area=area, Iy=area * radius**2 / 4, Iz=area * radius**2 / 4)
     bar = Link(name="bar", length=length, section=section, joint=Joint(axes=("x",)))
@@ -85,8 +84,6 @@ def _spin_of_bar(density: float, radius: float, length: float) -> float:
 
 def bodies() -> tuple[Figure, ...]:
     """The arm of Section 7 at rest, held by its base: two beams, a motor, a payload."""
-    from ..model import derive
-
     model = derive(ella(0, axial=0, locked=True))
     _, wrenches = model.numpy().forward_dynamics([], [], [], np.zeros((2, 6)))
     beams = SECTION.rhoA * sum(LENGTHS)

@@ -7,6 +7,8 @@ from functools import cache
 import numpy as np
 from numpy.polynomial import Polynomial
 
+from ..model import derive
+from ..studies.modes import natural_frequencies
 from .arm import FREE_FALL, LENGTHS, MASSES, SECTION, STILL, ella
 
 STEP = 1e-6
@@ -19,8 +21,6 @@ def frequencies_without_wrenches() -> tuple[float, ...]:
 
     One clamped-free mode per direction, as in the paper: for bare links these are exact.
     """
-    from ..model import derive
-
     model = derive(ella(locked=True, gravity=STILL, bodies_beyond=True))
     r, n, numeric = model.nq, model.n_links, model.numpy()
     wrenches = [12 * i + k for i in range(n) for k in range(6)]
@@ -38,9 +38,6 @@ def frequencies_without_wrenches() -> tuple[float, ...]:
 @cache
 def derived_frequencies() -> tuple[float, ...]:
     """The natural frequencies, Hz, of the derived model with two polynomial modes per link and plane."""
-    from ..model import derive
-    from ..studies.modes import natural_frequencies
-
     return tuple(natural_frequencies(derive(ella(2, "polynomial", locked=True))).tolist())
 
 
@@ -50,8 +47,6 @@ def base_force_at_rest() -> tuple[float, float]:
 
     At rest ``h_Ms`` and ``h_MD`` are zero: without ``h_s`` the rows of the links have no bias at all.
     """
-    from ..model import derive
-
     model = derive(ella(0, axial=0, locked=True))
     numeric, nothing = model.numpy(), np.zeros(0)
     M, H, W = numeric.assemble(numeric.dae_state(nothing, nothing), nothing, np.zeros((model.n_links, 6)))

@@ -14,8 +14,10 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from ..errors import SingularError, UsageError
+from ..model import derive
 from ..simulation.integrate import DivergedError
 from ..simulation.runs import Run
+from ..simulation.simulate import coordinates, time_grid
 from ..spec.robot import Robot
 from ..topology.chain import Chain
 from .arm_state import ArmState
@@ -47,8 +49,6 @@ class PrintedModel:
     """
 
     def __init__(self, robot: Robot, as_printed: Iterable[str] = tuple(PRINTED)):
-        from ..model import derive
-
         self.as_printed = tuple(as_printed)
         for label in self.as_printed:
             if label not in PRINTED:
@@ -66,6 +66,10 @@ class PrintedModel:
     @property
     def chain(self) -> Chain:
         return self.model.chain
+
+    def record(self) -> dict:
+        """Which equations are as printed."""
+        return {"as_printed": list(self.as_printed)}
 
     def assemble(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys``, ``H_sys``, ``W_sys`` at joint form ``q``, ``v`` (nq,), torques and external wrenches (n, 6)."""
@@ -104,8 +108,6 @@ class PrintedModel:
 
         Raises DivergedError, which names the time, when a number leaves what doubles hold.
         """
-        from ..simulation.simulate import coordinates, time_grid
-
         times, numeric = time_grid(duration, step), self.model.numpy()
         q, v, rows = coordinates(q, "q", self.model), coordinates(v, "v", self.model), []
         for k, t in enumerate(times):

@@ -9,7 +9,9 @@ from numpy.linalg import inv, norm
 
 from ..algebra.expression import block, zeros
 from ..algebra.rewrite import substitute
+from ..model import derive
 from ..spec.robot import Joint, Link, Modes, Robot
+from ..studies.analysis.regularity import regularity, with_projectors_alone
 from .arm import SECTION, SET_POINTS, ella
 from .arm_state import ArmState, View
 from .equation import Equation, Relation
@@ -37,8 +39,6 @@ def found(label: str) -> Equation:
 
 @cache
 def model(section_rotation: bool = False):
-    from ..model import derive
-
     return derive(ella(section_rotation=section_rotation))
 
 
@@ -219,8 +219,6 @@ def own_axis() -> tuple[Figure, ...]:
 
 def zero_singular_values() -> tuple[Figure, ...]:
     """E17: M_sys with the projectors alone and with the motors' rows, of ELLA and of an arm of three joints."""
-    from ..studies.analysis.regularity import regularity, with_projectors_alone
-
     out = []
     for name, arm in (("ELLA", model(True)), ("an arm with joints about z, y z and x y z", mixed())):
         judge, n = arm.numpy(), arm.nq
@@ -236,8 +234,6 @@ def zero_singular_values() -> tuple[Figure, ...]:
 @cache
 def mixed():
     """Three flexible links behind joints of one, two and three axes."""
-    from ..model import derive
-
     modes = Modes(basis="clamped_free", bending_y=1, bending_z=1)
     links = [
         Link(name=f"link_{axes}", length=0.5, section=SECTION, modes=modes, joint=Joint(axes=tuple(axes)))

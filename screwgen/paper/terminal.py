@@ -8,9 +8,9 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from ..algebra.notation import latex
-from ..algebra.plain import WIDTH, boxed, hung, letters, relation, shown
 from .equation import Equation, Formula, Relation, Standing
 from .erratum import Erratum, Figure
+from .plain import WIDTH, boxed, hung, letters, relation, shown
 from .quantities import QUANTITIES
 from .register import SECTIONS, errata, erratum
 

@@ -8,6 +8,7 @@ derivative of components.  ``V_i = Z_i + gamma_i`` and ``Vdot_i = (I + T_gamma) 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -25,6 +26,7 @@ TURNING = "what the rate of the angular velocity adds to that of the velocity"
 VELOCITIES = "what the velocities add to the twist's rate"
 
 
+@cache
 def z_form_block() -> Block:
     """The kinematics of the Z-form; it is the same for every link.
 
@@ -218,6 +220,7 @@ ROWS = (
 )
 
 
+@cache
 def z_rows_block(key: LinkClass) -> Block:
     """The rows of the assembled system in ``Zdot``: twist columns times ``I + T_gamma``, biases plus those columns
     times ``gamma*``, (MsPsi), (HMs), (97) with E25.

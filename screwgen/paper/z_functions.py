@@ -13,12 +13,12 @@ from ..algorithms.dae_functions import WRENCH, DaeFunctions, Entries
 from ..algorithms.functions import ASSEMBLY, DAE_FORWARD, PLACEMENT, Algorithm
 from ..algorithms.fused import fuse
 from ..algorithms.schedule import OUTWARD, Phase
-from ..algorithms.scope import common
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from .z_form import H_MS, z_place, z_rates, z_rows, z_state
+from .z_form_blocks import z_form_block
 
 Z_ASSEMBLY: Algorithm = (Phase(z_state, OUTWARD), *ASSEMBLY, Phase(z_rows, OUTWARD))
 Z_FORWARD: Algorithm = (Phase(z_state, OUTWARD), *DAE_FORWARD, Phase(z_rates, OUTWARD))
@@ -47,6 +47,11 @@ def cauchy_names(chain: Chain) -> dict[str, list[str]]:
 
 class ZFunctions(DaeFunctions):
     """The functions of the Z-form, on values of any algebra."""
+
+    def _nodes(self) -> list[dict[str, list]]:
+        places = super()._nodes()
+        places[0]["h_M"] = [0.0] * 6
+        return places
 
     def unpack_z(self, x_c: Sequence, q: Sequence) -> list[dict[str, list]]:
         """The state as one mapping per link, the joint coordinates with it."""
@@ -139,6 +144,6 @@ def z_placement(chain: Chain, constants="parameters") -> Program:
 def exponential() -> Program:
     """``(theta) -> (R, J, J_inverse)``, row by row."""
     tracer = Tracer()
-    values = lower(common()["z_form"], {"theta": tracer.input("theta", 3)}, ("R", "J_theta", "J_inverse"), tracer)
+    values = lower(z_form_block(), {"theta": tracer.input("theta", 3)}, ("R", "J_theta", "J_inverse"), tracer)
     outputs = {name.removesuffix("_theta"): list(matrix.ravel()) for name, matrix in values.items()}
     return tracer.program("exponential", {"theta": 3}, outputs)

@@ -229,8 +229,13 @@ def rotations(rows: ca.SX, n: int) -> ca.SX:
 INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
 
 
-def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str) -> dict[str, bytes]:
-    """``NAME.casadi`` per function and a README: their signatures, and where their Jacobians have nonzeros."""
+def casadi_files(
+    robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str, notes: Sequence[str] = ()
+) -> dict[str, bytes]:
+    """``NAME.casadi`` per function and a README: their signatures, and where their Jacobians have nonzeros.
+
+    ``notes``: paragraphs on functions that plug-ins add.
+    """
     saved = {name: _saved(name, value) for name, value in functions.items()}
     files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
     rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
@@ -241,6 +246,7 @@ def casadi_files(robot: Robot, functions: Mapping, parameter_names: Sequence[str
         version=version,
         functions=rows,
         parameters=parameter_names,
+        notes=notes,
         **patterns,
     )
     return files | {"README.md": readme.encode()}

@@ -9,8 +9,15 @@ import re
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from ...ir.block import Binding, Block
 from .layout import Formula
-from .steps import StepView
+from .steps import BlockView, StepView
+
+CITATION = (
+    "S. Yaqubi, A. Kitzinger, A. Müller, H. Gattringer, J. Mattila: Screw-Theoretic PDE-Based Synthesis for Unified "
+    "Representation of Multibody Flexible Manipulator Dynamics, 2026, arXiv:2601.16242v3"
+)
+"""The paper whose equations carry the numbers."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +68,19 @@ class Section:
 
     title: str
     items: list[Item] = field(default_factory=list)
+
+
+Named = tuple[str, str, str, str, str, Binding | None]
+"""A symbol of the text: LaTeX, meaning, unit, shape, frame, binding."""
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """What a plug-in adds to a document: sections, the blocks that they show, and the symbols of their text."""
+
+    sections: tuple[Section, ...]
+    views: tuple[tuple[Block, BlockView], ...] = ()
+    symbols: tuple[Named, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -5,17 +5,16 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from ...algebra.components import Array
-from ...algorithms.scope import common, derived
+from ...algorithms.scope import derived
 from ...errors import ScrewgenError
 from ...ir.block import Block
-from ...paper.z_latex import z_section, z_view
+from ...plugins import Plugin, merged
 from ...spec.link_class import LinkClass
 from ...spec.parameters import parameters
 from ...spec.robot import Robot
@@ -23,7 +22,7 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import render
 from . import tables, text
-from .content import Document, Paragraph, Section, parse
+from .content import CITATION, Document, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
@@ -33,14 +32,24 @@ KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h
 """What a notebook shows of a link: the blocks by which the paper calls them."""
 
 
-def document(robot: Robot) -> str:
+def document(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
     """A LaTeX document with the equations of ``robot``; needs amsmath, booktabs and longtable alone."""
-    return render("latex/document.tex.jinja", document=content(robot), text=text.tex, rows=text.tex_rows)
+    return tex(content(robot, plugins))
 
 
-def html(robot: Robot) -> str:
+def html(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
     """The same document as one HTML page with MathML, which needs nothing else."""
-    return render("latex/document.html.jinja", document=content(robot), text=text.in_html, rows=text.html_rows)
+    return page(content(robot, plugins))
+
+
+def tex(shown: Document) -> str:
+    """A document in LaTeX."""
+    return render("latex/document.tex.jinja", document=shown, text=text.tex, rows=text.tex_rows)
+
+
+def page(shown: Document) -> str:
+    """A document in HTML."""
+    return render("latex/document.html.jinja", document=shown, text=text.in_html, rows=text.html_rows)
 
 
 def notebook(robot: Robot) -> str:
@@ -61,11 +70,8 @@ def notebook(robot: Robot) -> str:
     )
 
 
-def write_pdf(tex: str, path: str | Path) -> None:
-    """Compile ``tex`` with pdflatex and put the result at ``path``.
-
-    Raises ScrewgenError if pdflatex is missing or fails.
-    """
+def pdf(tex: str) -> bytes:
+    """``tex`` compiled with pdflatex.  Raises ScrewgenError if that is missing or fails."""
     program = shutil.which("pdflatex")
     if program is None:
         raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
@@ -73,7 +79,7 @@ def write_pdf(tex: str, path: str | Path) -> None:
         (Path(folder) / "equations.tex").write_text(tex, encoding="utf-8")
         for _ in range(2):  # the second run knows the table of contents
             _run(program, folder)
-        shutil.copyfile(Path(folder) / "equations.pdf", path)
+        return (Path(folder) / "equations.pdf").read_bytes()
 
 
 def _run(program: str, folder: str) -> None:
@@ -87,29 +93,35 @@ def _run(program: str, folder: str) -> None:
 # -------------------------------------------------------------------------------------------- content
 
 
-def content(robot: Robot) -> Document:
+def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     """The document of a robot, whatever it is printed with."""
     chain = Chain(robot)
-    views = {key: class_views(key) for key in chain.classes}
+    chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
+    blocks = {key: class_blocks(key, plugins) for key in chain.classes}
+    views = {key: class_views(key, blocks[key]) for key in chain.classes}
     printed: dict = {}
-    sections = [_robot(robot, chain), *_theory(robot, chain), z_section(chain)]
+    sections = [_robot(robot, chain), *_theory(robot, chain), *(s for chapter in chapters for s in chapter.sections)]
     for number, key in enumerate(chain.classes, 1):
         members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
         sections.append(class_section(number, key, members, views[key], printed))
-    known = [(derived(key)[view.name], view) for key in chain.classes for view in views[key]]
-    known.append((common()["z_form"], z_view()))
+    known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
+    known += [pair for chapter in chapters for pair in chapter.views]
+    named = [symbol for chapter in chapters for symbol in chapter.symbols]
     sections += [
-        Section("Symbols", [tables.symbols(entries(known))]),
+        Section("Symbols", [tables.symbols(entries(known, named))]),
         Section("Parameters", [tables.parameters(parameters(robot))]),
     ]
     return Document(robot.name, __version__, tuple(sections))
 
 
-@cache
-def class_views(key: LinkClass) -> tuple[BlockView, ...]:
+def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Block]:
+    """The blocks that the section of a class shows."""
+    return merged("block", derived(key), *(p.blocks(key) for p in plugins))
+
+
+def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
-    blocks = derived(key)
     known = structure(key, blocks)
     return tuple(block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks))
 
@@ -135,7 +147,8 @@ def _robot(robot: Robot, chain: Chain) -> Section:
 
 def _theory(robot: Robot, chain: Chain) -> list[Section]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
-    conventions = render("latex/conventions.tex.jinja", gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "))
+    free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
+    conventions = render("latex/conventions.tex.jinja", gravity=free_fall, citation=CITATION)
     equations = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,

@@ -16,7 +16,7 @@ from .tables import DIRECTION, modes, named_axes
 
 ORDER = (
     *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
-    *("energy", "link_rows", "joint_rows", "z_rows"),
+    *("energy", "link_rows", "joint_rows"),
 )
 """The order of the blocks that are known; others follow."""
 

@@ -1,4 +1,4 @@
-"""The pattern of the system's matrix and its unknowns for one robot, in twists or in the Z-form."""
+"""The pattern of the system's matrix and its unknowns for one robot."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ class Pattern:
 
 
 def pattern(chain: Chain, rate: str) -> Pattern:
-    """The pattern of all links, or of the first two where that is too wide; ``rate`` is V for twists, or Z."""
+    """The pattern of all links, or of the first two where that is too wide; ``rate`` is the letter
+    of the links' unknowns, V for twists.
+    """
     places = _places(chain, range(chain.n))
     text = _matrix(chain, places, rate)
     if width(text) > PAGE - 4.0:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from ...algebra.expression import Symbol
 from ...algebra.notation import latex
 from ...ir.block import Binding, Block, Signal
-from .content import frame, unit, words
+from .content import Named, frame, unit, words
 from .steps import BlockView
 
 CONSTANT, PARAMETER, STATE = Binding
@@ -35,8 +35,7 @@ FIELDS = {
 
 TWIST, WRENCH = "rad/s, m/s", "N*m, N"
 ALL = r"(6 + r_i) × (6 + r_i)"
-DYNAMIC = "12 n × 12 n, 12 n"
-SYSTEM = (
+SYSTEM: tuple[Named, ...] = (
     (r"\mathcal{F}_i", "frame of link $i$", "-", "-", "-", STATE),
     (r"\xi", "place on the centreline, from the origin of F_i", "m", "1", "F_i", None),
     (r"s", "place on the centreline from base to tip, 0 to 1", "-", "1", "-", None),
@@ -66,16 +65,9 @@ SYSTEM = (
     (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\boldsymbol{\Lambda}", "inertia that the tip section carries", "kg, kg*m, kg*m^2", "6 × 6", "tip", STATE),
     (r"\mathbf{p}", "bias of what the tip section carries", WRENCH, "6", "tip", STATE),
-    (r"\boldsymbol{\Psi},\ \boldsymbol{\Psi}_Z", "wrenches, rates of twists or of Z", "mixed", "12 n", "F_i", STATE),
-    (r"\mathbf{T}_{\gamma},\ \boldsymbol{\Gamma}^{*}", "change from one to the other", "mixed", DYNAMIC, "F_i", STATE),
-    (r"\mathbf{M}_{dyn},\ \mathbf{h}_{dyn}", "dynamic rows of the Z-form, bias", "mixed", DYNAMIC, "F_i", STATE),
-    (r"\mathbf{h}_{M_s}", "bias of the change to Z in the dynamic rows", "mixed", "12 n", "F_i", STATE),
-    (r"\mathbf{x}_c", "state of the Cauchy form", "mixed", r"n_c = 12 n + 2 \sum r_i", "F_i", STATE),
-    (r"\mathbf{A}_c,\ \mathbf{g}_c", "matrix, free term of the Cauchy form", "mixed", "n_c × n_c, n_c", "F_i", STATE),
     (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
 )
-"""The symbols of the text: LaTeX, meaning, unit, shape, frame, binding."""
-
+"""The symbols of the text."""
 
 TIMES = r"\times"
 
@@ -92,15 +84,15 @@ class Entry:
     binding: Binding | None
 
 
-def entries(blocks: Iterable[tuple[Block, BlockView]]) -> list[Entry]:
-    """The symbols of the text, then those of the steps: constants, parameters, state."""
+def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = ()) -> list[Entry]:
+    """The symbols of the text and those ``named`` beside, then those of the steps: constants, parameters, state."""
     found: dict[str, list[tuple[str, Signal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
     steps.sort(key=lambda e: e.binding)
-    return [*(e for e in _system() if e.display not in found), *steps]
+    return [*(e for e in _text((*SYSTEM, *named)) if e.display not in found), *steps]
 
 
 def written(signal: Signal) -> str:
@@ -108,8 +100,8 @@ def written(signal: Signal) -> str:
     return latex(Symbol(signal.name, signal.shape, signal.display))
 
 
-def _system() -> Iterator[Entry]:
-    for display, meaning, unit_, shape, frame_, binding in SYSTEM:
+def _text(symbols: Iterable[Named]) -> Iterator[Entry]:
+    for display, meaning, unit_, shape, frame_, binding in symbols:
         yield Entry(display, words(meaning), unit(unit_), frame(frame_), _shape_text(shape), binding)
 
 

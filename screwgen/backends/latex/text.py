@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import re
 
-from ...algebra.plain import LETTERS
 from ..templates import markup
 from . import mathml
 from .layout import Formula
@@ -38,6 +37,12 @@ SPECIAL: dict[str, str] = {
     "→": r"$\to$",
     "ᵀ": r"$^\top$",
 }
+GREEK = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigmaf sigma tau upsilon "
+    "phi chi psi omega"
+)
+LETTERS = {name: chr(0x3B1 + k) for k, name in enumerate(GREEK.split())}
+LETTERS |= {name.capitalize(): chr(0x391 + k) for k, name in enumerate(GREEK.split())}
 LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} - {
     *("Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega")
 }

@@ -9,12 +9,12 @@ import pytest
 from conftest import require_tool
 from latex_documents import too_wide
 
-from screwgen.algebra.plain import WIDTH, shown
 from screwgen.cli.main import main
 from screwgen.paper import document
+from screwgen.paper.plain import WIDTH, shown
 from screwgen.paper.register import equations, errata
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 ERRATA_PAGE, README = ROOT / "docs" / "errata.md", ROOT / "README.md"
 
 
@@ -126,9 +126,13 @@ def test_what_cannot_be_done_is_one_line(arguments, message, capsys, tmp_path, m
     assert not list(tmp_path.iterdir())
 
 
-def test_the_readme_cites_the_paper():
-    text = " ".join(README.read_text(encoding="utf-8").replace("*", "").replace("[", "").split())
-    assert document.CITATION in text
+@pytest.mark.parametrize("path", [README, ROOT / "docs" / "index.md"], ids=lambda path: path.name)
+def test_the_paper_is_cited_once(path):
+    text = " ".join(path.read_text(encoding="utf-8").replace("*", "").replace("[", "").split())
+    assert text.count(document.CITATION) == 1
+
+
+def test_the_errata_cite_the_paper_once():
     assert " ".join(ERRATA_PAGE.read_text(encoding="utf-8").split()).count(f"The paper is {document.CITATION}.") == 1
 
 

@@ -8,14 +8,14 @@ import pytest
 import random_robots as rr
 import sympy as sp
 from helpers import arm, example, example_dict, flat, link, model_of, relative
-from latex_documents import robot as document_robot
+from latex_documents import PLUGINS, page, tex
 
 from screwgen.algebra.components import components
 from screwgen.algebra.expression import Symbol
 from screwgen.algebra.rate import rate
-from screwgen.algorithms.scope import common
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.layout import PAGE, width
+from screwgen.paper.z_form_blocks import z_form_block
 
 NAMES = {
     "exponential": (["theta"], ["R", "J", "J_inverse"]),
@@ -108,7 +108,7 @@ def test_rates_differentiate():
 
 def test_relation_of_the_rates_is_the_derivative_of_the_twist():
     """d/dt of the block's V by the product rule is the block's Vdot, entry by entry; and back again."""
-    block = common()["z_form"]
+    block = z_form_block()
     vector = lambda name: Symbol(name, block.signal(name).shape, name)  # noqa: E731
     Zdot = block.values["Zdot"]
     rates = {"omega": "alpha", "rdot": "rddot", "r": "rdot"}
@@ -127,7 +127,7 @@ def test_relation_of_the_rates_is_the_derivative_of_the_twist():
 
 @pytest.mark.parametrize("name", ["ella", "six_link", "strange"])
 def test_documents_have_the_section(name):
-    text = latex.document(document_robot(name))
+    text = tex(name)
     section = text.split(r"\section{The Z-form}")[1].split(r"\section{")[0]
     for formula in (
         r"\mathbf{J}(\boldsymbol{\theta}_i) & = \mathbf{I}_{3} - c_2\,\tilde{\boldsymbol{\theta}}_i",
@@ -139,14 +139,14 @@ def test_documents_have_the_section(name):
         r"\mathbf{A}_c & = \begin{bmatrix}",
     ):
         assert formula in section, formula
-    assert "The Z-form" in latex.html(document_robot(name)) and "Rows of the Z-form" in text
+    assert "The Z-form" in page(name) and "Rows of the Z-form" in text
 
 
 @pytest.mark.parametrize(("count", "modes"), [(1, None), (2, None), (3, {"bending_y": 1}), (9, {"bending_y": 1})])
 def test_pattern_shows_the_robots_links_while_they_fit(count, modes):
     """A row for each joint, link and flexible link; long arms show the first two links; nothing is too wide."""
     model = model_of(arm(*(link(f"l{i}", 0.3, "y", modes=modes) for i in range(count))))
-    section = latex.document(model.robot).split(r"\section{The Z-form}")[1]
+    section = latex.document(model.robot, PLUGINS).split(r"\section{The Z-form}")[1]
     pattern = section.split(r"\mathbf{M}_{sys}^{Z} & = \begin{bmatrix}")[-1].split(r"\end{bmatrix}")[0]
     assert pattern.count(r"\\") + 1 == {1: 2, 2: 4, 3: 9, 9: 7}[count]
     assert ("ddots" in pattern) == ("in the same way" in section) == (count == 9)

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from screwgen.algebra.expression import Inverse, Negative, Product, Sum, block, hat, identity, is_zero, stack, zeros
-from screwgen.algebra.plain import WIDTH, boxed, letters, plain, relation, shown
 from screwgen.algebra.rewrite import difference, expand, rebuild, substitute, symbols
 from screwgen.paper.equation import rank
 from screwgen.paper.evaluate import evaluate
 from screwgen.paper.motion import Motion
+from screwgen.paper.plain import WIDTH, boxed, letters, plain, relation, shown
 from screwgen.paper.quantities import Link
 
 L = Link("i")

@@ -5,16 +5,47 @@ from __future__ import annotations
 import json as json_format
 import sys
 from collections.abc import Sequence
-from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from ..cli.main import EPILOG, Quiet
+from ..cli.output import busy, say
 from ..errors import UsageError
-from .output import busy, say
+
+
+def add(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command(short_help="Show the paper's equations, checked.", epilog=EPILOG)(paper)
+
+
+def paper(
+    context: typer.Context,
+    label: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).", show_default=False),
+    ] = None,
+    errata: Annotated[bool, typer.Option("--errata", help="The errata, not the equations.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print as JSON, formulas in LaTeX.")] = False,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md.", show_default=False
+        ),
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Show the paper's printed equations: what holds, what fails, and what holds instead, judged by numbers.
+
+    Without a label: the list. With labels: equations printed, derived, their difference; errata with their figures.
+    """
+    run_paper(label or (), errata, json, output, quiet or context.obj)
 
 
 def run_paper(labels: Sequence[str], errata: bool, json: bool, output: str | None, quiet: bool) -> None:
     """Print or write what was asked for: by label, all equations, or all errata."""
-    from ..paper import register
     from ..simulation.runs import check_output
+    from . import register
 
     if labels and errata:
         raise UsageError("--errata means all errata; leave it out, or the labels")
@@ -31,7 +62,7 @@ def run_paper(labels: Sequence[str], errata: bool, json: bool, output: str | Non
 
 
 def _text(chosen: list, errata: bool) -> str:
-    from ..paper import register, terminal
+    from . import register, terminal
 
     if not chosen:
         return terminal.errata_listing() if errata else terminal.listing(register.equations())
@@ -40,7 +71,7 @@ def _text(chosen: list, errata: bool) -> str:
 
 
 def _json(chosen: list, errata: bool) -> str:
-    from ..paper import register, terminal
+    from . import register, terminal
 
     rows = chosen or (register.errata() if errata else register.equations())
     return json_format.dumps([terminal.record(e) for e in rows], ensure_ascii=not _shows_all(), indent=1)
@@ -60,30 +91,25 @@ def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> N
 
 
 def _tex(equations, errata) -> bytes:
-    from ..paper import document
+    from . import document
 
     return document.tex(equations, errata).encode()
 
 
 def _html(equations, errata) -> bytes:
-    from ..paper import document
+    from . import document
 
     return document.html(equations, errata).encode()
 
 
 def _pdf(equations, errata) -> bytes:
-    import tempfile
+    from ..backends.latex.document import pdf
 
-    from ..backends.latex import document as latex
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "paper.pdf"
-        latex.write_pdf(_tex(equations, errata).decode(), path)
-        return path.read_bytes()
+    return pdf(_tex(equations, errata).decode())
 
 
 def _markdown(equations, errata) -> bytes:
-    from ..paper import document
+    from . import document
 
     if equations or not errata:
         raise UsageError("a .md file holds errata alone; name errata such as E7, or give --errata")

@@ -6,7 +6,7 @@ import re
 import unicodedata
 from itertools import groupby
 
-from .expression import (
+from ..algebra.expression import (
     Block,
     Constant,
     Expression,
@@ -22,14 +22,9 @@ from .expression import (
     is_identity,
     is_zero,
 )
+from ..backends.latex.text import LETTERS
 
 WIDTH = 100
-GREEK = (
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigmaf sigma tau upsilon "
-    "phi chi psi omega"
-)
-LETTERS = {name: chr(0x3B1 + k) for k, name in enumerate(GREEK.split())}
-LETTERS |= {name.capitalize(): chr(0x391 + k) for k, name in enumerate(GREEK.split())}
 SIGNS = {
     "top": "ᵀ", "int": "∫", "sum": "Σ", "prod": "∏", "leq": "≤", "geq": "≥", "in": "∈", "times": "×", "cdots": "⋯",
     "vdots": "⋮",

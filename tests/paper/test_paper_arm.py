@@ -8,7 +8,7 @@ import pytest
 import screwgen
 from screwgen.paper.arm import SET_POINTS, ella
 
-EXAMPLE = screwgen.load(Path(__file__).resolve().parents[1] / "examples" / "ella_paper.toml")
+EXAMPLE = screwgen.load(Path(__file__).resolve().parents[2] / "examples" / "ella_paper.toml")
 
 
 @pytest.mark.parametrize("i", [0, 1])

@@ -1,0 +1,56 @@
+"""The paper's check as a plug-in: the command `paper`, the printed formulation, the Z-form."""
+
+from __future__ import annotations
+
+from ..plugins import Plugin
+from .z_form_blocks import z_form_block, z_rows_block
+from .z_functions import cauchy_names
+
+Z_FORM = """\
+The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
+r_2; …; η; Z_1; Z_2; …; dη/dt] holds for every link its rotation vector, the position of its origin in its own
+components, and Z = [ω; dr/dt]. `exponential` gives R = exp(θ), J with ω = J dθ/dt, and its inverse, which is infinite
+from a full turn on (|θ| = 2π: exponential coordinates end there). `cauchy_state` takes coordinates and rates to
+`x_c`, with angles from 0 to π; at π, θ and −θ are one rotation, and a motion through it makes θ jump. `z_form` gives
+T_γ, Γ\\*, h_Ms, M_dyn and h_dyn of the rows of joints and links; `assemble_z` the whole system with unknowns [w_1;
+dZ_1/dt; w_2; dZ_2/dt; …; d²η/dt²]. `cauchy` gives dx_c/dt = A_c x_c + g_c, the rates of the memory, and the joint
+wrenches. `J_inverse` and `A_c` are smooth up to that full turn, `cauchy_state` up to that jump."""
+
+
+# What takes long to import is imported when a hook is called.
+
+
+def _commands(app) -> None:
+    from .command import add
+
+    add(app)
+
+
+def _printed(robot):
+    from .printed import PrintedModel
+
+    return PrintedModel(robot)
+
+
+def _casadi(chain) -> dict:
+    from .z_casadi import z_functions
+
+    return z_functions(chain)
+
+
+def _chapter(chain):
+    from .z_latex import z_chapter
+
+    return z_chapter(chain)
+
+
+PLUGIN = Plugin(
+    commands=_commands,
+    formulations={"printed": _printed},
+    attributes={"cauchy_names": lambda model: cauchy_names(model.chain)},
+    blocks=lambda key: {"z_rows": z_rows_block(key)},
+    common=lambda: {"z_form": z_form_block()},
+    casadi=_casadi,
+    casadi_notes=Z_FORM,
+    chapter=_chapter,
+)

@@ -23,7 +23,7 @@ WITHOUT_UNIT = set(
 
 
 def keys(part) -> list[str]:
-    return [*part.model_fields, *getattr(part, "other_keys", ())]
+    return [*(name for name, field in part.model_fields.items() if not field.exclude), *getattr(part, "other_keys", ())]
 
 
 def test_the_tables_are_current():

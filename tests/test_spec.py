@@ -188,9 +188,9 @@ def test_link_count_comes_from_a_loop():
         ),
         (
             lambda: robot(links=iter([{"name": "a"}])),
-            "Robot bot: links[0].length: is missing; state the length",
+            "Robot bot: links[0].joint: is missing; state the joint",
         ),
-        (lambda: robot({"name": "a"}), "Robot bot: links[0].length (link a): is missing; state the length"),
+        (lambda: robot({"name": "a"}), "Robot bot: links[0].joint (link a): is missing; state the joint"),
     ],
 )
 def test_python_refuses_in_the_words_of_files(build, message):

@@ -135,12 +135,33 @@ def execute(
     stores = [dict(link) for link in links]
     for number, phase in enumerate(algorithm):
         order = range(chain.n) if phase.direction == OUTWARD else reversed(range(chain.n))
+        handed: set[tuple[int, str]] = set()
         for i in order:
-            program = trace(chain.keys[i], algorithm)[number]
-            inputs = {name: _fetch(name, stores[i], nodes[i], nodes[i + 1]) for name in program.inputs}
+            program, base, tip = trace(chain.keys[i], algorithm)[number], chain.tree.base(i), chain.tree.tip(i)
+            places = {"base": nodes[base], "tip": nodes[tip], "": stores[i]}
+            inputs = {name: _fetch(name, places) for name in program.inputs}
             for name, values in _applied(apply, chain, i, number, program, inputs).items():
-                _store(name, values, stores[i], nodes[i], nodes[i + 1])
+                store, what = _place(name, places)
+                shared = name.startswith("base.")
+                store[what] = _summed(store[what], values) if shared and (base, what) in handed else values
+                handed |= {(base, what)} if shared else set()
     return stores
+
+
+def _place(name: str, places: Mapping[str, dict]) -> tuple[dict, str]:
+    """Where a signal is kept, and under which name."""
+    where, _, what = name.partition(".")
+    return (places[where], what) if where in ("base", "tip") else (places[""], name)
+
+
+def _fetch(name: str, places: Mapping[str, dict]) -> list:
+    store, what = _place(name, places)
+    return store[what]
+
+
+def _summed(before: Sequence, values: Sequence) -> list:
+    """What two links hand to the node that carries both."""
+    return [a + b for a, b in zip(before, values, strict=True)]
 
 
 def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Program, inputs: Mapping) -> Mapping:
@@ -150,16 +171,3 @@ def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Progra
         what = f"nothing resists the joint of link '{chain.robot.links[link].name}'"
         remedy = "give the link rhoIp, a body with inertia, or the joint an armature"
         raise SingularError(f"{what}; {remedy}") from None
-
-
-def _fetch(name: str, link: Mapping, base: Mapping, tip: Mapping) -> list:
-    where, _, what = name.partition(".")
-    return {"base": base, "tip": tip}[where][what] if where in ("base", "tip") else link[name]
-
-
-def _store(name: str, values: list, link: dict, base: dict, tip: dict) -> None:
-    where, _, what = name.partition(".")
-    if where in ("base", "tip"):
-        {"base": base, "tip": tip}[where][what] = values
-    else:
-        link[name] = values

@@ -22,6 +22,11 @@ class Unknown:
     def __neg__(self) -> Unknown:
         return self
 
+    def __add__(self, _) -> Unknown:
+        return self
+
+    __radd__ = __add__
+
 
 UNKNOWN = Unknown()
 Entry = float | Unknown
@@ -102,13 +107,13 @@ def _pruned(chain: Chain, run: Sequence[tuple[int, int, Program]], results: Iter
             (name, k)
             for name, values in program.outputs.items()
             for k, v in enumerate(values)
-            if _result(chain, results, name, i) or (not _structural(v) and (*_place(name, i), k) in read)
+            if _result(chain, results, name, i) or (not _structural(v) and (*_place(chain, name, i), k) in read)
         )
         key = (id(program), wanted)
         if key not in cache:
             cache[key] = _with_outputs(program, wanted)
         kept = cache[key]
-        read |= {(*_place(n.args[0], i), n.args[1]) for n in kept.nodes if n.op == "input"}
+        read |= {(*_place(chain, n.args[0], i), n.args[1]) for n in kept.nodes if n.op == "input"}
         out.append(Passage(number, i, kept, wanted))
     return out[::-1]
 
@@ -117,11 +122,11 @@ def _result(chain: Chain, results: frozenset[str], name: str, i: int) -> bool:
     return name in results and (not name.startswith("tip.") or i == chain.n - 1)
 
 
-def _place(name: str, i: int) -> tuple[str, str, int]:
+def _place(chain: Chain, name: str, i: int) -> tuple[str, str, int]:
     """Where a signal of link i lives: its store, or a node."""
     where, _, what = name.partition(".")
     if where in ("base", "tip"):
-        return "node", what, i + (where == "tip")
+        return "node", what, chain.tree.tip(i) if where == "tip" else chain.tree.base(i)
     return "link", name, i
 
 

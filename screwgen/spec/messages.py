@@ -85,7 +85,8 @@ def unknown(name: str, known: tuple[str, ...]) -> str:
 
 def known_keys(model: type[BaseModel]) -> tuple[str, ...]:
     """The keys that `model` reads, in the order of its fields, then other spellings."""
-    return (*model.model_fields, *getattr(model, "other_keys", ()))
+    fields = (name for name, field in model.model_fields.items() if not field.exclude)
+    return (*fields, *getattr(model, "other_keys", ()))
 
 
 def model_at(root: type[BaseModel], path: typing.Iterable[str | int]) -> type[BaseModel]:

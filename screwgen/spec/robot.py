@@ -42,6 +42,7 @@ Count = Annotated[int, PlainValidator(count)]
 BasisName = Annotated[str | Callable, PlainValidator(basis)]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
+STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
 PER_AXIS = ("armature", "damping", "stiffness")
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
@@ -229,12 +230,11 @@ class Link(Part):
     @model_validator(mode="after")
     def _section_along_a_length(self) -> Self:
         if self.length is None and (self.section is not None or self.frame_at is not None):
-            raise refuse("is missing; a link with a section or frame_at needs it", at=("length",))
+            raise refuse("is missing; state the length of the centreline, m", at=("length",))
         if self.section is None and self.modes.total:
-            raise refuse("is missing; a link with modes needs it", at=("section",))
+            raise refuse(f"is missing; {STATE_SECTION}", at=("section",))
         if self.section is None and not self.bodies and self.body is None:
-            what = "is missing; state a section, at least { rhoA = … } or { density = …, area = … }, or bodies"
-            raise refuse(what, at=("section",))
+            raise refuse(f"is missing; {STATE_SECTION}, or bodies", at=("section",))
         return self
 
     @model_validator(mode="after")

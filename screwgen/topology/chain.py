@@ -10,6 +10,7 @@ from ..arguments import Parameters
 from ..spec.link_class import link_class
 from ..spec.robot import Robot
 from .parameters import labels
+from .tree import chain
 
 
 class Chain:
@@ -18,6 +19,7 @@ class Chain:
     def __init__(self, robot: Robot):
         self.robot = robot
         self.keys = [link_class(link, robot.section_rotation) for link in robot.links]
+        self.tree = chain(len(self.keys))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))

@@ -1,0 +1,43 @@
+"""The topology of an arm: which link sits on which."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+BASE = -1
+"""The number of what carries the first links."""
+
+
+@dataclass(frozen=True)
+class Tree:
+    """``parents[i]``: the number of the link that carries link i, or ``BASE``; parents come before their children.
+
+    The n + 1 nodes are where links meet: node 0 is the base, node i + 1 the tip of link i. What links hand to one node
+    is summed.
+    """
+
+    parents: tuple[int, ...]
+
+    def __post_init__(self):
+        if any(not BASE <= parent < i for i, parent in enumerate(self.parents)):
+            raise ValueError(f"parents {self.parents}: a link must come after the one that carries it")
+
+    def base(self, link: int) -> int:
+        """The node that carries a link."""
+        return self.parents[link] + 1
+
+    def tip(self, link: int) -> int:
+        """The node at the tip of a link."""
+        return link + 1
+
+    @cached_property
+    def leaves(self) -> list[int]:
+        """The nodes that carry nothing."""
+        carrying = {self.base(i) for i in range(len(self.parents))}
+        return [node for node in range(len(self.parents) + 1) if node not in carrying]
+
+
+def chain(count: int) -> Tree:
+    """Every link on the one before it."""
+    return Tree(tuple(range(BASE, count + BASE)))

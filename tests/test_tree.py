@@ -11,7 +11,7 @@ from screwgen.topology.tree import Tree
 SECTION = {"rhoA": 1.5, "EIy": 900.0, "EIz": 700.0}
 BRANCHES = [
     {"axes": ["z"], "mount": {"xyz": [0.1, 0.0, 0.0]}},
-    {"axes": ["x"], "mount": {"xyz": [0.0, -0.2, 0.1], "rpy": [0.3, 0.0, 0.2]}},
+    {"axes": ["y"], "mount": {"xyz": [0.0, -0.2, 0.1], "rpy": [0.3, 0.0, 0.2]}},
 ]
 
 

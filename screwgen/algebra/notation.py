@@ -36,8 +36,10 @@ HEAD = re.compile(r"(\\(?:mathbf|boldsymbol|dot|ddot)\{(?:[^{}]|\{[^{}]*\})*\}|[
 
 
 def latex(e: Expression) -> str:
-    """The LaTeX of an expression."""
-    return _LATEX[type(e)](e)
+    """The LaTeX of an expression; TypeError for a type of node that has none."""
+    if (write := _LATEX.get(type(e))) is None:
+        raise TypeError(f"no LaTeX for {type(e).__name__}")
+    return write(e)
 
 
 def terms(e: Expression) -> list[str]:

@@ -7,7 +7,7 @@ that `numpy.load` reads at any moment, also while the run goes on and after it w
 
 from __future__ import annotations
 
-import math
+import io
 import os
 import time
 from collections.abc import Callable, Iterator
@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
+from numpy.lib import format as npy
 
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
@@ -239,11 +240,11 @@ def _columns(model: Model) -> tuple[str, ...]:
 
 
 def npy_header(dtype: np.dtype, count: int) -> bytes:
-    """The header of an array of `count` records in NumPy's format 1.0, as long for any count."""
-    text = repr({"descr": dtype.descr, "fortran_order": False, "shape": (count,)})
-    longest = len(text) - len(str(count)) + 20
-    size = 64 * math.ceil((10 + longest + 1) / 64) - 10
-    return b"\x93NUMPY\x01\x00" + size.to_bytes(2, "little") + text.ljust(size - 1).encode() + b"\n"
+    """The header of an array of `count` records in NumPy's format 1.0, which leaves room for any count."""
+    header = io.BytesIO()
+    what = {"descr": npy.dtype_to_descr(dtype), "fortran_order": False, "shape": (count,)}
+    npy.write_array_header_1_0(header, what)
+    return header.getvalue()
 
 
 def sample_times(times: np.ndarray, every: int) -> np.ndarray:

@@ -84,7 +84,7 @@ class Model:
 
         makers = casadi.functions(self.chain) | casadi.dae_functions(self.chain) | casadi_z.z_functions(self.chain)
         makers |= casadi_motion.motion_functions(self.chain)
-        found = casadi.Made(
+        found: Mapping = casadi.Made(
             makers
             | {
                 "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),

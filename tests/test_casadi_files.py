@@ -40,7 +40,7 @@ def test_readme_describes_what_is_there(functions):
     files = model.casadi_files(functions)
     readme = files["README.md"].decode()
     assert described(readme) == written(files)
-    others = re.search(r"Also available.*?: ((?:`\w+`(?:, )?)+)\.", readme, re.DOTALL)
+    others = re.search(r"Also available.*?:\s((?:`\w+`(?:, )?)+)\.", readme, re.DOTALL)
     left_out = set(re.findall(r"`(\w+)`", others[1])) if others else set()
     assert left_out | written(files) == set(model.casadi()) and not left_out & written(files)
     assert ("right-hand sides for `casadi.integrator`" in readme) == bool({"ode", "dae"} & written(files))

@@ -102,7 +102,7 @@ def skew(a: Array) -> Array:
     return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]], dtype=object)
 
 
-def diagonal(entries: Sequence[sp.Expr]) -> Array:
+def diagonal(entries: Sequence[sp.Expr] | Array) -> Array:
     out = np.full((len(entries),) * 2, sp.S.Zero, dtype=object)
     for i, entry in enumerate(entries):
         out[i, i] = entry

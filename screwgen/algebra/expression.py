@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -24,7 +24,10 @@ class Expression:
     nodes that it knows and raises TypeError for others.
     """
 
-    shape: Shape
+    if TYPE_CHECKING:
+
+        @property
+        def shape(self) -> Shape: ...
 
     @property
     def children(self) -> tuple[Expression, ...]:
@@ -112,8 +115,7 @@ class Unary(Expression):
 
 
 @dataclass(frozen=True)
-class Negative(Unary):
-    pass
+class Negative(Unary): ...
 
 
 @dataclass(frozen=True)
@@ -187,8 +189,8 @@ class Inverse(Unary):
 class Integral(Expression):
     """``∫ weight · integrand dξ`` along the link; ``rule`` integrates one scalar component.
 
-    Without a rule the integral has no components: it is printed and evaluated on numbers alone.
-    A rule is given the name of the weight, which must then be a symbol.
+    Without a rule it has no components: it is printed and evaluated on numbers alone.  A rule is given the name of
+    the weight, which must then be a symbol.
     """
 
     integrand: Expression

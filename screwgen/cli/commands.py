@@ -97,7 +97,7 @@ def run_simulate(
     torque = read_controller(controller, model) if controller is not None else start.tau
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
-    ways = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
+    ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
     with outputs(*filter(None, (None if keep else output, plot))) as streams:
         with bar("simulating", steps, quiet) as progress, _stoppable():
             run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from .program import Node, Program, Tracer, Value, give_label
 
@@ -14,7 +15,7 @@ BINARY: dict[str, Callable] = {
 }
 
 
-def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, object], object], epsilon=0.0):
+def run(program: Program, inputs: Mapping[str, list], unary: Callable[[str, Any], Any], epsilon=0.0):
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
     ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``c4`` and ``c5``.  Returns the

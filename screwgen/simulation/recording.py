@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from numpy.lib import format as npy
@@ -110,10 +110,10 @@ class Table:
     def run(self) -> Run:
         """The run."""
         m = self.model
-        arrays = {name: self.rows[:, place] for name, place in self.places.items()}
+        arrays: dict[str, Any] = {name: self.rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
-        names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(m.robot.name, **arrays, **names, validity=self.watch.validity())
+        arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+        return Run(m.robot.name, **arrays, validity=self.watch.validity())
 
 
 class Recorder:
@@ -121,7 +121,7 @@ class Recorder:
 
     def __init__(self, table: Table):
         functions, self.table = table.model.casadi(), table
-        self.dynamics = Dynamics(table.model, table.p)
+        self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
         modal = modal_functions(table.model.chain)
         self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])

@@ -24,7 +24,7 @@ class BodyClass:
 class LinkClass:
     """Everything of a link but its numbers: the complete key of its derivation."""
 
-    bases: tuple[str, str, str, str]
+    bases: tuple[str, ...]
     """The basis of each direction that has modes."""
     counts: tuple[int, int, int, int]
     axes: tuple[tuple[float, float, float], ...]

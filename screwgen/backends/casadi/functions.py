@@ -10,6 +10,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import casadi as ca
 
@@ -34,7 +35,8 @@ class Made(Mapping):
     """Values by name, each made when it is first asked for."""
 
     def __init__(self, makers: Mapping[str, Callable[[], object]]):
-        self._makers, self._made = makers, {}
+        self._makers = makers
+        self._made: dict[str, Any] = {}
 
     def __getitem__(self, name: str):
         if name not in self._made:
@@ -55,7 +57,7 @@ class Made(Mapping):
         return f"Functions({', '.join(self)})"
 
 
-def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     """What makes the functions of the joint form, by name."""
     n, nq, np_ = chain.n, chain.nq, len(fused.parameters(chain.robot))
     q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))

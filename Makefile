@@ -51,6 +51,7 @@ minima: $(MINIMA)/.ready
 
 lint: $(READY)
 	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
+	$(BIN)/mypy
 
 # The generated C against what else computes the same; the other tools live in an environment of their own.
 bench: $(BENCH)/.ready

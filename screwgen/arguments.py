@@ -62,7 +62,7 @@ def array(values: Any, name: str, shape: tuple[int, ...], finite: bool = True) -
 
 def whole(value: Any, name: str, least: int, most: int = MAX_STEPS) -> int:
     """A whole number from `least` to `most`."""
-    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= most:
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= int(value) <= most:
         raise UsageError(f"{name} is {value!r}; it must be a whole number from {least} to {most:g}")
     return int(value)
 
@@ -71,7 +71,7 @@ def seconds(value: Any, name: str) -> float:
     """A finite time > 0."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise UsageError(f"{name} is {value!r}; it must be a finite number of seconds > 0")
-    if not 0 < value < math.inf:
+    if not 0 < float(value) < math.inf:
         raise UsageError(f"{name} is {value:g} s; it must be a finite number > 0")
     return float(value)
 
@@ -104,7 +104,8 @@ def nearest(name: str, known: Sequence[str]) -> str:
 
 # ------------------------------------------------------------------------------ parameters
 
-Given = Sequence[float] | Mapping[str, Any] | None
+Numbers = Sequence[float] | np.ndarray
+Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
 
 FREE = ("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia")
@@ -145,11 +146,11 @@ class Parameters:
         """Refuse values (k, n) that a robot file may not state: raises UsageError that names the first of them."""
         low = (rows < self.least) | ((rows == self.least) & self.positive)
         if low.any():
-            row, k = np.argwhere(low)[0]
+            row, k = map(int, np.argwhere(low)[0])
             allowed = "> 0" if self.positive[k] else ">= 0"
             raise UsageError(f"{_title(rows, row)}: {self.names[k]} is {rows[row, k]:g}; it must be {allowed}")
         for places in self.tensors:
-            for row in np.flatnonzero((rows[:, places] != self.values[places]).any(axis=1)):
+            for row in map(int, np.flatnonzero((rows[:, places] != self.values[places]).any(axis=1))):
                 if not some_body_has(tuple(rows[row, places])):
                     name = self.names[places[0]].rpartition("[")[0]
                     raise UsageError(

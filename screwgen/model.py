@@ -105,7 +105,7 @@ class Model:
             "dae": lambda: casadi.dae(self.chain, found["assemble"]),
         }
         makers = (make(self.chain) for make in (*own, *(p.casadi for p in self._plugins)))
-        found = casadi.Functions(merged("CasADi function", *makers, integrands))
+        found: Mapping = casadi.Made(merged("CasADi function", *makers, integrands))
         return found
 
     def casadi(self) -> Mapping:
@@ -187,19 +187,22 @@ class Model:
         batch=False,
         derivatives=False,
         estimator=False,
+        functions: str | Sequence[str] | None = None,
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
-        ``estimator``: also a Kalman filter in C, with the derivatives that it needs.  Writes all or nothing;
-        refuses a folder that holds files it did not write (:class:`UsageError`).
+        ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
+        :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
+        that do not follow from another.  Writes all or nothing; refuses a folder that holds files it did not write
+        (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
             "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator),
-            "casadi": self._casadi_files,
+            "casadi": lambda: self.casadi_files(functions),
             "latex": self._latex_files,
         }
         unknown = [t for t in targets if t not in makers]
@@ -249,13 +252,13 @@ class Model:
         """What runs are stepped in."""
         return self.compile()
 
-    def _casadi_files(self) -> dict[str, bytes]:
-        from .backends.casadi.functions import casadi_files
+    def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
+        """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""
+        from .backends.casadi.functions import casadi_files, chosen
 
-        found = self.casadi()
-        written = {name: found[name] for name in found if not name.startswith("step_")}
-        notes = [p.casadi_notes for p in self._plugins if p.casadi_notes]
-        return casadi_files(self.robot, written, self.parameter_names, VERSION, notes)
+        names = chosen(functions, found := self.casadi())
+        notes = {p.casadi_notes: tuple(p.casadi(self.chain)) for p in self._plugins if p.casadi_notes}
+        return casadi_files(self.robot, found, names, self.parameter_names, VERSION, notes)
 
     def _latex_files(self) -> dict[str, bytes]:
         from .backends.latex import document as latex

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from typing import Any
 
 
 def number(value: float) -> str:
@@ -17,5 +18,5 @@ def table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object]]) -
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{titles}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def _shown(x: object) -> str:
+def _shown(x: Any) -> str:
     return x if isinstance(x, str) else number(float(x))

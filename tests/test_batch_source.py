@@ -148,7 +148,7 @@ def test_the_command_line_writes_a_batch_and_its_readme_runs(tmp_path):
         require_tool(tool)
     (tmp_path / "rigid.toml").write_text(rr.to_toml(ROBOTS["rigid"] | {"name": "rigid"}))
     out = tmp_path / "out"
-    run_generate(str(tmp_path / "rigid.toml"), str(out), ["c"], "runtime", "auto", True, True, False)
+    run_generate(str(tmp_path / "rigid.toml"), str(out), ["c"], "runtime", "auto", True, batch=True)
     folder = out / "c"
     block = re.search(r"## Many at once.*?```c\n(.*?)```", (folder / "README.md").read_text(), re.DOTALL)[1]
     declared, _, rest = block.partition("rigid_batch batch")
@@ -164,7 +164,7 @@ def test_a_batch_without_c_is_refused(tmp_path):
     (tmp_path / "rigid.toml").write_text(rr.to_toml(ROBOTS["rigid"]))
     with pytest.raises(UsageError, match="--batch adds to the C, which --target leaves out"):
         run_generate(
-            str(tmp_path / "rigid.toml"), str(tmp_path / "out"), ["latex"], "runtime", "auto", True, True, False
+            str(tmp_path / "rigid.toml"), str(tmp_path / "out"), ["latex"], "runtime", "auto", True, batch=True
         )
     assert not (tmp_path / "out").exists()
 

@@ -123,7 +123,7 @@ def test_float_that_does_not_fit_is_said(tmp_path, capsys):
 
     (tmp_path / "arm.toml").write_text(rr.to_toml(overloaded(100.0, 0.1)))
     out = tmp_path / "out"
-    run_generate(str(tmp_path / "arm.toml"), str(out), ["c"], "runtime", "auto", True, False, False)
+    run_generate(str(tmp_path / "arm.toml"), str(out), ["c"], "runtime", "auto", True)
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1 and re.search(r"warning: .*'arm': the C is of no use in float: .* \d+ %; compile it", said[0])
     make = [require_tool("make"), "-s", "CFLAGS=-O0"]
@@ -167,5 +167,3 @@ def test_make_leaves_a_folder_that_can_be_generated_again(tmp_path):
     (tmp_path / "out" / "c" / "build" / "notes.txt").write_text("mine")
     with pytest.raises(UsageError, match=r"holds 'c/build/notes\.txt', which screwgen did not write"):
         model.write(tmp_path / "out", ("c",))
-
-

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from helpers import EPS, arm, drawn, example, flat, link, model_of, quick, relative
 
-from screwgen.backends.casadi.functions import _saved, casadi_files
+from screwgen.backends.casadi.functions import as_function
 
 RIGID = arm(link("a", axes="zy"), link("b", axes="y"))
 ROBOTS = ("ella", "drawn", "rigid")
@@ -34,7 +34,7 @@ def robot(name: str):
 
 @cache
 def saved(model, name: str) -> ca.Function:
-    return _saved(name, model.casadi()[name])
+    return as_function(name, model.casadi()[name])
 
 
 def values(model, name: str, seed=0) -> list[np.ndarray]:
@@ -174,8 +174,7 @@ def tables(text: str) -> list[list[list[str]]]:
 
 
 def documented(model) -> list[list[list[str]]]:
-    saved_ = casadi_files(model.robot, model.casadi(), model.parameter_names, model.version)
-    return tables(saved_["README.md"].decode())
+    return tables(model.casadi_files(ALL)["README.md"].decode())
 
 
 def count(cell: str) -> int:
@@ -322,7 +321,7 @@ print(json.dumps(out))
 def test_files_load_without_the_package(tmp_path, what):
     """In an isolated process that may not import screwgen: the same bits, and the Jacobians' too."""
     model = robot("drawn")
-    model.write(tmp_path / "out", targets=("casadi",))
+    model.write(tmp_path / "out", targets=("casadi",), functions="all")
     given = {name: values(model, name) for name in WRITTEN}
     (tmp_path / "out" / "given.json").write_text(json.dumps({k: [x.tolist() for x in v] for k, v in given.items()}))
     command = [sys.executable, "-I", "-c", ALONE, str(tmp_path / "out"), what]

@@ -1,14 +1,24 @@
-"""generated/ is what the tool writes now, byte for byte, from whatever folder it runs in."""
+"""generated/ is what the tool writes now, byte for byte, from whatever folder it runs in.
 
+Files whose bytes depend on the version of another package are compared by digest where that version is installed, and
+functions always by signature and value.
+"""
+
+import json
 import os
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ("ella", "six_link")
+LEFT_OUT = "left_out.json"
+MANIFEST = "MANIFEST.sha256"
+PACKAGES = {".casadi": "casadi", ".html": "latex2mathml"}
+LARGEST = 2e6
 
 
 def tree(folder: Path) -> dict[str, bytes]:
@@ -31,17 +41,57 @@ def two_runs(tmp_path_factory):
     return tree(first), tree(second)
 
 
+@pytest.fixture(scope="module")
+def committed():
+    return tree(ROOT / "generated")
+
+
+def same_version(committed, suffix: str) -> bool:
+    """Whether the package that made the committed files of a kind is installed in the same version."""
+    package = PACKAGES[suffix]
+    return json.loads(committed[LEFT_OUT])["versions"][package] == version(package)
+
+
 def test_same_bytes_twice(two_runs):
     assert two_runs[0] == two_runs[1]
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_committed_output_is_current(two_runs, name):
+def test_committed_output_is_current(two_runs, committed, name):
     """If this fails, look at the difference and run `make generated`."""
-    fresh = {k: v for k, v in two_runs[0].items() if k.startswith(f"{name}/")}
-    committed = {f"{name}/{k}": v for k, v in tree(ROOT / "generated" / name).items()}
-    assert sorted(fresh) == sorted(committed)
-    assert [k for k in fresh if fresh[k] != committed[k]] == []
+    fresh, kept = ({k: v for k, v in t.items() if k.startswith(f"{name}/")} for t in (two_runs[0], committed))
+    assert sorted(fresh) == sorted(kept)
+    assert [k for k in fresh if fresh[k] != kept[k] and not k.endswith(MANIFEST)] == []
+    changed = set(fresh[f"{name}/{MANIFEST}"].splitlines()) ^ set(kept[f"{name}/{MANIFEST}"].splitlines())
+    assert [x for x in changed if same_version(committed, Path(x.decode()).suffix)] == []
+
+
+def test_left_out_files_are_current(two_runs, committed):
+    """Digests and sizes where the versions are the same; signatures and values of the functions always."""
+    fresh, kept = (json.loads(t[LEFT_OUT])["files"] for t in (two_runs[0], committed))
+    assert sorted(fresh) == sorted(kept)
+    for name, now in fresh.items():
+        before, suffix = kept[name], Path(name).suffix
+        if same_version(committed, suffix):
+            assert (now["sha256"], now["bytes"]) == (before["sha256"], before["bytes"]), name
+        if suffix == ".casadi":
+            assert (now["inputs"], now["outputs"]) == (before["inputs"], before["outputs"]), name
+            assert now["norms"] == pytest.approx(before["norms"], rel=1e-8, abs=1e-12), name
+
+
+def test_left_out_files_are_those_of_the_manifests(committed):
+    """What a manifest lists is there in full or left out, with the same digest."""
+    left_out = json.loads(committed[LEFT_OUT])["files"]
+    for name in EXAMPLES:
+        lines = committed[f"{name}/{MANIFEST}"].decode().splitlines()
+        listed = {f"{name}/{file}": digest for digest, file in (line.split("  ", 1) for line in lines)}
+        own = {k: v["sha256"] for k, v in left_out.items() if k.startswith(f"{name}/")}
+        assert {k: v for k, v in listed.items() if k not in committed} == own
+        assert {Path(k).suffix for k in own} == set(PACKAGES)
+
+
+def test_it_is_small(committed):
+    assert sum(map(len, committed.values())) < LARGEST
 
 
 def test_nothing_personal(two_runs):

@@ -32,7 +32,11 @@ Array = np.ndarray
 
 
 def components(e: Expression, values: Mapping[str, Array]) -> Array:
-    """The entries of ``e`` as an object array of sympy scalars; ``values`` holds those of its symbols."""
+    """The entries of ``e`` as an object array of sympy scalars; ``values`` holds those of its symbols.
+
+    Raises TypeError for what has none: an integral without a rule or over an unnamed weight, and the inverse of a
+    matrix, for which the algorithms have programs.
+    """
     inner = lambda x: components(x, values)  # noqa: E731
     match e:
         case Symbol():
@@ -56,17 +60,16 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
         case Block():
             return np.vstack([np.hstack([inner(x) for x in row]) for row in e.rows])
         case Rotation():
-            return _rodrigues(e.axis, values[e.angle.name].item())
+            return _rodrigues(e.axis, inner(e.angle).item())
         case Stumpff():
             return np.array([[stumpff(e.order, inner(e.arg).item())]], dtype=object)
         case Root():
             return np.vectorize(sp.sqrt, otypes=[object])(inner(e.arg))
         case Inverse() if e.shape == (1, 1):
             return np.array([[1 / inner(e.arg).item()]], dtype=object)
-        case Integral():
-            weight = None if e.weight is None else e.weight.name
-            integrate = lambda entry: e.rule(entry, weight)  # noqa: E731
-            return np.vectorize(integrate, otypes=[object])(inner(e.integrand))
+        case Integral(rule=rule, weight=None | Symbol() as weight) if rule is not None:
+            name = None if weight is None else weight.name
+            return np.vectorize(lambda entry: rule(entry, name), otypes=[object])(inner(e.integrand))
     raise TypeError(f"no components for {type(e).__name__}")
 
 
@@ -99,7 +102,7 @@ def skew(a: Array) -> Array:
     return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]], dtype=object)
 
 
-def diagonal(entries: Sequence[sp.Expr]) -> Array:
+def diagonal(entries: Sequence[sp.Expr] | Array) -> Array:
     out = np.full((len(entries),) * 2, sp.S.Zero, dtype=object)
     for i, entry in enumerate(entries):
         out[i, i] = entry

@@ -1,19 +1,16 @@
 """Matrix expressions over named symbols.
 
-An :class:`Expression` is a small immutable tree with a shape.  From the one tree come
-
-* its components, as an object array of sympy scalars (:mod:`screwgen.algebra.components`),
-* its time derivative (:mod:`screwgen.algebra.rate`), and
-* its LaTeX (:mod:`screwgen.algebra.notation`).
-
-So a formula is written once.  The tree keeps the order and the grouping in which it was written:
-what a reader sees is what was derived, and the generated code follows the same grouping.
+An :class:`Expression` is a small immutable tree with a shape.  From the one tree come its components, as an object
+array of sympy scalars (:mod:`.components`), its time derivative (:mod:`.rate`) and its LaTeX (:mod:`.notation`), so
+that a formula is written once.  The tree keeps the order and the grouping in which it was written: what a reader
+sees is what was derived, and the generated code follows the same grouping.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -21,9 +18,27 @@ Shape = tuple[int, int]
 
 
 class Expression:
-    """A matrix-valued expression; vectors are columns, scalars are 1 x 1."""
+    """A matrix-valued expression; vectors are columns, scalars are 1 x 1.
 
-    shape: Shape
+    What walks a tree goes by ``children`` and ``map``, which follow from a node's fields, or names the types of
+    nodes that it knows and raises TypeError for others.
+    """
+
+    if TYPE_CHECKING:
+
+        @property
+        def shape(self) -> Shape: ...
+
+    @property
+    def children(self) -> tuple[Expression, ...]:
+        """The expressions directly below this one."""
+        return _expressions(tuple(vars(self).values()))
+
+    def map(self, change: Callable[[Expression], Expression]) -> Expression:
+        """This node over changed children, simplified as the functions below do that build expressions."""
+        if not self.children:
+            return self
+        return BUILDERS.get(type(self), type(self))(*(_changed(x, change) for x in vars(self).values()))
 
     def __add__(self, other: Expression) -> Expression:
         return add(self, other)
@@ -89,7 +104,9 @@ class Product(Expression):
 
 
 @dataclass(frozen=True)
-class Negative(Expression):
+class Unary(Expression):
+    """A node over one argument, whose shape it has unless it says otherwise."""
+
     arg: Expression
 
     @property
@@ -98,33 +115,31 @@ class Negative(Expression):
 
 
 @dataclass(frozen=True)
-class Transpose(Expression):
-    arg: Expression
+class Negative(Unary): ...
 
+
+@dataclass(frozen=True)
+class Transpose(Unary):
     @property
     def shape(self) -> Shape:
         return self.arg.shape[::-1]
 
 
 @dataclass(frozen=True)
-class Hat(Expression):
+class Hat(Unary):
     """The skew-symmetric matrix of a 3-vector: ``hat(a) b = a x b``."""
 
-    arg: Expression
     shape: Shape = (3, 3)
 
 
 @dataclass(frozen=True)
-class Trace(Expression):
-    arg: Expression
+class Trace(Unary):
     shape: Shape = (1, 1)
 
 
 @dataclass(frozen=True)
-class Diagonal(Expression):
+class Diagonal(Unary):
     """The diagonal matrix of a column."""
-
-    arg: Expression
 
     @property
     def shape(self) -> Shape:
@@ -144,10 +159,10 @@ class Block(Expression):
 
 @dataclass(frozen=True)
 class Rotation(Expression):
-    """``exp(hat(axis) angle)`` about a fixed unit axis."""
+    """``exp(hat(axis) angle)`` about a fixed unit axis; the angle is 1 x 1."""
 
     axis: tuple[sp.Expr, sp.Expr, sp.Expr]
-    angle: Symbol
+    angle: Expression
     shape: Shape = (3, 3)
 
 
@@ -161,36 +176,25 @@ class Stumpff(Expression):
 
 
 @dataclass(frozen=True)
-class Root(Expression):
+class Root(Unary):
     """The square root, entry by entry."""
-
-    arg: Expression
-
-    @property
-    def shape(self) -> Shape:
-        return self.arg.shape
 
 
 @dataclass(frozen=True)
-class Inverse(Expression):
+class Inverse(Unary):
     """The inverse of a square matrix."""
-
-    arg: Expression
-
-    @property
-    def shape(self) -> Shape:
-        return self.arg.shape
 
 
 @dataclass(frozen=True)
 class Integral(Expression):
     """``∫ weight · integrand dξ`` along the link; ``rule`` integrates one scalar component.
 
-    Without a rule the integral has no components: it is printed and evaluated on numbers alone.
+    Without a rule it has no components: it is printed and evaluated on numbers alone.  A rule is given the name of
+    the weight, which must then be a symbol.
     """
 
     integrand: Expression
-    weight: Symbol | None
+    weight: Expression | None
     rule: Callable[[sp.Expr, str | None], sp.Expr] | None = None
     index: str = "i"
 
@@ -199,7 +203,18 @@ class Integral(Expression):
         return self.integrand.shape
 
 
-# ----------------------------------------------------------------------------------------- building
+def _expressions(value: Any) -> tuple[Expression, ...]:
+    """A field of a node if it is an expression, or those that it holds."""
+    if isinstance(value, tuple):
+        return tuple(e for part in value for e in _expressions(part))
+    return (value,) if isinstance(value, Expression) else ()
+
+
+def _changed(value: Any, change: Callable[[Expression], Expression]) -> Any:
+    """A field of a node with its expressions changed."""
+    if isinstance(value, tuple):
+        return tuple(_changed(part, change) for part in value)
+    return change(value) if isinstance(value, Expression) else value
 
 
 def number(value: int | sp.Expr) -> Constant:
@@ -267,11 +282,8 @@ def product(left: Expression, right: Expression) -> Expression:
 
 def _without(right: Expression, a: Expression) -> Expression:
     """What ``a x right`` depends on: a term ``a`` of ``right`` drops out."""
-    if right == a:
-        return zeros(*a.shape)
-    if isinstance(right, Sum):
-        return add(*(zeros(*a.shape) if t == a else t for t in right.terms))
-    return right
+    terms = right.terms if isinstance(right, Sum) else (right,)
+    return add(*(zeros(*a.shape) if t == a else t for t in terms))
 
 
 def transpose(e: Expression) -> Expression:
@@ -279,12 +291,10 @@ def transpose(e: Expression) -> Expression:
     match e:
         case Transpose():
             return e.arg
-        case Negative():
-            return -transpose(e.arg)
+        case Negative() | Sum() | Inverse() | Integral(rule=None):
+            return e.map(transpose)
         case Product():
             return product(transpose(e.right), transpose(e.left))
-        case Sum():
-            return Sum(tuple(transpose(t) for t in e.terms))
         case Hat():
             return -e
         case Block():
@@ -293,15 +303,16 @@ def transpose(e: Expression) -> Expression:
             return zeros(*e.shape[::-1])
         case Constant() if is_identity(e):
             return e
-        case Inverse():
-            return Inverse(transpose(e.arg))
-        case Integral(rule=None):
-            return Integral(transpose(e.integrand), e.weight, None, e.index)
     return e if e.shape == (1, 1) else Transpose(e)
 
 
 def inverse(e: Expression) -> Expression:
     return e if is_identity(e) else Inverse(e)
+
+
+def integral(integrand: Expression, weight: Expression | None, rule=None, index: str = "i") -> Expression:
+    vanishes = is_zero(integrand) or (weight is not None and is_zero(weight))
+    return zeros(*integrand.shape) if vanishes else Integral(integrand, weight, rule, index)
 
 
 def hat(a: Expression) -> Expression:
@@ -322,3 +333,18 @@ def is_zero(e: Expression) -> bool:
 
 def is_identity(e: Expression) -> bool:
     return isinstance(e, Constant) and e == identity(e.shape[0]) and e.shape[0] == e.shape[1]
+
+
+BUILDERS: dict[type[Expression], Callable[..., Expression]] = {
+    Sum: lambda terms: add(*terms),
+    Product: product,
+    Negative: lambda arg: -arg,
+    Transpose: transpose,
+    Hat: lambda arg, _: hat(arg),
+    Trace: lambda arg, _: zeros(1) if is_zero(arg) else Trace(arg),
+    Diagonal: lambda arg: zeros(*Diagonal(arg).shape) if is_zero(arg) else Diagonal(arg),
+    Root: lambda arg: arg if is_zero(arg) else Root(arg),
+    Inverse: inverse,
+    Integral: integral,
+}
+"""What builds a node from its fields, where that simplifies; other nodes are made as they are."""

@@ -36,8 +36,10 @@ HEAD = re.compile(r"(\\(?:mathbf|boldsymbol|dot|ddot)\{(?:[^{}]|\{[^{}]*\})*\}|[
 
 
 def latex(e: Expression) -> str:
-    """The LaTeX of an expression."""
-    return _LATEX[type(e)](e)
+    """The LaTeX of an expression; TypeError for a type of node that has none."""
+    if (write := _LATEX.get(type(e))) is None:
+        raise TypeError(f"no LaTeX for {type(e).__name__}")
+    return write(e)
 
 
 def terms(e: Expression) -> list[str]:
@@ -181,9 +183,8 @@ def _inverse(e: Inverse) -> str:
     """``A^{-1}``, and ``A^{-T}`` of a transpose; of a scalar symbol, a fraction."""
     if isinstance(e.arg, Symbol) and e.shape == (1, 1):
         return rf"\frac{{1}}{{{latex(e.arg)}}}"
-    transposed = isinstance(e.arg, Transpose)
-    text = _factor(e.arg.arg if transposed else e.arg)
-    script = r"-\top" if transposed else "-1"
+    text = _factor(e.arg.arg if isinstance(e.arg, Transpose) else e.arg)
+    script = r"-\top" if isinstance(e.arg, Transpose) else "-1"
     return rf"\left({text}\right)^{{{script}}}" if "^" in text and not text.endswith(")") else rf"{text}^{{{script}}}"
 
 

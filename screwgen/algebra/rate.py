@@ -9,6 +9,7 @@ import sympy as sp
 from .expression import (
     Block,
     Constant,
+    Diagonal,
     Expression,
     Hat,
     Negative,
@@ -17,12 +18,11 @@ from .expression import (
     Stumpff,
     Sum,
     Symbol,
+    Trace,
     Transpose,
     add,
-    block,
     hat,
     product,
-    transpose,
     vector,
     zeros,
 )
@@ -30,28 +30,23 @@ from .notation import axis_latex
 
 
 def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
-    """``d/dt`` of ``e`` by the product rule; a symbol that is not in ``rates`` is constant."""
+    """``d/dt`` of ``e`` by the product rule; a symbol that is not in ``rates`` is constant.
+
+    Raises TypeError for roots, inverses and integrals, which no equation differentiates.
+    """
     inner = lambda x: rate(x, rates)  # noqa: E731
     match e:
         case Symbol():
             return rates.get(e.name, zeros(*e.shape))
         case Constant():
             return zeros(*e.shape)
-        case Sum():
-            return add(*(inner(t) for t in e.terms))
         case Product():
             return add(product(inner(e.left), e.right), product(e.left, inner(e.right)))
-        case Negative():
-            return -inner(e.arg)
-        case Transpose():
-            return transpose(inner(e.arg))
-        case Hat():
-            return hat(inner(e.arg))
-        case Block():
-            return block(*([inner(x) for x in row] for row in e.rows))
+        case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | Block():
+            return e.map(inner)
         case Rotation():
             axis = vector(e.axis, axis_latex(e.axis))
-            return product(product(e, hat(axis)), rates.get(e.angle.name, zeros(1)))
+            return product(product(e, hat(axis)), inner(e.angle))
         case Stumpff():
             k, x = e.order, e.arg
             slope = add(sp.Rational(k, 2) * Stumpff(k + 2, x), -(sp.Rational(1, 2) * Stumpff(k + 1, x)))

@@ -12,23 +12,19 @@ from .expression import (
     Expression,
     Hat,
     Integral,
-    Inverse,
     Negative,
     Product,
     Shape,
     Sum,
     Symbol,
-    Trace,
     Transpose,
     add,
     block,
     hat,
     identity,
-    inverse,
     is_identity,
     is_zero,
     number,
-    product,
     transpose,
     zeros,
 )
@@ -41,49 +37,20 @@ Terms = dict[Monomial, sp.Expr]
 
 
 def substitute(e: Expression, values: Mapping[str, Expression]) -> Expression:
-    """``e`` with the named symbols replaced."""
-    inner = lambda x: substitute(x, values)  # noqa: E731
-    match e:
-        case Symbol():
-            return values.get(e.name, e)
-        case Sum():
-            return add(*map(inner, e.terms))
-        case Product():
-            return product(inner(e.left), inner(e.right))
-        case Negative():
-            return -inner(e.arg)
-        case Transpose():
-            return transpose(inner(e.arg))
-        case Inverse():
-            return inverse(inner(e.arg))
-        case Hat():
-            return hat(inner(e.arg))
-        case Trace():
-            return Trace(inner(e.arg))
-        case Block():
-            return block(*(map(inner, row) for row in e.rows))
-        case Integral():
-            return Integral(inner(e.integrand), e.weight, e.rule, e.index)
-    return e
+    """``e`` with the named symbols replaced; ValueError where a value has another shape than its symbol."""
+    if not isinstance(e, Symbol):
+        return e.map(lambda x: substitute(x, values))
+    value = values.get(e.name, e)
+    if value.shape != e.shape:
+        raise ValueError(f"{e.name} has shape {e.shape}; its value has {value.shape}")
+    return value
 
 
 def symbols(e: Expression) -> list[Symbol]:
     """The symbols of ``e`` in the order of their first appearance."""
-    parts: tuple[Expression | None, ...] = ()
-    match e:
-        case Symbol():
-            return [e]
-        case Sum():
-            parts = e.terms
-        case Product():
-            parts = (e.left, e.right)
-        case Negative() | Transpose() | Inverse() | Hat() | Trace():
-            parts = (e.arg,)
-        case Block():
-            parts = tuple(x for row in e.rows for x in row)
-        case Integral():
-            parts = (e.weight, e.integrand)
-    return list(dict.fromkeys(s for part in parts if part is not None for s in symbols(part)))
+    if isinstance(e, Symbol):
+        return [e]
+    return list(dict.fromkeys(s for part in e.children for s in symbols(part)))
 
 
 def difference(a: Expression, b: Expression, rank: Rank = lambda e: 0) -> Expression:

@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import jinja2
 
 PACKAGE = Path(__file__).resolve().parents[1]
 
-BRACES: Mapping[str, str] = {}
+BRACES: Mapping[str, Any] = {}
 """Jinja's own delimiters, ``{{ name }}`` and ``{% for ... %}``: C, HTML, text."""
 
-ANGLES: Mapping[str, str] = {
+ANGLES: Mapping[str, Any] = {
     "variable_start_string": "<<",
     "variable_end_string": ">>",
     "block_start_string": "<%",

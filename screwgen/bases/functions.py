@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
+from typing import TypeAlias
 
 import mpmath
 from mpmath import mpc, mpf
 
-Scalar = mpf | mpc
+Scalar: TypeAlias = mpf | mpc
 
 
 class ClosedForm:

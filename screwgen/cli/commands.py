@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -39,26 +40,25 @@ def run_generate(
     parameters: str,
     layout: str,
     quiet: bool,
-    batch: bool,
-    derivatives: bool,
-    estimator: bool = False,
+    **more: Any,
 ) -> None:
-    """Write the folder and list its files."""
+    """Write the folder and list its files; ``more`` holds further arguments of :meth:`screwgen.Model.write`."""
     for target in targets or ():
         check_choice("--target", target, TARGETS)
     check_choice("--parameters", parameters, PARAMETERS)
     check_choice("--layout", layout, LAYOUTS)
-    for option, asked in (("--batch", batch), ("--derivatives", derivatives), ("--estimator", estimator)):
-        if asked and targets and "c" not in targets:
-            raise UsageError(f"{option} adds to the C, which --target leaves out; add --target c or leave {option} out")
+    for name, asked in more.items():
+        what, target = ("CasADi files", "casadi") if name == "functions" else ("C", "c")
+        if asked and targets and target not in targets:
+            said = f"--{name} adds to the {what}, which --target leaves out"
+            raise UsageError(f"{said}; add --target {target} or leave --{name} out")
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
     with busy("generating", quiet), _stoppable():
         wanted = tuple(t for t in TARGETS if not targets or t in targets)
-        asked = {"batch": batch, "derivatives": derivatives, "estimator": estimator}
         with warnings.catch_warnings(record=True, action="always", category=PrecisionWarning) as noted:
-            files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **asked)
+            files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
@@ -97,7 +97,7 @@ def run_simulate(
     torque = read_controller(controller, model) if controller is not None else start.tau
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
-    ways = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
+    ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
     with outputs(*filter(None, (None if keep else output, plot))) as streams:
         with bar("simulating", steps, quiet) as progress, _stoppable():
             run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)

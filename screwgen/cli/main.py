@@ -88,6 +88,14 @@ def generate(
             help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
         ),
     ] = False,
+    functions: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="A CasADi function to save, or all; may be given again. Without: dynamics, energy and poses.",
+            show_default=False,
+        ),
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write a folder of generated code: C99 without heap, CasADi functions, LaTeX equations.
@@ -96,7 +104,8 @@ def generate(
     """
     from .commands import run_generate
 
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, batch, derivatives, estimator)
+    more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "functions": functions or None}
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **more)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import sys
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import typer
 
 from ..errors import ScrewgenError, SingularError, StoppedError
 from ..spec.load import one_line
 
-ClickException = typer.BadParameter.__mro__[2]
+ClickException: Any = typer.BadParameter.__mro__[2]
 """Whatever is wrong with a command line; typer has it under names that change with its version."""
 
 
@@ -36,7 +38,8 @@ def _open_streams() -> None:
     for name in ("stdin", "stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "r" if name == "stdin" else "w"))  # noqa: SIM115
-    sys.stdout.reconfigure(errors="backslashreplace")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 @contextmanager
@@ -79,7 +82,7 @@ def guarded(work: Callable[[], int]) -> int:
         return _fail(f"the system refuses: {error.strerror or error}; check files, disk and permissions", status=1)
 
 
-def _sentence(error: ClickException) -> str:
+def _sentence(error: Any) -> str:
     """A complaint about the command line, in our form: what is wrong; where help is."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context else "screwgen"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from .program import Node, Program, Tracer, Value, give_label
 
@@ -17,9 +18,9 @@ BINARY: dict[str, Callable] = {
 def run(
     program: Program,
     inputs: Mapping[str, list],
-    unary: Callable[[str, object], object],
+    unary: Callable[[str, Any], Any],
     epsilon=0.0,
-    literal: Callable[[float], object] = lambda x: x,
+    literal: Callable[[float], Any] = lambda x: x,
 ):
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 

@@ -142,7 +142,7 @@ def _draw(axes: Axes, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.
             axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
             axes.plot(*line[-1, -1], "D", color=color, markersize=5)
             for i, turn in now.turns.items():
-                corners = sections(line[i], frames[i], turn, width)
+                corners = sections(line[i], frames[i], turn, float(width))
                 _sections(axes, corners, DENSE if len(now.turns) <= 2 else SPARSE, color)
                 points.append(corners)
     elevation, azimuth = view(np.diff(rest, axis=1), shape.motion[:, 1:])

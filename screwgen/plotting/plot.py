@@ -151,7 +151,7 @@ def color(link: int, n: int) -> tuple | str:
 def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
     """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link."""
     links = link_names(run)
-    found = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
+    found: list[tuple] = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
     return [
         Line(values[:, k], color(links.index(link), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
         for k, link, member in found
@@ -213,7 +213,9 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
     """What colours and styles mean, for all panels, in a strip of its own."""
     links, lines = link_names(run), [line for panel in shown for line in panel.lines if line.label is None]
     n, every = len(links), (run.t[-1] - run.t[0]) / (POSTURES - 1)
-    entries = [(name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)]
+    entries: list[tuple[str, dict]] = [
+        (name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)
+    ]
     for style, word in zip(STYLES[1:], ("second", "third", "fourth"), strict=True):
         if any(line.style == style for line in lines):
             entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
@@ -249,12 +251,12 @@ def _space(axes: Axes, run: Run, model: Model | None) -> None:
         postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
         _arm(axes, postures)
         points.append(postures.reshape(-1, 3))
-    points = np.concatenate(points)
-    _, size, direction = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    cloud = np.concatenate(points)
+    _, size, direction = np.linalg.svd(cloud - cloud.mean(axis=0), full_matrices=False)
     elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])
     axes.view_init(elev=elevation, azim=azimuth)
     what = "The path of the tip" if model is None else "The arm and the path of its tip"
-    look.fit(axes, points, f"{what}, true to scale")
+    look.fit(axes, cloud, f"{what}, true to scale")
 
 
 def _arm(axes: Axes, postures: np.ndarray) -> None:

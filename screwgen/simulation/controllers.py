@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..errors import UsageError
 from ..spec.load import DEEP_KEY, one_line, syntax_error
 from ..spec.messages import unknown
@@ -20,7 +21,7 @@ from .state import read_text, refusals, sized
 if TYPE_CHECKING:
     from ..model import Model
 
-Controller = Callable[[float, np.ndarray, np.ndarray], Sequence[float]]
+Controller = Callable[[float, np.ndarray, np.ndarray], Numbers]
 
 UNITS = {"kp": "N·m/rad", "kd": "N·m·s/rad", "q_des": "rad", "tau_max": "N·m"}
 REQUIRED = ("kp", "kd", "q_des")
@@ -36,12 +37,12 @@ class Holding:
 
     TOLERANCE, STEPS = 1e-12, 30
 
-    def __init__(self, model: Model, p: Sequence[float] | None = None):
+    def __init__(self, model: Model, p: Numbers | None = None):
         self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))
 
-    def __call__(self, q: Sequence[float]) -> np.ndarray:
+    def __call__(self, q: Numbers) -> np.ndarray:
         """The torques (n_joints,), N·m, at the joint angles `q` (n_joints,), rad."""
         m = self.count
         x = np.append(np.asarray(q, float)[:m], np.zeros(self.nq - m))
@@ -95,7 +96,7 @@ class PD:
         if self.waypoints and (self.duration, self.q_des) != self.waypoints[-1]:
             raise UsageError("PD: the last of the waypoints is not (duration, q_des); make it so")
 
-    def starting_at(self, q: Sequence[float]) -> PD:
+    def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
         return replace(self, q_start=tuple(float(x) for x in q[: len(self.q_des)]))
 
@@ -150,7 +151,7 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
             if key not in given:
                 raise refuse(f"is missing; state {model.n_joints} numbers, one per joint, {UNITS[key]}", (key,))
         values = {key: given[key] for key in UNITS if key in given}
-        law = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
+        law: dict[str, Any] = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
         law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
         return PD(
             **law, duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None

@@ -5,13 +5,13 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..arguments import Numbers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
 from ..spec.robot import DIRECTIONS, Modes
@@ -36,7 +36,7 @@ class Screws(NamedTuple):
     """(N, n, 3) m/s: velocity of the origin of F_i, in F_i components."""
 
 
-def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Sequence[float] | None = None) -> Screws:
+def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
     n, r = model.n_links, model.nq - model.n_joints
@@ -48,7 +48,7 @@ def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Sequence[float] | None
     return Screws(theta.reshape(-1, n, 3), place.reshape(-1, n, 3), twists[..., :3], twists[..., 3:])
 
 
-def displacements(model: Model, q: np.ndarray, link: int, points: Sequence[float]) -> np.ndarray:
+def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
 
     `points`: places along the link as s in [0, 1], base to tip.
@@ -61,13 +61,13 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Sequence[float
     return out
 
 
-def twist(model: Model, q: np.ndarray, link: int, points: Sequence[float]) -> np.ndarray:
+def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`."""
     q, columns = _samples(model, q, "q"), modal_columns(model, link, "torsion")
     return q[:, columns] @ _shapes(model.robot.links[link].modes, "torsion", tuple(map(float, points)))
 
 
-def centrelines(model: Model, q: np.ndarray, points: Sequence[float]) -> np.ndarray:
+def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
     """The centrelines (n, points, 3) of all links at the coordinates `q` (nq,), inertial frame, m."""
     (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
     for i, link in enumerate(model.robot.links):
@@ -96,7 +96,7 @@ def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
     return out
 
 
-def tip_deformation(model: Model, q: np.ndarray, p: Sequence[float] | None = None) -> np.ndarray:
+def tip_deformation(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
     """How far (N, 3), m, the last tip is from where straight links at the same joint angles would hold it.
 
     In inertial components; the slope of a link's tip, which tilts the links after it, counts.
@@ -104,7 +104,7 @@ def tip_deformation(model: Model, q: np.ndarray, p: Sequence[float] | None = Non
     return tip_position(model, q, p) - tip_position(model, undeformed(model, q), p)
 
 
-def tip_position(model: Model, q: np.ndarray, p: Sequence[float] | None = None) -> np.ndarray:
+def tip_position(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
     """The last tip (N, 3), m, in the inertial frame."""
     return _mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, p), output=1)
 
@@ -126,7 +126,7 @@ def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tupl
     return np.fft.rfftfreq(len(t), step), 2 * np.abs(np.fft.rfft(weighted, axis=0)) / window.sum()
 
 
-def _values(model: Model, p: Sequence[float] | None) -> np.ndarray:
+def _values(model: Model, p: Numbers | None) -> np.ndarray:
     return np.array(model.parameter_values if p is None else p, float)
 
 
@@ -139,6 +139,7 @@ def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
 
 def _mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
     """An output of a CasADi function for every sample (N, …); the last argument, `p`, is one for all."""
-    *rows, p = rows
-    out = function.map(len(rows[0]))(*(x.T for x in rows), np.tile(p, (len(rows[0]), 1)).T)
+    *varying, p = rows
+    count = len(varying[0])
+    out = function.map(count)(*(x.T for x in varying), np.tile(p, (count, 1)).T)
     return np.array(out[output] if isinstance(out, tuple) else out).T

@@ -7,16 +7,17 @@ that `numpy.load` reads at any moment, also while the run goes on and after it w
 
 from __future__ import annotations
 
-import math
+import io
 import os
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
+from numpy.lib import format as npy
 
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
@@ -109,10 +110,10 @@ class Table:
     def run(self) -> Run:
         """The run."""
         m = self.model
-        arrays = {name: self.rows[:, place] for name, place in self.places.items()}
+        arrays: dict[str, Any] = {name: self.rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
-        names = {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(m.robot.name, **arrays, **names, validity=self.watch.validity())
+        arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+        return Run(m.robot.name, **arrays, validity=self.watch.validity())
 
 
 class Recorder:
@@ -120,7 +121,7 @@ class Recorder:
 
     def __init__(self, table: Table):
         functions, self.table = table.model.casadi(), table
-        self.dynamics = Dynamics(table.model, table.p)
+        self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
         modal = modal_functions(table.model.chain)
         self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
@@ -239,11 +240,11 @@ def _columns(model: Model) -> tuple[str, ...]:
 
 
 def npy_header(dtype: np.dtype, count: int) -> bytes:
-    """The header of an array of `count` records in NumPy's format 1.0, as long for any count."""
-    text = repr({"descr": dtype.descr, "fortran_order": False, "shape": (count,)})
-    longest = len(text) - len(str(count)) + 20
-    size = 64 * math.ceil((10 + longest + 1) / 64) - 10
-    return b"\x93NUMPY\x01\x00" + size.to_bytes(2, "little") + text.ljust(size - 1).encode() + b"\n"
+    """The header of an array of `count` records in NumPy's format 1.0, which leaves room for any count."""
+    header = io.BytesIO()
+    what = {"descr": npy.dtype_to_descr(dtype), "fortran_order": False, "shape": (count,)}
+    npy.write_array_header_1_0(header, what)
+    return header.getvalue()
 
 
 def sample_times(times: np.ndarray, every: int) -> np.ndarray:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -90,8 +90,9 @@ class Run:
 
 
 def write_npz(run: Run, stream: BinaryIO) -> None:
-    arrays = {name: getattr(run, name) for name in ARRAYS}
-    np.savez(stream, **arrays, **{name: np.array(getattr(run, name), dtype=str) for name in NAMES})
+    arrays: dict[str, Any] = {name: getattr(run, name) for name in ARRAYS}
+    arrays |= {name: np.array(getattr(run, name), dtype=str) for name in NAMES}
+    np.savez(stream, **arrays)
 
 
 def write_csv(run: Run, stream: BinaryIO) -> None:

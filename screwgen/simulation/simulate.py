@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import MAX_STEPS, Given, choice, seconds, whole
+from ..arguments import MAX_STEPS, Given, Numbers, choice, seconds, whole
 from ..errors import DivergedError, UsageError
 from . import loop
 from .controllers import Controller
@@ -37,10 +37,10 @@ def simulate(
     model: Model,
     duration: float,
     step: float,
-    q0: Sequence[float] | None = None,
-    v0: Sequence[float] | None = None,
-    controller: Controller | Sequence[float] | None = None,
-    w_ext: Wrenches | Sequence[Sequence[float]] | None = None,
+    q0: Numbers | None = None,
+    v0: Numbers | None = None,
+    controller: Controller | Numbers | None = None,
+    w_ext: Wrenches | Sequence[Sequence[float]] | np.ndarray | None = None,
     integrator: str | None = None,
     form: str = "joint",
     parameters: Given = None,
@@ -139,9 +139,7 @@ def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) 
     return walk
 
 
-def stepper(
-    model: Model, integrator: str | None = None, form: str = "joint", p: Sequence[float] | None = None
-) -> Stepper:
+def stepper(model: Model, integrator: str | None = None, form: str = "joint", p: Numbers | None = None) -> Stepper:
     """The stepper of a form and an integrator (None: the form's own choice) at the parameters `p`.
 
     Raises UsageError on unknown names.
@@ -169,7 +167,7 @@ def time_grid(duration: float, step: float) -> np.ndarray:
     return np.append(step * np.arange(step_count(duration, step)), float(duration))
 
 
-def coordinates(values: Sequence[float] | None, name: str, model: Model) -> np.ndarray:
+def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
     """`values` as (nq,); the joints alone leave the modes at zero."""
     given = np.ravel(floats([] if values is None else values, name))
     if len(given) not in (0, model.n_joints, model.nq):

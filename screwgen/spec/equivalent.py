@@ -20,6 +20,7 @@ def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:
 
 def _equivalent(link: Link, direction: str, values: tuple[float, ...]) -> tuple[float, ...]:
     inertia = link.section.rhoIp if direction == "torsion" else link.section.rhoA
+    assert inertia is not None  # what modes need, the file states
     scale = inertia * link.length ** (2 * ORDER[direction])
     natural = link.modes.shapes(direction).stiffness
     return tuple(scale * (math.tau * f) ** 2 / k for f, k in zip(values, natural, strict=True))

@@ -26,7 +26,7 @@ class BodyClass:
 class LinkClass:
     """Everything of a link but its numbers: the complete key of its derivation."""
 
-    bases: tuple[str | Basis, str | Basis, str | Basis, str | Basis]
+    bases: tuple[str | Basis, ...]
     """The basis of each direction that has modes."""
     counts: tuple[int, int, int, int]
     screws: tuple[Screw, ...]

@@ -93,7 +93,10 @@ def model_at(root: type[BaseModel], path: typing.Iterable[str | int]) -> type[Ba
     """The class whose keys stand at `path` below `root`."""
     for part in path:
         if isinstance(part, str):
-            root = model_in(root.model_fields[part].annotation)
+            inner = model_in(root.model_fields[part].annotation)
+            if inner is None:
+                raise TypeError(f"{part} of {root.__name__} has no keys")
+            root = inner
     return root
 
 

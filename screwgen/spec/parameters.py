@@ -98,13 +98,13 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
         yield name, getattr(link.section, name)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values
-    yield "damping.ratio", link.damping and link.damping.ratio
+    yield "damping.ratio", link.damping.ratio if link.damping else None
 
 
 def joint(joint: Joint) -> Iterator[tuple[str, Value]]:
     """The fields of a joint; its axes are structure, not parameters."""
-    yield "joint.mount.xyz", joint.mount and joint.mount.xyz
-    yield "joint.mount.rpy", joint.mount and joint.mount.rpy
+    yield "joint.mount.xyz", joint.mount.xyz if joint.mount else None
+    yield "joint.mount.rpy", joint.mount.rpy if joint.mount else None
     yield "joint.armature", joint.armature
     yield "joint.damping", joint.damping
     yield "joint.stiffness", joint.stiffness

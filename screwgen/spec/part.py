@@ -23,7 +23,7 @@ class Part(BaseModel):
             raise RobotFileError(f"{self._title(data)}: {explain(error, type(self), data)}") from None
 
     # Nested parts are then validated in place, not by this constructor: an error keeps its whole path.
-    __init__.__pydantic_base_init__ = True
+    setattr(__init__, "__pydantic_base_init__", True)  # noqa: B010
 
     @classmethod
     def _title(cls, data: dict[str, Any]) -> str:

@@ -1,7 +1,7 @@
 """What mechanics asks of numbers that belong together: axes of one joint, inertia of one body."""
 
 import math
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -49,16 +49,16 @@ def axis(value: Any, *, at: Path) -> Vector | Screw:
     return unit(numbers(value, 3, at=at), at=at)
 
 
-def unit(a: Vector, *, at: Path) -> Vector:
+def unit(a: Sequence[float], *, at: Path) -> Vector:
     """`a` at length 1, whatever its size."""
     largest = max(map(abs, a))
     if largest == 0:
         raise refuse("is the zero vector; an axis needs a direction", at)
+    x, y, z = a
     if abs(math.hypot(*a) - 1) <= UNIT:
-        return a
-    scaled = [x / largest for x in a]
-    length = math.hypot(*scaled)
-    return tuple(x / length for x in scaled)
+        return x, y, z
+    length = math.hypot(x / largest, y / largest, z / largest)
+    return x / largest / length, y / largest / length, z / largest / length
 
 
 def cross(a: Vector, b: Vector) -> Vector:

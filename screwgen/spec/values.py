@@ -82,7 +82,7 @@ def count(value: Any) -> int:
     """A number of modes in one direction."""
     if not isinstance(value, Integral) or isinstance(value, bool):
         raise refuse(f"is {shown(value)}; it must be a whole number from 0 to {MAX_MODES}")
-    if not 0 <= value <= MAX_MODES:
+    if not 0 <= int(value) <= MAX_MODES:
         raise refuse(f"is {shown(value)}; it must be from 0 to {MAX_MODES}")
     return int(value)
 

@@ -6,12 +6,13 @@ more mode in every direction tells of each direction alone too, by Ritz's method
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.linalg import block_diag
 
+from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
 from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
@@ -40,7 +41,7 @@ class Convergence(NamedTuple):
 
 
 def convergence(
-    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Sequence[float] | None = None
+    model: Model, q: Numbers | None = None, joints: str = "locked", p: Numbers | None = None
 ) -> Convergence:
     """How far one more mode per direction would move each frequency of :func:`.modes.mode_shapes`; arguments as there.
 

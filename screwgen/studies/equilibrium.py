@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +9,7 @@ import numpy as np
 import scipy.linalg
 
 from .. import notebook
-from ..arguments import Given, array, choice
+from ..arguments import Given, Numbers, array, choice
 from ..errors import UsageError
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
@@ -78,8 +77,8 @@ class Equilibrium:
 
 def equilibrium(
     model: Model,
-    q: Sequence[float] | None = None,
-    tau: Sequence[float] | None = None,
+    q: Numbers | None = None,
+    tau: Numbers | None = None,
     w_ext: Any = None,
     hold: bool | str = False,
     p: Given = None,
@@ -104,7 +103,7 @@ def equilibrium(
     m, n = model.n_joints, model.n_links
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
-    start = checked(q, "q", m) if np.size(q) == m != model.nq else checked(q, "q", model.nq)
+    start = checked(q, "q", m) if q is not None and np.size(q) == m != model.nq else checked(q, "q", model.nq)
     start = np.append(start, np.zeros(model.nq - len(start)))
     load = np.append(checked(tau, "tau", m), np.zeros(model.nq - m))
     values = model.chain.parameters.vector(p)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
-from ..arguments import Given, array, choice, nearest
+from ..arguments import Given, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
 from ..spec.load import one_line
@@ -75,7 +75,7 @@ class LinearModel:
         if len(key) != 2:
             raise UsageError(f"a linear model has no {len(key)} axes; give linear[outputs, inputs]")
         i, j = _places(key[0], self.output_names, "outputs"), _places(key[1], self.input_names, "inputs")
-        named = {
+        named: dict[str, Any] = {
             f"{part}_{kind}": tuple(getattr(self, f"{part}_{kind}")[k] for k in places)
             for part, places in (("output", i), ("input", j))
             for kind in ("names", "units")
@@ -99,7 +99,7 @@ class LinearModel:
         named = notebook.table(title, ("", "name", "linearised at", "unit"), rows)
         return named + notebook.table("poles, 1/s", ("real", "± imaginary"), poles)
 
-    def scipy(self) -> scipy.signal.StateSpace:
+    def scipy(self) -> Any:
         """The model as SciPy's continuous-time StateSpace; needs an input, an output and a state."""
         if 0 in (*self.B.shape, len(self.C)):
             size = f"{len(self.A)} states, {self.B.shape[1]} inputs and {len(self.C)} outputs"
@@ -118,7 +118,7 @@ class LinearModel:
         poles = np.linalg.eigvals(self.A).astype(complex)
         return poles[np.lexsort((poles.real, poles.imag))]
 
-    def response(self, frequencies: Sequence[float]) -> np.ndarray:
+    def response(self, frequencies: Numbers) -> np.ndarray:
         """The frequency response `C (2πjf − A)⁻¹ B + D` (frequencies, outputs, inputs), at frequencies in Hz."""
         f = np.asarray(frequencies, float)
         if f.ndim != 1 or not np.isfinite(f).all():
@@ -147,9 +147,9 @@ def _places(key: Any, names: Sequence[str], what: str) -> list[int]:
 def linearise(
     chain: Chain,
     derivatives: Any,
-    q: Sequence[float],
-    v: Sequence[float] | None = None,
-    tau: Sequence[float] | None = None,
+    q: Numbers,
+    v: Numbers | None = None,
+    tau: Numbers | None = None,
     w_ext: Any = None,
     parameters: Given = None,
     outputs: Sequence[str] | str = OUTPUTS,

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import scipy.linalg
 
-from ..arguments import Given, choice
+from ..arguments import Given, Numbers, choice
 from ..errors import SingularError
 from ..simulation.validity import Validity, Watch
 from .linear import checked
@@ -19,9 +18,7 @@ if TYPE_CHECKING:
 JOINTS = ("locked", "free")
 
 
-def natural_frequencies(
-    model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None
-) -> np.ndarray:
+def natural_frequencies(model: Model, q: Numbers | None = None, joints: str = "locked", p: Given = None) -> np.ndarray:
     """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
 
     `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; "free"
@@ -49,7 +46,7 @@ class ModeShapes(NamedTuple):
     """How far the posture is from the limits of the model under the weight that it would bear with gravity."""
 
 
-def mode_shapes(model: Model, q: Sequence[float] | None = None, joints: str = "locked", p: Given = None) -> ModeShapes:
+def mode_shapes(model: Model, q: Numbers | None = None, joints: str = "locked", p: Given = None) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
@@ -72,7 +69,7 @@ def mode_shapes(model: Model, q: Sequence[float] | None = None, joints: str = "l
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, model.validity_at_rest(q, parameters=p))
 
 
-def posture(model: Model, q: Sequence[float] | None) -> np.ndarray:
+def posture(model: Model, q: Numbers | None) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or all zero."""
     if q is not None and np.size(q) == model.n_joints != model.nq:
         q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
@@ -100,7 +97,7 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
 
 
-def stiffness(model: Model, p: Sequence[float] | None = None) -> np.ndarray:
+def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
     """The diagonal of the stiffness matrix (nq,): joint springs (N·m/rad), then modes (N/m, torsion: N·m/rad)."""
     values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     springs = [
@@ -125,7 +122,7 @@ def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.n
     return rest, k[held], len(free)
 
 
-def _singular(model: Model, q: np.ndarray, p: Sequence[float] | None) -> SingularError:
+def _singular(model: Model, q: np.ndarray, p: Numbers | None) -> SingularError:
     """The error that names the joint, if the dynamics know it."""
     zero = np.zeros(model.nq)
     try:

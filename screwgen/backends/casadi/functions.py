@@ -7,14 +7,17 @@ the robot file.  The functions take SX and MX, differentiate, serialise and gene
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import casadi as ca
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.functions import Functions
+from ...algorithms.linearise import slopes
 from ...arguments import choice
 from ...bodies.validity import MEASURES
 from ...ir.program import Program
@@ -28,11 +31,12 @@ LIMIT = 4.0
 TERMS = 14
 
 
-class Functions(Mapping):
+class Made(Mapping):
     """Values by name, each made when it is first asked for."""
 
     def __init__(self, makers: Mapping[str, Callable[[], object]]):
-        self._makers, self._made = makers, {}
+        self._makers = makers
+        self._made: dict[str, Any] = {}
 
     def __getitem__(self, name: str):
         if name not in self._made:
@@ -53,7 +57,7 @@ class Functions(Mapping):
         return f"Functions({', '.join(self)})"
 
 
-def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     """What makes the functions of the joint form, by name."""
     n, nq, np_ = chain.n, chain.nq, len(fused.parameters(chain.robot))
     q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
@@ -83,7 +87,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], vdot)}
+        lower = ca.SX(ca.Sparsity.lower(nq).T, outputs(_inertia)["lower"]).T
+        return {"M": ca.sparsify(ca.tril2symm(lower))}
 
     rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
@@ -96,6 +101,17 @@ def functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
         ("link_pose", "q p", link_pose),
     )
     return {name: made(name, inputs, results) for name, inputs, results in rows}
+
+
+def _inertia(chain: Chain) -> Program:
+    """``(q) -> (lower)``: the lower triangle of the mass matrix, row by row."""
+
+    def body(f: Functions, x: Mapping) -> dict[str, list]:
+        rest, nothing = [0.0] * chain.nq, [0.0] * 6 * chain.n
+        M = slopes(f, x["q"], rest, rest, nothing).M
+        return {"lower": [M[i, j] for i in range(chain.nq) for j in range(i + 1)]}
+
+    return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)
 
 
 def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
@@ -226,33 +242,54 @@ def rotations(rows: ca.SX, n: int) -> ca.SX:
 
 # ------------------------------------------------------------------------------------ the CasADi target
 
+DEFAULT = ("forward_dynamics", "inverse_dynamics", "energy", "tip_pose", "link_pose")
+"""What is written unless functions are named: what grows with the number of links and does not follow from another."""
+
 INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
 
 
-def casadi_files(
-    robot: Robot, functions: Mapping, parameter_names: Sequence[str], version: str, notes: Sequence[str] = ()
-) -> dict[str, bytes]:
-    """``NAME.casadi`` per function and a README: their signatures, and where their Jacobians have nonzeros.
+def chosen(asked: Sequence[str] | str | None, known: Iterable[str]) -> tuple[str, ...]:
+    """The names of the functions to write: those asked for, DEFAULT (None), or all (``"all"``, also in a list).
 
-    ``notes``: paragraphs on functions that plug-ins add.
+    All are without the single steps, of which ``step`` is one.  Raises UsageError for an unknown name.
     """
-    saved = {name: _saved(name, value) for name, value in functions.items()}
+    names = DEFAULT if asked is None else (asked,) if isinstance(asked, str) else tuple(asked)
+    every = tuple(name for name in known if not name.startswith("step_"))
+    for name in names:
+        choice(name, (*known, "all"), "there is no function")
+    return tuple(dict.fromkeys(x for name in names for x in (every if name == "all" else (name,))))
+
+
+def casadi_files(
+    robot: Robot,
+    functions: Mapping,
+    names: Sequence[str],
+    parameter_names: Sequence[str],
+    version: str,
+    notes: Mapping[str, Sequence[str]],
+) -> dict[str, bytes]:
+    """``NAME.casadi`` per named function and a README: signatures, and where the Jacobians have nonzeros.
+
+    ``notes``: paragraphs on functions that plug-ins add, with the names of these.
+    """
+    saved = {name: as_function(name, functions[name]) for name in names}
     files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
-    rows = [{"name": name, "inputs": _signature(f, "in"), "outputs": _signature(f, "out")} for name, f in saved.items()]
+    rows = [{"name": name, "inputs": signature(f, "in"), "outputs": signature(f, "out")} for name, f in saved.items()]
     patterns = {"jacobians": jacobians(saved), "structures": structures(robot, saved)}
     readme = render(
         "casadi/README.md.jinja",
         name=robot.name,
         version=version,
         functions=rows,
+        others=[name for name in functions if name not in saved],
         parameters=parameter_names,
-        notes=notes,
+        notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,
     )
     return files | {"README.md": readme.encode()}
 
 
-def _saved(name: str, value) -> ca.Function:
+def as_function(name: str, value) -> ca.Function:
     """A function as it is; a dictionary for ``casadi.integrator`` as the function of its expressions."""
     if isinstance(value, ca.Function):
         return value
@@ -267,7 +304,7 @@ def _serialised(f: ca.Function) -> bytes:
         return path.read_bytes()
 
 
-def _signature(f: ca.Function, side: str) -> str:
+def signature(f: ca.Function, side: str) -> str:
     """``q[9], v[9], w_ext[6x2]``."""
     count, name, size = (getattr(f, f"{x}_{side}") for x in ("n", "name", "size"))
     shapes = [size(i) for i in range(count())]

@@ -38,7 +38,7 @@ def _count(pattern: ca.Sparsity) -> str:
 
 
 def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[str, Any]]:
-    """``ode`` and ``dae`` by the parts of their inputs and outputs: ``{"function", "columns", "rows"}``.
+    """``ode`` and ``dae``, where given, by the parts of their inputs and outputs: ``{"function", "columns", "rows"}``.
 
     A row holds the name of the part of the right-hand side and the nonzeros of its Jacobian, column by column.
     """
@@ -51,10 +51,8 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     dae_state = {"x": _stacked(pose), "z": _by_link(n, r, ("wrenches", "twists' rates", "d²η/dt²"))}
     rates = _stacked({f"rate of {name}": size for name, size in pose.items()})
     dae_rows = {"ode": rates, "alg": _by_link(n, r, ("rows of joints", "rows of links", "rows of modes"))}
-    return [
-        _structure("ode", functions["ode"], ode_rows, state | forces),
-        _structure("dae", functions["dae"], dae_rows, dae_state | forces),
-    ]
+    layouts = {"ode": (ode_rows, state | forces), "dae": (dae_rows, dae_state | forces)}
+    return [_structure(name, functions[name], *layout) for name, layout in layouts.items() if name in functions]
 
 
 def _stacked(sizes: Mapping[str, int]) -> Groups:

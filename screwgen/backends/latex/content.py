@@ -150,7 +150,7 @@ def _marked(match: re.Match) -> str:
     if match["unit"]:
         return f"${_unit(match['unit'])}$"
     if match["symbol"]:
-        letter, place, primes = re.fullmatch(r"([uc])_?(\w)('*)", match["symbol"]).groups()
+        letter, place, primes = re.findall(r"^([uc])_?(\w)('*)$", match["symbol"])[0]
         return f"${letter}_{place}{primes}$"
     return f"${_LETTERS[match[0]]}$"
 

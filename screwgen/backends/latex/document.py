@@ -22,7 +22,7 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import render
 from . import tables, text
-from .content import CITATION, Document, Paragraph, Section, parse
+from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
@@ -138,7 +138,7 @@ def _robot(robot: Robot, chain: Chain) -> Section:
     links = f"{chain.n} link{'s' if chain.n > 1 else ''}"
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     count = f"{links}, {joints}, {chain.n_modes} modal"
-    items = [
+    items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
     ]

@@ -62,7 +62,7 @@ def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
             groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
         for title, steps in groups:
             if steps:
-                named = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
+                named: list[Item] = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
                 yield title, (*named, *map(equation, steps))
 
 

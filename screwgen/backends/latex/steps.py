@@ -11,10 +11,11 @@ import sympy as sp
 from ...algebra import expression as ex
 from ...algebra.components import Array
 from ...algebra.notation import axis_latex, latex, terms, tilde
+from ...algebra.rewrite import symbols
 from ...ir.block import Binding, Block, Signal, Step
 from .layout import PAGE, Formula, abridged, columns, dots, equation, matrix, width
 from .scalars import Scalars, entry, scalars
-from .tidy import has_integral, is_elementwise, is_symbols_product, symbols, tidy
+from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
 
 Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
 """Unit axes with their names."""

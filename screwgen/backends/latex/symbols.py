@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from ...algebra.expression import Symbol
@@ -91,7 +91,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
-    steps.sort(key=lambda e: e.binding)
+    steps.sort(key=lambda e: Binding.CONSTANT if e.binding is None else e.binding)
     return [*(e for e in _text((*SYSTEM, *named)) if e.display not in found), *steps]
 
 
@@ -141,8 +141,3 @@ def _shape(shapes: list[tuple[int, int]], name: str) -> str:
 
 def _shape_text(shape: str) -> str:
     return "" if shape == "-" else ", ".join(f"${part.replace('×', TIMES)}$" for part in shape.split(", "))
-
-
-def displays(table: Mapping[str, Entry] | Iterable[Entry]) -> set[str]:
-    """The symbols that a table explains."""
-    return {e.display for e in table}

@@ -18,7 +18,7 @@ from .content import Table
 from .symbols import Entry
 
 DIRECTION = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
-KNOWN = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
+KNOWN: dict[Binding | None, str] = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
 
 NONE = "–"
 """What stands in a cell where there is nothing to say."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import sympy as sp
@@ -18,29 +18,15 @@ def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr],
     match e:
         case ex.Symbol():
             return _symbol(e, values[e.name], scalar)
-        case ex.Sum():
-            return ex.add(*(inner(t) for t in e.terms))
         case ex.Product():
             return _product(inner(e.left), inner(e.right))
         case ex.Negative():
             return _negative(inner(e.arg))
-        case ex.Transpose():
-            return ex.transpose(inner(e.arg))
         case ex.Hat():
             return _hat(inner(e.arg))
         case ex.Block():
             return _block([[inner(x) for x in row] for row in e.rows])
-        case ex.Trace() | ex.Diagonal() | ex.Root():
-            arg = inner(e.arg)
-            return ex.zeros(*e.shape) if ex.is_zero(arg) else type(e)(arg)
-        case ex.Integral():
-            arg = inner(e.integrand)
-            return ex.zeros(*e.shape) if ex.is_zero(arg) else ex.Integral(arg, e.weight, e.rule)
-        case ex.Rotation():
-            return ex.Rotation(e.axis, inner(e.angle))
-        case ex.Stumpff():
-            return ex.Stumpff(e.order, inner(e.arg))
-    return e
+    return e.map(inner)
 
 
 def _symbol(e: ex.Symbol, values: Array, scalar: Callable[[sp.Expr], str]) -> Expression:
@@ -93,45 +79,18 @@ def _block(rows: list[list[Expression]]) -> Expression:
     return ex.block(*rows) if len(rows) > 1 or len(rows[0]) > 1 else rows[0][0]
 
 
-def symbols(e: Expression) -> Iterator[ex.Symbol]:
-    """The symbols that occur in an expression."""
-    if isinstance(e, ex.Symbol):
-        yield e
-    for part in _parts(e):
-        yield from symbols(part)
-
-
-def _parts(e: Expression) -> list[Expression]:
-    match e:
-        case ex.Sum():
-            return list(e.terms)
-        case ex.Product():
-            return [e.left, e.right]
-        case ex.Block():
-            return [x for row in e.rows for x in row]
-        case ex.Integral():
-            return [e.integrand] + ([e.weight] if e.weight is not None else [])
-        case ex.Rotation():
-            return [e.angle]
-    return [e.arg] if hasattr(e, "arg") else []
-
-
 def has_integral(e: Expression) -> bool:
     """Whether an integral along the link occurs in an expression."""
-    return isinstance(e, ex.Integral) or any(has_integral(part) for part in _parts(e))
+    return isinstance(e, ex.Integral) or any(map(has_integral, e.children))
 
 
 def is_elementwise(e: Expression) -> bool:
     """Whether every entry of ``e`` is an entry of one of its symbols, or a sum of such."""
     match e:
-        case ex.Sum():
-            return all(is_elementwise(t) for t in e.terms)
-        case ex.Block():
-            return all(is_elementwise(x) for row in e.rows for x in row)
-        case ex.Negative() | ex.Transpose() | ex.Hat():
-            return is_elementwise(e.arg)
+        case ex.Sum() | ex.Block() | ex.Negative() | ex.Transpose() | ex.Hat():
+            return all(map(is_elementwise, e.children))
         case ex.Product():
-            return (1, 1) in (e.left.shape, e.right.shape) and is_elementwise(e.left) and is_elementwise(e.right)
+            return (1, 1) in (e.left.shape, e.right.shape) and all(map(is_elementwise, e.children))
     return isinstance(e, ex.Symbol | ex.Constant)
 
 

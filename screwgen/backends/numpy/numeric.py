@@ -25,7 +25,7 @@ from ...algorithms.functions import (
 )
 from ...algorithms.linearise import slopes
 from ...algorithms.schedule import Algorithm
-from ...arguments import array
+from ...arguments import Numbers, array
 from ...errors import SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
@@ -53,7 +53,7 @@ class Numeric:
     zero.  Raises :class:`UsageError` on other shapes, :class:`SingularError` naming the link whose joint is singular.
     """
 
-    def __init__(self, chain: Chain, p: Sequence[float] | None = None):
+    def __init__(self, chain: Chain, p: Numbers | None = None):
         self.chain = chain
         self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
         self._made: dict[tuple[Algorithm, ...], DaeFunctions] = {}

@@ -14,9 +14,9 @@ import numpy as np
 from ...errors import SingularError, UsageError
 from ...simulation.state import State, state_of
 from .findings import Findings, StateAnalysis
-from .regularity import link_blocks, regularity, structure, with_projectors_alone
-from .spectrum import Law, Linearised, check_step, motions
-from .step_limits import paper_bound, step_limits
+from .regularity import LinkBlock, link_blocks, regularity, structure, with_projectors_alone
+from .spectrum import Law, Linearised, Motion, check_step, motions
+from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
 
 if TYPE_CHECKING:
@@ -70,7 +70,11 @@ def analyse(
 def analyse_state(model: Model, label: str, state: State, step: float, controller: Law | None = None) -> StateAnalysis:
     """The analysis of one state."""
     system = projectors = acceleration = None
-    blocks, found, limits, measures, singular = (), (), (), (), ""
+    blocks: tuple[LinkBlock, ...] = ()
+    found: tuple[Motion, ...] = ()
+    limits: tuple[StepLimit, ...] = ()
+    measures: tuple[tuple[float, ...], ...] = ()
+    singular = ""
     try:
         judge = model.numpy()
         M = judge.assemble(judge.dae_state(state.q, state.v), state.tau, state.w_ext)[0]

@@ -177,7 +177,10 @@ def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
     name = model.robot.links[i].name
     return LinkBlock(
         name,
-        *(float(x) for x in (plain[0], plain[-1], scaled[0], scaled[-1])),
+        float(plain[0]),
+        float(plain[-1]),
+        float(scaled[0]),
+        float(scaled[-1]),
         definite,
         "" if definite else null_direction(name, vectors[:, 0] / root, [model.dae_names["z"][k] for k in places]),
         float(np.abs(block - block.T).max() / size),
@@ -200,11 +203,12 @@ def rank_M_star(model: Model, i: int) -> int:
     """The rank of `M*_i`, (27), the undeformed inertia of link `i` with what sits at its base."""
     block, places = model.blocks(i)["link"], model.chain.parameter_labels[i]
     given = {
-        name: [model.parameter_values[places[symbol.name]] for symbol in block.values[name].flat]
+        name: np.array([model.parameter_values[places[symbol.name]] for symbol in block.values[name].flat], object)
         for name, signal in block.inputs.items()
         if signal.binding == Binding.PARAMETER
     }
-    M_star = np.array(lower(block, given, ("M_star",), Tracer())["M_star"], float).reshape(6, 6)
+    entries = lower(block, given, ("M_star",), Tracer())["M_star"]
+    M_star = np.asarray(entries).astype(float).reshape(6, 6)
     root = np.sqrt(np.where(np.diag(M_star) > 0, np.diag(M_star), 1.0))
     return int(np.linalg.matrix_rank(M_star / np.outer(root, root)))
 

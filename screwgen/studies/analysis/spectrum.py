@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ...arguments import Numbers
 from ...errors import SingularError, UsageError
 from ...simulation.integrate import METHODS, Dynamics, Evaluator, modal_functions
 from ...simulation.simulate import Inputs, coordinates, started
@@ -21,9 +22,8 @@ from ...simulation.simulate import Inputs, coordinates, started
 if TYPE_CHECKING:
     from ...model import Model
 
-Numbers = Sequence[float] | np.ndarray
 Parameters = Sequence[float] | Mapping[str, float]
-Law = Callable[[float, np.ndarray, np.ndarray], Sequence[float]]
+Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
 
 STILL = 3e-6
 """Eigenvalues smaller than this, relative to the largest, are motions that nothing drives back."""
@@ -117,7 +117,8 @@ class Linearised:
         self.given = Inputs(model, law, w_ext)
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
-        self.dynamics, self.directional = Dynamics(model, self.p), _directional(model.chain)
+        self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        self.directional = _directional(model.chain)
         self.identity = np.vsplit(np.eye(2 * model.nq), 2)
         self.gains = np.zeros((model.n_joints, 2 * model.nq)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
@@ -149,7 +150,7 @@ class Linearised:
         if method not in METHODS:
             raise UsageError(f"there is no integrator '{method}' in the joint form; known: {', '.join(METHODS)}")
         check_step(step)
-        return np.vstack(METHODS[method](self, *self.identity, step))
+        return np.vstack(METHODS[method](self, self.identity[0], self.identity[1], step))
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The accelerations of the motions `q`, `v` (nq, k); the torques are those of `identity`, held."""

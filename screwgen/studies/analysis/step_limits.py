@@ -66,7 +66,7 @@ def _limit(motion: Linearised, held: Held, method: str, step: float) -> StepLimi
     S = motion.step_map(method, step)
     mu = np.linalg.eigvals(S)
     fastest = mu[np.abs(mu).argmax()] if len(mu) else 1.0
-    moving = abs(exponents(fastest)) > held.noise(step)
+    moving = abs(exponents(np.array(fastest))) > held.noise(step)
     rate = float(np.log(abs(fastest))) / step if moving else 0.0
     within = (limit is None or step <= limit) and held.bears(method, step)
     return StepLimit(method, limit, float(held.steps[-1]), float(abs(fastest)), rate, within)

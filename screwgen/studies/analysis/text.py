@@ -35,7 +35,7 @@ def _verdict(a: Findings) -> str:
     head = f"{a.robot}: {links}, {coordinates}; {states}"
     bad = [s for s in a.states if not s.well_posed]
     if not bad:
-        size, worst = a.structure.size, max(s.system.condition_scaled for s in a.states)
+        size, worst = a.structure.size, max(s.system.condition_scaled for s in a.states if s.system)
         rank = f"M_sys has full rank, {size}, in {'the only state' if len(a.states) == 1 else f'all {states}'}"
         text = f"WELL POSED: {rank}; condition {worst:.1e} at worst, equilibrated. {_definiteness(a)}"
         return f"{head}\n\n{_wrapped(text)}"
@@ -78,7 +78,8 @@ def _system(s: StateAnalysis) -> tuple[str, ...]:
 
 def _blocks(a: Findings) -> str:
     head = ("link", "min λ", "max λ", "min λ eq.", "asymmetry", "rank M*", "verdict")
-    rows, nulls = [], {}
+    rows: list = []
+    nulls: dict = {}
     for i, link in enumerate(a.links):
         found = [s.blocks[i] for s in a.states if s.blocks]
         if found:
@@ -197,7 +198,8 @@ def _limits(a: Findings) -> str:
 
 def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
     def least(s: StateAnalysis) -> float:
-        return float("inf") if s.limits[k].limit is None else s.limits[k].limit
+        limit = s.limits[k].limit
+        return float("inf") if limit is None else limit
 
     worst, fastest = min(states, key=least), max(states, key=lambda s: s.limits[k].rate)
     limit: StepLimit = worst.limits[k]

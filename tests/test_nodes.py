@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 import sympy as sp
-from screwgen.algebra.plain import plain
+from screwgen.paper.plain import plain
 from test_algebra import AXIS, RATES, RNG, SHAPES, SYMBOLS, evaluate
 
 from screwgen.algebra.components import components

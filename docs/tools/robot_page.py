@@ -39,7 +39,8 @@ def tables(text: str) -> str:
 
 
 def _rows(part: type[Part]) -> list[str]:
-    fields = [_row(name, field.description, _default(field)) for name, field in part.model_fields.items() if not field.exclude]
+    stated = {name: field for name, field in part.model_fields.items() if not field.exclude}
+    fields = [_row(name, field.description, _default(field)) for name, field in stated.items()]
     others = [_row(name, text, "–") for name, text in getattr(part, "other_keys", {}).items()]
     return fields + others
 

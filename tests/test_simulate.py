@@ -10,9 +10,10 @@ import random_robots as rr
 from scipy.integrate import solve_ivp
 
 from screwgen import Robot, ScrewgenError, SingularError, UsageError, derive, load
+from screwgen.integrators import METHODS
 from screwgen.plotting import plot
 from screwgen.simulation.controllers import PD, Holding
-from screwgen.simulation.integrate import METHODS, DivergedError
+from screwgen.simulation.integrate import DivergedError
 from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate, time_grid
 from screwgen.studies.equilibrium import equilibrium

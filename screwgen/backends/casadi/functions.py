@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import casadi as ca
@@ -33,6 +33,10 @@ class Functions(Mapping):
 
     def __init__(self, makers: Mapping[str, Callable[[], object]]):
         self._makers, self._made = makers, {}
+
+    def joined(self, makers: Mapping[str, Callable[[], object]]) -> Functions:
+        """These values, which are not made again, and others."""
+        return Functions({name: partial(self.__getitem__, name) for name in self} | makers)
 
     def __getitem__(self, name: str):
         if name not in self._made:

@@ -105,8 +105,8 @@ class Method:
 
     def __post_init__(self):
         object.__setattr__(self, "stages", tuple(self.stages))
-        for wrong in (self._wrong_words(), self._wrong_stages(), self._wrong_order()):
-            if wrong:
+        for check in (self._wrong_words, self._wrong_stages, self._wrong_order):
+            if wrong := check():
                 raise UsageError(f"method {self.name!r}: {wrong}")
 
     def __str__(self) -> str:

@@ -88,7 +88,7 @@ WRONG = {
     "a sine off by 1e-8": ("arm_real.c", r"y\.sine = s;", r"y.sine = s * REAL(1.00000001);"),
     "a matrix entry of the other sign": ("arm_links.c", r"(M\[place\[3\]\] = )(.*);", r"\1-(\2);"),
     "weights of Runge-Kutta": ("arm_step.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
-    "reach of Runge-Kutta": ("arm_step.c", r"advance\(state, dt, work->stage.v,", "advance(state, half, work->stage.v,"),
+    "reach of Runge-Kutta": ("arm_step.c", r"(advance\(state, )dt(, work->stage.v,)", r"\1half\2"),
     "weights of Runge-Kutta, DAE": ("arm_dae.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
     "half a way": ("arm_step.c", r"leap\(state, dt, half,", "leap(state, dt, 0,"),
     "half a way, DAE": ("arm_dae.c", r"leap\(state, dt, half, 0,", "leap(state, dt, dt, 0,"),

@@ -33,7 +33,6 @@ class Fields:
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
         self.coarse: dict[sp.Symbol, sp.Expr] = {}
         self.moments: dict[tuple, sp.Expr] = {}
-        self._integrals: dict[tuple, sp.Expr] = {}
         self._constants = {d: key.shapes(d) for d, _ in key.directions}
 
     # the shapes as matrices -------------------------------------------------------------------
@@ -80,21 +79,14 @@ class Fields:
 
     def name_coarse(self, symbols, expressions) -> None:
         """Let each symbol stand for a sum of finer generators."""
-        self._integrals.clear()
         self.coarse.update(zip(np.ravel(symbols), np.ravel(expressions), strict=True))
 
     def name_moment(self, weight: str, value: sp.Expr, *generators: sp.Symbol) -> None:
         """Let ``value`` be the integral of ``weight`` times the product of ``generators``."""
-        self._integrals.clear()
         self.moments[(weight, _key(generators))] = value
 
     def integrate(self, entry: sp.Expr, weight: str | None) -> sp.Expr:
         """``∫ weight · entry dξ`` over the link; ``weight`` names a line property (None: 1)."""
-        if (entry, weight) not in self._integrals:
-            self._integrals[entry, weight] = self._integrate(entry, weight)
-        return self._integrals[entry, weight]
-
-    def _integrate(self, entry: sp.Expr, weight: str | None) -> sp.Expr:
         free = entry.free_symbols
         generators = {g for g in self._generators() if g in free}
         if not generators:

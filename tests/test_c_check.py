@@ -167,5 +167,3 @@ def test_make_leaves_a_folder_that_can_be_generated_again(tmp_path):
     (tmp_path / "out" / "c" / "build" / "notes.txt").write_text("mine")
     with pytest.raises(UsageError, match=r"holds 'c/build/notes\.txt', which screwgen did not write"):
         model.write(tmp_path / "out", ("c",))
-
-

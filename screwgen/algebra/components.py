@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache, reduce
 
 import numpy as np
@@ -60,13 +60,12 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
         case Stumpff():
             return np.array([[stumpff(e.order, inner(e.arg).item())]], dtype=object)
         case Root():
-            return np.vectorize(sp.sqrt, otypes=[object])(inner(e.arg))
+            return _each(sp.sqrt, inner(e.arg))
         case Inverse() if e.shape == (1, 1):
             return np.array([[1 / inner(e.arg).item()]], dtype=object)
         case Integral():
             weight = None if e.weight is None else e.weight.name
-            integrate = lambda entry: e.rule(entry, weight)  # noqa: E731
-            return np.vectorize(integrate, otypes=[object])(inner(e.integrand))
+            return _each(lambda entry: e.rule(entry, weight), inner(e.integrand))
     raise TypeError(f"no components for {type(e).__name__}")
 
 
@@ -86,7 +85,8 @@ def _chain(arrays: list[Array]) -> Array:
 
 def _multiply(a: Array, b: Array) -> Array:
     if a.shape == (1, 1) or b.shape == (1, 1):
-        return (a.item() * b) if a.shape == (1, 1) else (a * b.item())
+        scalar, array = (a, b) if a.shape == (1, 1) else (b, a)
+        return _each(lambda x: _product(scalar.item(), x), array)
     out = np.empty((a.shape[0], b.shape[1]), dtype=object)
     for i, j in np.ndindex(*out.shape):
         terms = [_product(x, y) for x, y in zip(a[i], b[:, j], strict=True) if x and y]
@@ -94,7 +94,15 @@ def _multiply(a: Array, b: Array) -> Array:
     return out
 
 
-@lru_cache(maxsize=20000)
+def _each(function: Callable[[sp.Expr], sp.Expr], a: Array) -> Array:
+    """A function of every entry."""
+    out = np.empty(a.shape, dtype=object)
+    for index, entry in np.ndenumerate(a):
+        out[index] = function(entry)
+    return out
+
+
+@lru_cache(maxsize=20000, typed=True)
 def _product(x: sp.Expr, y: sp.Expr) -> sp.Expr:
     """`x y`; four of five products of a derivation occur in the blocks of several link classes."""
     return x * y

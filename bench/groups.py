@@ -26,7 +26,7 @@ from contenders import (
 )
 
 import screwgen
-from screwgen.backends.c.project import METHODS
+from screwgen.integrators import METHODS
 
 PLAIN = ("-DBAKED", "-DPLAIN")
 TIME_STEP = 1e-3

@@ -17,7 +17,7 @@ import screwgen
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.simulation.controllers import PD
-from screwgen.simulation.simulate import FORMS, simulate
+from screwgen.simulation.simulate import simulate
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"
@@ -41,10 +41,9 @@ def main() -> None:
     print(f"compiled and checked    {time.perf_counter() - clock:6.2f} s  {checks}")
     compiled = model.compile()
     clock = time.perf_counter()
-    FORMS["compiled"] = partial(CompiledStepper, compiled)
     rest = screwgen.equilibrium(model, [0.0, 0.0, 0.0], hold=True)
-    law = controller(model)
-    run = simulate(model, DURATION, STEP, q0=rest.q, controller=law, form="compiled", integrator="modal_midpoint")
+    law, form = controller(model), partial(CompiledStepper, compiled)
+    run = simulate(model, DURATION, STEP, q0=rest.q, controller=law, form=form, integrator="modal_midpoint")
     print(f"stepped {DURATION:g} s of motion    {time.perf_counter() - clock:6.2f} s  controller in Python, arm in C")
     summary(model, compiled, run)
     plot.save(run, PLOT, model, LAW)

@@ -3,9 +3,6 @@
 One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
 """
 
-from . import sympy_cache  # noqa: F401
-
-# isort: split
 from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
 from .model import Model, derive
 from .simulation.controllers import PD, Holding

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -20,6 +20,7 @@ from .arguments import Given, choice
 from .backends.numpy.numeric import Numeric
 from .errors import PrecisionWarning, UsageError
 from .folder import check_folder, write_folder
+from .integrators.method import Method
 from .ir.block import Block
 from .plugins import Formulation, Plugin, merged, plugins
 from .simulation.validity import Validity
@@ -48,6 +49,17 @@ class Model:
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
+        self._kept: dict[Hashable, object] = {}
+
+    def once(self, key: Hashable, make: Callable[[], object]):
+        """What ``make`` returns; made when ``key`` is first asked for, and kept as long as the model."""
+        if key not in self._kept:
+            self._kept[key] = make()
+        return self._kept[key]
+
+    def made(self, key: Hashable) -> bool:
+        """Whether :meth:`once` has made it."""
+        return key in self._kept
 
     @property
     def version(self) -> str:
@@ -95,6 +107,13 @@ class Model:
         return dae_names(self.chain)
 
     @cached_property
+    def modal_functions(self) -> Mapping:
+        """The CasADi functions by name that steps in NumPy are made of."""
+        from .backends.casadi.functions import modal_functions
+
+        return modal_functions(self.chain)
+
+    @cached_property
     def _casadi(self) -> Mapping:
         from .backends.casadi import functions as casadi
         from .backends.casadi import motion as casadi_motion
@@ -108,15 +127,21 @@ class Model:
         found: Mapping = casadi.Made(merged("CasADi function", *makers, integrands))
         return found
 
-    def casadi(self) -> Mapping:
+    def casadi(self, methods: Sequence[Method] = ()) -> Mapping:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
 
         Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
-        ``modal_midpoint``, ``step_<method>`` one of another method of :data:`screwgen.integrators.methods.METHODS`.
+        ``modal_midpoint``, ``step_<method>`` one of another method of :data:`screwgen.integrators.METHODS` or of
+        ``methods``.
         ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
         ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
         """
-        return self._casadi
+        from .backends.casadi.motion import steps
+        from .integrators.methods import with_built_in
+
+        with_built_in(more := tuple(methods))
+        made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
+        return self.once(("casadi", more), made) if more else self._casadi
 
     def acados(self, form="joint", parameters="runtime", w_ext=False):
         """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
@@ -188,6 +213,7 @@ class Model:
         derivatives=False,
         estimator=False,
         functions: str | Sequence[str] | None = None,
+        methods: Sequence[Method] = (),
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -196,12 +222,13 @@ class Model:
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
-        that do not follow from another.  Writes all or nothing; refuses a folder that holds files it did not write
+        that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
+        nothing; refuses a folder that holds files it did not write
         (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
-            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator),
+            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator, methods),
             "casadi": lambda: self.casadi_files(functions),
             "latex": self._latex_files,
         }
@@ -212,7 +239,13 @@ class Model:
         return write_folder(folder, files, tuple(targets))
 
     def c_files(
-        self, parameters="runtime", layout="auto", batch=False, derivatives=False, estimator=False
+        self,
+        parameters="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=False,
+        estimator=False,
+        methods: Sequence[Method] = (),
     ) -> dict[str, bytes]:
         """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
 
@@ -220,7 +253,7 @@ class Model:
         """
         from .backends.c.project import CProject
 
-        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator)
+        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods)
         files = {name: text.encode() for name, text in project.files().items()}
         if lost := project.check["lost"]:
             said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
@@ -235,22 +268,18 @@ class Model:
         flags: Sequence[str] = ("-O2",),
         cache: bool | str | os.PathLike = True,
         parameters="runtime",
+        methods: Sequence[Method] = (),
     ):
         """The C, compiled and loaded: a :class:`screwgen.runtime.compiled.Compiled`, functions on NumPy arrays.
 
-        ``layout``, ``parameters`` and ``derivatives``: as :meth:`write` takes them; ``precision``: ``"double"`` or
-        ``"single"``; ``flags`` of the compiler (CC, else cc); ``cache``: a folder for compiled libraries, True for
-        that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
+        ``layout``, ``parameters``, ``derivatives`` and ``methods``: as :meth:`write` takes them; ``precision``:
+        ``"double"`` or ``"single"``; ``flags`` of the compiler (CC, else cc); ``cache``: a folder for compiled
+        libraries, True for that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
         :class:`ScrewgenError` where there is no compiler.
         """
         from .runtime.compiled import compile_model
 
-        return compile_model(self, layout, precision, derivatives, flags, cache, parameters)
-
-    @cached_property
-    def _compiled(self):
-        """What runs are stepped in."""
-        return self.compile()
+        return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""

@@ -9,7 +9,8 @@ from typing import NamedTuple
 from helpers import arm, example_dict, link, model_of
 
 from screwgen import Model
-from screwgen.backends.c.project import METHODS, CProject
+from screwgen.backends.c.project import CProject
+from screwgen.integrators import METHODS
 
 DRIVERS = Path(__file__).parent / "c"
 SOFT = {"EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0}

@@ -9,8 +9,9 @@ import random_robots as rr
 from helpers import arm, equal_links, example, link, model_of, quick
 
 import screwgen
+from screwgen.integrators import METHODS
 from screwgen.simulation.controllers import PD
-from screwgen.simulation.integrate import METHODS, Dynamics, Held
+from screwgen.simulation.integrate import Dynamics, Held
 from screwgen.simulation.state import State
 from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import regularity
@@ -98,7 +99,7 @@ def test_every_map_is_the_derivative_of_the_step_at_an_equilibrium(method, name)
     held = Held(Dynamics(model, model.parameter_values), tau, np.zeros((model.n_links, 6)))
 
     def step(x):
-        return np.concatenate(METHODS[method](held, *np.split(x, 2), 5e-4))
+        return np.concatenate(METHODS[method].step(held, *np.split(x, 2), 5e-4))
 
     expected = difference(step, np.append(q, v), 1e-4)
     found = step_map(model, method, q, v, 5e-4, tau)

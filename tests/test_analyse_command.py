@@ -9,8 +9,8 @@ from helpers import equal_links, example, flat, model_of
 
 import screwgen
 from screwgen.cli.main import main
+from screwgen.integrators import METHODS
 from screwgen.plotting.structure import png
-from screwgen.simulation.integrate import METHODS
 from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import structure
 

@@ -21,8 +21,8 @@ from helpers import model_of
 
 from screwgen.algorithms import fused
 from screwgen.backends.c import batch as c_batch
-from screwgen.backends.c.project import METHODS
 from screwgen.errors import ScrewgenError, SingularError
+from screwgen.integrators import METHODS
 from screwgen.ir.replay import run
 from screwgen.ir.split import KEPT, split
 from screwgen.runtime.batch import NONFINITE, OK, SINGULAR, CompiledBatch, _Batch
@@ -228,7 +228,7 @@ def call(b: CompiledBatch, given, constants=..., dt=1e-5, periods=1) -> int:
     c = b.constants(np.atleast_2d(b.model.parameter_values)) if constants is ... else constants
     where = None if c is None else pointer(c)
     place = None if given is None else ctypes.byref(given)
-    return b.library.shim_batch(METHODS.index("rk4"), where, place, ctypes.c_double(dt), periods)
+    return b.library.shim_batch(list(METHODS).index("rk4"), where, place, ctypes.c_double(dt), periods)
 
 
 def test_bad_arguments_are_refused_and_nothing_is_done():

@@ -87,11 +87,11 @@ WRONG = {
     "a constant off by 1e-8": ("arm_parameters.c", r"(M_eta\[0\] = )(.*);", r"\1(\2) * REAL(1.00000001);"),
     "a sine off by 1e-8": ("arm_real.c", r"y\.sine = s;", r"y.sine = s * REAL(1.00000001);"),
     "a matrix entry of the other sign": ("arm_links.c", r"(M\[place\[3\]\] = )(.*);", r"\1-(\2);"),
-    "weights of Runge-Kutta": ("arm_step.c", "{ sixth, third, third, sixth }", "{ third, sixth, sixth, third }"),
-    "reach of Runge-Kutta": ("arm_step.c", "{ half, half, dt, 0 }", "{ half, half, half, 0 }"),
-    "weights of Runge-Kutta, DAE": ("arm_dae.c", "{ sixth, third, third, sixth }", "{ third, sixth, sixth, third }"),
+    "weights of Runge-Kutta": ("arm_step.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
+    "reach of Runge-Kutta": ("arm_step.c", r"(advance\(state, )dt(, work->stage.v,)", r"\1half\2"),
+    "weights of Runge-Kutta, DAE": ("arm_dae.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
     "half a way": ("arm_step.c", r"leap\(state, dt, half,", "leap(state, dt, 0,"),
-    "half a way, DAE": ("arm_dae.c", r"\(state->twist\[i\]\[k\] \+ (.*)\) / 2;", r"\1;"),
+    "half a way, DAE": ("arm_dae.c", r"leap\(state, dt, half, 0,", "leap(state, dt, dt, 0,"),
     "a step too long": ("arm_step.c", r"leap\(state, dt, dt,", "leap(state, 2 * dt, dt,"),
 }
 

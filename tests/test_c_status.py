@@ -12,8 +12,9 @@ import pytest
 from conftest import require_tool
 from helpers import arm, example, link, model_of, quick
 
-from screwgen.backends.c.project import METHODS, CProject
+from screwgen.backends.c.project import CProject
 from screwgen.errors import ScrewgenError, SingularError
+from screwgen.integrators import METHODS
 
 OK, NONFINITE, SINGULAR, BAD_ARGUMENT = range(4)
 NAN, INF = float("nan"), float("inf")
@@ -32,7 +33,7 @@ def pointer(array: np.ndarray):
 
 def step(compiled, form: str, method: str, q, v, tau, w_ext, dt=1e-4) -> tuple[int, bool]:
     """Status of one step, and whether it left the state's bits alone."""
-    number, dt = METHODS.index(method), ctypes.c_double(dt)
+    number, dt = list(METHODS).index(method), ctypes.c_double(dt)
     inputs = [np.ascontiguousarray(x, float) for x in (tau, w_ext)]
     arrays = [np.array(q, float), np.array(v, float)] if form == "joint" else [np.array(q, float)]
     call = compiled.library.shim_step if form == "joint" else compiled.library.shim_dae_step

@@ -12,7 +12,7 @@ from helpers import arm, example, flat, link, model_of, relative
 
 from screwgen import Robot, UsageError, derive
 from screwgen.backends.casadi import functions as emit
-from screwgen.integrators.methods import METHODS
+from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
 from screwgen.studies.modes import stiffness
 

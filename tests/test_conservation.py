@@ -10,8 +10,8 @@ import pytest
 from helpers import arm, example, example_dict, link, model_of, rotation_of
 from oracle import Oracle
 
-from screwgen.backends.c.project import METHODS
 from screwgen.errors import ScrewgenError
+from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.dae import DaeStepper
 

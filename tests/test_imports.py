@@ -1,6 +1,8 @@
 """The architecture: imports run one way, and each outside library has its place."""
 
 import ast
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -92,3 +94,15 @@ def test_libraries_stay_in_their_rooms(library, rooms):
 @pytest.mark.parametrize("path", MODULES, ids=str)
 def test_files_are_short(path):
     assert len((PACKAGE / path).read_text(encoding="utf-8").splitlines()) <= 350
+
+
+def test_importing_leaves_the_environment_as_it_is():
+    modules = [".".join(("screwgen", *p.with_suffix("").parts)) for p in MODULES if p.name != "__main__.py"]
+    script = f"""
+import importlib, os
+before = dict(os.environ)
+for name in {modules}:
+    importlib.import_module(name)
+assert dict(os.environ) == before, set(os.environ.items()) ^ set(before.items())
+"""
+    subprocess.run([sys.executable, "-c", script], check=True, cwd=PACKAGE.parent)

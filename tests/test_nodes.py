@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 import sympy as sp
-from screwgen.paper.plain import plain
 from test_algebra import AXIS, RATES, RNG, SHAPES, SYMBOLS, evaluate
 
 from screwgen.algebra.components import components
@@ -34,6 +33,7 @@ from screwgen.algebra.rate import rate
 from screwgen.algebra.rewrite import difference, substitute, symbols
 from screwgen.backends.latex.tidy import has_integral, tidy
 from screwgen.paper.evaluate import evaluate as evaluate_motion
+from screwgen.paper.plain import plain
 
 a, b, s, A, B, P, t = SYMBOLS.values()
 squared = Product(Transpose(a), a)

@@ -54,7 +54,7 @@ def test_a_model_has_what_its_plug_in_adds(tmp_path):
     assert model.links == ["rod"]
     assert "doubled" in model.blocks(0) and "link" in model.blocks(0)
     assert float(model.casadi()["square"](3.0)) == 9.0
-    model.write(tmp_path / "out", ("casadi", "latex"))
+    model.write(tmp_path / "out", ("casadi", "latex"), functions="all")
     assert "`square` is x²." in (tmp_path / "out" / "casadi" / "README.md").read_text(encoding="utf-8")
     for text in (latex.document(ROBOT, [MINE]), latex.html(ROBOT, [MINE])):
         for part in ("Of a plug-in", "Twice the speed", "twice a speed", "a symbol of the text"):

@@ -2,7 +2,7 @@
 
 import os
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
@@ -10,11 +10,13 @@ import random_robots as rr
 from scipy.integrate import solve_ivp
 
 from screwgen import Robot, ScrewgenError, SingularError, UsageError, derive, load
+from screwgen.integrators import METHODS
 from screwgen.plotting import plot
+from screwgen.runtime.compiled import CompiledStepper
 from screwgen.simulation.controllers import PD, Holding
-from screwgen.simulation.integrate import METHODS, DivergedError
+from screwgen.simulation.integrate import DivergedError
 from screwgen.simulation.runs import ARRAYS
-from screwgen.simulation.simulate import simulate, time_grid
+from screwgen.simulation.simulate import FORMS, simulate, time_grid
 from screwgen.studies.equilibrium import equilibrium
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
@@ -375,3 +377,20 @@ def test_long_rigid_and_welded_arms_are_drawn():
     beam = soft_dict()
     beam["links"] = [beam["links"][0] | {"joint": {"axes": []}}]
     assert plot.png(simulate(derive(Robot.model_validate(beam)), 0.02, 1e-3))
+
+
+# -------- forms of one's own
+
+
+def test_a_form_is_an_argument():
+    """What makes a stepper stands where a form is named; it has to say which integrator to take, or be told."""
+    model = ella()
+    form, posture = partial(CompiledStepper, model.compile()), [0.1, 0.2, 0.3]
+    run = simulate(model, 0.01, 1e-3, posture, form=form, integrator="modal_midpoint")
+    assert np.abs(run.q - simulate(model, 0.01, 1e-3, posture, backend="numpy").q).max() < 1e-12
+    with pytest.raises(UsageError, match="this form names no integrator of its own; give one"):
+        simulate(model, 0.01, 1e-3, form=form)
+    with pytest.raises(UsageError, match="the backend 'c' steps the joint form"):
+        simulate(model, 0.01, 1e-3, form=form, integrator="rk4", backend="c")
+    with pytest.raises(TypeError):
+        FORMS["compiled"] = form

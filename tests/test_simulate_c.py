@@ -16,9 +16,10 @@ from conftest import require_tool
 from test_simulate import END, START, soft, soft_dict
 
 from screwgen import PD, Robot, SingularError, UsageError, derive
+from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation import loop
-from screwgen.simulation.integrate import METHODS, DivergedError
+from screwgen.simulation.integrate import DivergedError
 from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
 

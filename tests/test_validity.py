@@ -16,7 +16,7 @@ from screwgen.backends.c.links import RUNS
 from screwgen.backends.c.project import CProject
 from screwgen.bodies.validity import MEASURES
 from screwgen.cli.main import main
-from screwgen.simulation.integrate import METHODS
+from screwgen.integrators import METHODS
 from screwgen.simulation.validity import BOUND, ModelLeftError, ModelValidityWarning, Validity, Watch
 
 ELLA = "examples/ella.toml"

@@ -10,7 +10,7 @@ import numpy as np
 
 from screwgen import Run, ScrewgenError, simulate
 from screwgen.runtime.compiled import Compiled, CompiledStepper
-from screwgen.simulation.simulate import FORMS, step_count
+from screwgen.simulation.simulate import step_count
 
 from .arm import STEP, Arm
 
@@ -114,6 +114,5 @@ def dae_step(compiled: Compiled, way: Way, q0):
 def recorded(library: Library, name: str, q0: np.ndarray, duration: float, method="modal_midpoint") -> Run:
     """A complete run, wrenches and energies included, of a model under the PD law at 1 ms."""
     compiled = library[name]
-    FORMS["compiled"] = partial(CompiledStepper, compiled)
-    law = library.arm.law()
-    return simulate(compiled.model, duration, STEP, q0, controller=law, form="compiled", integrator=method)
+    law, form = library.arm.law(), partial(CompiledStepper, compiled)
+    return simulate(compiled.model, duration, STEP, q0, controller=law, form=form, integrator=method)

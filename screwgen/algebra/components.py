@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import reduce
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache, reduce
 
 import numpy as np
 import sympy as sp
@@ -64,12 +64,12 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
         case Stumpff():
             return np.array([[stumpff(e.order, inner(e.arg).item())]], dtype=object)
         case Root():
-            return np.vectorize(sp.sqrt, otypes=[object])(inner(e.arg))
+            return _each(sp.sqrt, inner(e.arg))
         case Inverse() if e.shape == (1, 1):
             return np.array([[1 / inner(e.arg).item()]], dtype=object)
         case Integral(rule=rule, weight=None | Symbol() as weight) if rule is not None:
             name = None if weight is None else weight.name
-            return np.vectorize(lambda entry: rule(entry, name), otypes=[object])(inner(e.integrand))
+            return _each(lambda entry: rule(entry, name), inner(e.integrand))
     raise TypeError(f"no components for {type(e).__name__}")
 
 
@@ -89,11 +89,27 @@ def _chain(arrays: list[Array]) -> Array:
 
 def _multiply(a: Array, b: Array) -> Array:
     if a.shape == (1, 1) or b.shape == (1, 1):
-        return (a.item() * b) if a.shape == (1, 1) else (a * b.item())
+        scalar, array = (a, b) if a.shape == (1, 1) else (b, a)
+        return _each(lambda x: _product(scalar.item(), x), array)
     out = np.empty((a.shape[0], b.shape[1]), dtype=object)
     for i, j in np.ndindex(*out.shape):
-        out[i, j] = sp.Add(*(x * y for x, y in zip(a[i], b[:, j], strict=True) if x != 0 and y != 0))
+        terms = [_product(x, y) for x, y in zip(a[i], b[:, j], strict=True) if x and y]
+        out[i, j] = terms[0] if len(terms) == 1 else sp.Add(*terms)
     return out
+
+
+def _each(function: Callable[[sp.Expr], sp.Expr], a: Array) -> Array:
+    """A function of every entry."""
+    out = np.empty(a.shape, dtype=object)
+    for index, entry in np.ndenumerate(a):
+        out[index] = function(entry)
+    return out
+
+
+@lru_cache(maxsize=20000, typed=True)
+def _product(x: sp.Expr, y: sp.Expr) -> sp.Expr:
+    """`x y`; four of five products of a derivation occur in the blocks of several link classes."""
+    return x * y
 
 
 def skew(a: Array) -> Array:

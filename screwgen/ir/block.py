@@ -148,9 +148,14 @@ class Block:
             entry = raw[j, i] if symmetric and j < i else raw[i, j]
             if symmetric and j < i:
                 values[i, j] = values[j, i]
-            elif entry.is_Number or entry.is_Symbol or (-entry).is_Symbol:
+            elif entry.is_Number or entry.is_Symbol or _negated(entry):
                 values[i, j] = entry
             else:
                 values[i, j] = sp.Symbol(label, real=True)
                 assignments.append((values[i, j], entry))
         return values, tuple(assignments)
+
+
+def _negated(entry: sp.Expr) -> bool:
+    """Whether an entry is minus a symbol."""
+    return entry.is_Mul and len(entry.args) == 2 and entry.args[0] is sp.S.NegativeOne and entry.args[1].is_Symbol

@@ -7,13 +7,13 @@ import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, NamedTuple
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from ..backends.c.project import METHODS, CProject
+from ..backends.c.project import CProject
 from ..errors import ScrewgenError, UsageError
-from .compiled import STATUS
+from ..integrators.method import Method
+from .compiled import STATUS, number_of
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
@@ -29,9 +29,6 @@ OK, NONFINITE, SINGULAR = range(3)
 
 BLOCK = 16
 """As many scenarios as any register has lanes: a thread's share is a multiple."""
-
-_written: WeakKeyDictionary[Model, dict[str, str]] = WeakKeyDictionary()
-_loaded: WeakKeyDictionary[Model, dict[bool, CompiledBatch]] = WeakKeyDictionary()
 
 
 class _Batch(ctypes.Structure):
@@ -62,11 +59,14 @@ class CompiledBatch:
     Raises :class:`ScrewgenError` where there is no C compiler or it does not take the flags.
     """
 
-    def __init__(self, model: Model, single=False, flags=FLAGS, compiler: str | None = None):
+    def __init__(
+        self, model: Model, single=False, flags=FLAGS, compiler: str | None = None, methods: Sequence[Method] = ()
+    ):
         self.model, self.real = model, np.float32 if single else np.float64
         name = model.robot.name
         define = [f"-D{name.upper()}_REAL_FLOAT"] if single else []
-        self.library = load(_files(model), [*flags, *define], compiler)
+        self.project, files = model.once(("batch files", *methods), lambda: _files(model, methods))
+        self.library = load(files, [*flags, *define], compiler)
 
     def constants(self, p: np.ndarray) -> np.ndarray:
         """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).
@@ -81,7 +81,7 @@ class CompiledBatch:
             )
         return out
 
-    def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str, threads: int) -> tuple:
+    def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str | Method, threads: int):
         """Fill the paths ``q``, ``v`` (periods + 1, nq, batch) from their first rows on.
 
         ``tau`` and ``w_ext`` are (periods, n, batch), or (1, n, batch) for all periods.  Returns, for every
@@ -90,7 +90,7 @@ class CompiledBatch:
         status, fault, done = (np.full(q.shape[2], x, np.int32) for x in (OK, -1, 0))
         task = _Task(q, v, tau, w_ext, constants, hold, q[0].copy(), v[0].copy(), status, fault)
         real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
-        number, dt = METHODS.index(method), real(dt)
+        number, dt = number_of(method, self.project), real(dt)
 
         def call(first: int, size: int, k: int, periods: int) -> None:
             """Some periods of the scenarios from `first` on."""
@@ -171,19 +171,14 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             stop.set()
 
 
-def _files(model: Model) -> dict[str, str]:
-    """What a batch is compiled from; written once per model."""
-    if model not in _written:
-        project, name = CProject(model.chain, model.version, batch=True), model.robot.name
-        library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
-        files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
-        _written[model] = files | {"shim.c": project.shim("batch_shim.c")}
-    return _written[model]
+def _files(model: Model, methods: Sequence[Method]) -> tuple[CProject, dict[str, str]]:
+    """What a batch is compiled from, and its project."""
+    project, name = CProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
+    library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
+    files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
+    return project, files | {"shim.c": project.shim("batch_shim.c")}
 
 
-def compiled_batch(model: Model, single: bool) -> CompiledBatch:
-    """The batch of a model, compiled when it is first asked for."""
-    known = _loaded.setdefault(model, {})
-    if single not in known:
-        known[single] = CompiledBatch(model, single)
-    return known[single]
+def compiled_batch(model: Model, single: bool, methods: Sequence[Method] = ()) -> CompiledBatch:
+    """The batch of a model, compiled when it is first asked for and kept by the model."""
+    return model.once(("batch", single, *methods), lambda: CompiledBatch(model, single, methods=methods))

@@ -12,9 +12,11 @@ import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
 from ..arguments import Given, choice, seconds, whole
-from ..backends.c.project import METHODS, CProject
+from ..backends.c.project import CProject
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError, SingularError, UsageError
+from ..integrators.method import Method
+from ..integrators.methods import method_of
 from ..topology.chain import Chain
 from .library import load
 from .memory import Array, Memory, pointer
@@ -39,6 +41,15 @@ class Derived(Protocol):
 
     @property
     def version(self) -> str: ...
+
+
+def number_of(method: str | Method, project: CProject) -> int:
+    """The number of an integrator in the library of a project; raises UsageError where it is not one of its methods."""
+    known = list(project.methods.values())
+    wanted = method_of(method, project.methods, NO_METHOD)
+    if wanted not in known:
+        raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
+    return known.index(wanted)
 
 
 class LeanProject(CProject):
@@ -76,11 +87,13 @@ class Compiled(Memory):
         compiler: str | None = None,
         derivatives=False,
         cache: bool | str | os.PathLike = False,
+        methods: Sequence[Method] = (),
     ):
-        self._said = (layout, parameters, single, tuple(flags), compiler, derivatives, cache)
+        self._said = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        self.project = LeanProject(self.chain, model.version, parameters, layout, derivatives=derivatives)
+        options = {"derivatives": derivatives, "methods": methods}
+        self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(self.project.files() | shims(self.project), [*flags, *define], compiler, cache)
         self._place()
@@ -194,16 +207,23 @@ class Compiled(Memory):
             self.check(self.library.shim_mass_matrix(self.memory, pointer(M)))
         return M[: self.chain.nq, : self.chain.nq]
 
-    def step(self, q, v, tau, w_ext, dt: float, method="rk4", count=1) -> tuple[Array, Array]:
-        """The state after ``count`` steps of the joint form, the input held; long work can be interrupted."""
+    def step(self, q, v, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> tuple[Array, Array]:
+        """The state after ``count`` steps of the joint form, the input held; long work can be interrupted.
+
+        ``method``: a built-in integrator, or one of those that the model was compiled with.
+        """
         nq = self.chain.nq
         q, v = self._in(q, (nq,), "q"), self._in(v, (nq,), "v")
         self._steps(self.library.shim_step, method, count, dt, (*self._input(tau, w_ext), q, v))
         return q[:nq], v[:nq]
 
-    def _steps(self, call: Callable[..., int], method: str, count: int, dt: float, arrays: Sequence[Array]) -> None:
+    def number(self, method: str | Method) -> int:
+        """The number that an integrator has in the library; raises UsageError where it has none."""
+        return number_of(method, self.project)
+
+    def _steps(self, call: Callable[..., int], method: str | Method, count: int, dt: float, arrays) -> None:
         """Steps in parts; the last of the arrays are the state."""
-        number, dt = METHODS.index(choice(method, METHODS, NO_METHOD)), self._real(seconds(dt, "dt"))
+        number, dt = self.number(method), self._real(seconds(dt, "dt"))
         places = [pointer(x) for x in arrays]
         for _, part in slices(whole(count, "count", 0)):
             with self._lock:
@@ -219,7 +239,7 @@ class Compiled(Memory):
             self.check(self.library.shim_dae_state(self.memory, pointer(x)))
         return x
 
-    def dae_step(self, x, tau, w_ext, dt: float, method="rk4", count=1) -> Array:
+    def dae_step(self, x, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> Array:
         """``x`` after ``count`` steps of the DAE form, each projected, the input held."""
         x = self._in(x, (state_size(self.chain),), "x")
         self._steps(self.library.shim_dae_step, method, count, dt, (*self._input(tau, w_ext), x))
@@ -256,7 +276,7 @@ class Compiled(Memory):
 
 
 def compile_model(
-    model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str
+    model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str, methods
 ) -> Compiled:
     """What :meth:`screwgen.Model.compile` does."""
     choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
@@ -265,13 +285,12 @@ def compile_model(
     if isinstance(flags, str):
         raise UsageError("flags is a string; give a sequence such as ('-O3', '-march=native')")
     single = precision == "single"
-    return Compiled(model, layout, parameters, single, tuple(flags), derivatives=derivatives, cache=cache)
+    return Compiled(model, layout, parameters, single, tuple(flags), None, derivatives, cache, tuple(methods))
 
 
 def _compiled_anew(model: Derived, said: tuple, p: Array | None) -> Compiled:
     """What a pickled instance becomes."""
-    *options, derivatives, cache = said
-    out = Compiled(model, *options, derivatives=derivatives, cache=cache)
+    out = Compiled(model, *said)
     out.prepare(p)
     return out
 
@@ -281,15 +300,15 @@ class CompiledStepper:
 
     default = "modal_implicit"
 
-    def __init__(self, compiled: Compiled, model: Derived, integrator: str, p):
-        self.compiled, self.integrator = compiled, integrator
+    def __init__(self, compiled: Compiled, model: Derived, integrator: str | Method, p):
+        self.compiled, self.method = compiled, method_of(integrator, compiled.project.methods, NO_METHOD)
         compiled.prepare(p)
 
     def initial(self, q, v):
         return np.array(q, float), np.array(v, float)
 
     def step(self, state, tau, w_ext, dt: float):
-        return self.compiled.step(*state, tau, w_ext, dt, self.integrator)
+        return self.compiled.step(*state, tau, w_ext, dt, self.method)
 
     def coordinates(self, state):
         return state

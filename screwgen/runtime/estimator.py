@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,9 +19,8 @@ if TYPE_CHECKING:
     from ..model import Model
 
 
-@lru_cache(maxsize=4)
 def _files(model: Model, binding: str) -> dict[str, str]:
-    """What an estimator is compiled from; written once per model."""
+    """What an estimator is compiled from."""
     project = CProject(model.chain, model.version, binding, estimator=True)
     return project.files() | {"shim.c": project.shim("estimator_shim.c")}
 
@@ -65,7 +63,7 @@ class CompiledEstimator:
         self.model, self.real = model, np.float32 if single else np.float64
         self.gauges: list[Gauge] = gauges(model.chain)
         self._p = model.chain.parameters.vector(parameters)
-        files = _files(model, binding)
+        files = model.once(("estimator files", binding), lambda: _files(model, binding))
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
         self._memory = ctypes.create_string_buffer(self.library.shim_size())

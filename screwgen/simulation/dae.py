@@ -6,32 +6,25 @@ from the same block elimination as the joint form's.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import lru_cache
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..backends.numpy.python import c4, c5
-from ..errors import UsageError
-from .integrate import LIMIT, DivergedError, Evaluator
+from ..integrators.method import Method, Move, Stage, times, weighted
+from ..integrators.methods import method_of
+from .integrate import DEFAULT, LIMIT, DivergedError, Evaluator
 
 if TYPE_CHECKING:
     from ..model import Model
-
-
-@lru_cache(maxsize=4)
-def _functions(model: Model) -> dict:
-    from ..backends.casadi.functions import modal_functions
-
-    return modal_functions(model.chain) | {"dae_state": model.casadi()["dae_state"]}
 
 
 class DaeDynamics:
     """``xdot`` of the DAE form under held inputs; methods choose what acts within modes and sprung joints."""
 
     def __init__(self, model: Model, p: Sequence[float]):
-        functions = _functions(model)
+        functions = model.modal_functions
         self.p, n, r = np.array(p, float), model.n_links, model.nq - model.n_joints
         self.solve, self.projection = Evaluator(functions["dae_dynamics"]), Evaluator(functions["project"])
         self.joint_rates = Evaluator(functions["joint_rates"]) if model.chain.sprung else None
@@ -60,9 +53,9 @@ class DaeDynamics:
     def project(self, x: np.ndarray) -> np.ndarray:
         return self.projection(x, self.p)[0]
 
-    def move(self, x: np.ndarray, u: np.ndarray, rates: np.ndarray, h: float) -> np.ndarray:
-        """``x + h rates``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
-        new = x + h * rates
+    def move(self, x: np.ndarray, u: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """``x + change``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
+        new = x + change
         new[self.pose] = np.concatenate([exponential(*row) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
         return new
 
@@ -95,74 +88,70 @@ def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
 
 
-# ------------------------------------------------------------------------------ the methods
+# ------------------------------------------------------------------------------ a step
 
 
-def euler(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """Forward Euler, order 1."""
-    return d.move(x, h * d.twists(x), d.rates(x, tau, w_ext), h)
+class Evaluated(NamedTuple):
+    """What a stage found: the rate of the state, `vdot` (nq,), and the rate (n, 6) of what moves the poses."""
+
+    rates: np.ndarray
+    vdot: np.ndarray
+    turn: np.ndarray
+    reach: float
 
 
-def _symplectic(d: DaeDynamics, x, tau, w_ext, h: float, modal: float) -> np.ndarray:
-    """Twists and modal rates first, then poses, modal coordinates and joints with the new rates."""
-    rates, vdot, _ = d.solution(x, tau, w_ext, modal)
-    new = x + h * rates
-    rates[d.eta] = new[d.etadot]
-    rates[d.q] += h * vdot[: len(rates[d.q])]
-    return d.move(x, h * d.twists(new), rates, h)
+class HeldDae:
+    """Steps of a method from `x` over `h` seconds, torques and wrenches held."""
 
+    def __init__(self, dynamics: DaeDynamics, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float):
+        self.d, self.x, self.input, self.h = dynamics, x, (tau, w_ext), h
+        self.found: list[Evaluated] = []
 
-def semi_implicit(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """Symplectic Euler, order 1."""
-    return _symplectic(d, x, tau, w_ext, h, 0.0)
+    def step(self, method: Method) -> np.ndarray:
+        """The state at the end, not projected."""
+        for stage in method.stages:
+            self.evaluate(stage)
+        return self.moved(method.end)[0]
 
+    def evaluate(self, stage: Stage) -> None:
+        """Find the rates of the next stage."""
+        there, u = self.moved(stage)
+        start = self.x if stage.implicit else None
+        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, stage.implicit), start)
+        turn, reach = algebra_rate(u, self.d.twists(there)), times(self.h, stage.reach)
+        self.found.append(Evaluated(rates, vdot, turn, reach))
 
-def modal_implicit(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """Symplectic Euler with the forces of modes, joint springs and dampers at the step's end, order 1."""
-    return _symplectic(d, x, tau, w_ext, h, h)
+    def moved(self, move: Move) -> tuple[np.ndarray, np.ndarray]:
+        """The state of a move, and `u` (n, 6): its poses are those of the start times ``exp(u)``."""
+        d, x, h = self.d, self.x, self.h
+        if not move.terms:
+            return x, np.zeros((len(x[d.pose]) // 7, 6))
+        if move.moved == "stages":
+            u = weighted(move, h, [s.turn for s in self.found])
+            return d.move(x, u, weighted(move, h, [s.rates for s in self.found])), u
+        return self._leap(move)
 
-
-def modal_midpoint(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """The midpoint rule with the forces of modes, joint springs and dampers implicit, order 2."""
-    middle = _symplectic(d, x, tau, w_ext, h / 2, h / 2)
-    rates = d.rates(middle, tau, w_ext, h / 2, x)
-    new = x + h * rates
-    rates[d.eta] = (x[d.etadot] + new[d.etadot]) / 2
-    return d.move(x, h / 2 * (d.twists(x) + d.twists(new)), rates, h)
-
-
-def rk4(d: DaeDynamics, x, tau, w_ext, h: float) -> np.ndarray:
-    """Runge-Kutta-Munthe-Kaas, order 4."""
-    stage, u = x, np.zeros((len(x[d.pose]) // 7, 6))
-    total, moved = np.zeros_like(x), np.zeros_like(u)
-    for weight, reach in ((1 / 6, 0.5), (1 / 3, 0.5), (1 / 3, 1.0), (1 / 6, 0.0)):
-        rates, turn = d.rates(stage, tau, w_ext), algebra_rate(u, d.twists(stage))
-        total, moved = total + weight * rates, moved + weight * h * turn
-        u = reach * h * turn
-        stage = d.move(x, u, rates, reach * h)
-    return d.move(x, moved, total, h)
-
-
-METHODS: dict[str, Callable] = {
-    "euler": euler,
-    "semi_implicit": semi_implicit,
-    "modal_implicit": modal_implicit,
-    "modal_midpoint": modal_midpoint,
-    "rk4": rk4,
-}
+    def _leap(self, move: Move) -> tuple[np.ndarray, np.ndarray]:
+        """The same by one acceleration, coordinates and poses by the rates after a kick of it."""
+        d, x, (j, _) = self.d, self.x, move.terms[0]
+        rates, vdot, _, reach = self.found[j]
+        by, kick = times(self.h, move.reach), times(self.h, move.kick)
+        change = rates.copy()
+        change[d.eta] = x[d.etadot] + kick * rates[d.etadot]
+        change[d.q] += (kick - reach) * vdot[: len(x[d.q])]
+        u = by * (d.twists(x) + kick * d.twists(rates))
+        return d.move(x, u, by * change), u
 
 
 class DaeStepper:
     """Steps of the DAE form, each followed by the projection onto the joints."""
 
-    default = "modal_midpoint"
+    default = DEFAULT
 
-    def __init__(self, model: Model, integrator: str, p: Sequence[float]):
-        if integrator not in METHODS:
-            raise UsageError(f"there is no integrator '{integrator}' in the DAE form; known: {', '.join(METHODS)}")
-        self.name, self.method, self.dynamics = integrator, METHODS[integrator], DaeDynamics(model, p)
+    def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
+        self.method, self.dynamics = method_of(integrator), DaeDynamics(model, p)
         self.judge, self.n_joints = model.numpy(p), model.n_joints
-        self.place = Evaluator(_functions(model)["dae_state"])
+        self.place = Evaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The state on the joints."""
@@ -170,10 +159,10 @@ class DaeStepper:
 
     def step(self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> np.ndarray:
         """The state ``dt`` later, on the joints."""
-        new = self.dynamics.project(self.method(self.dynamics, x, tau, w_ext, dt))
+        new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
         if not (np.abs(new) < LIMIT).all():
             self.judge.dae_rates(x, tau, w_ext)
-            raise DivergedError(f"the integrator '{self.name}' diverged; take a smaller step")
+            raise DivergedError(f"the integrator '{self.method}' diverged; take a smaller step")
         return new
 
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

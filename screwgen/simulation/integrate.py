@@ -6,17 +6,20 @@ The torques and external wrenches are held over a step.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
-from ..errors import DivergedError, UsageError
-from ..integrators.methods import METHODS, Motion
+from ..errors import DivergedError
+from ..integrators.method import Method, Motion
+from ..integrators.methods import method_of
 
 if TYPE_CHECKING:
     from ..model import Model
     from .validity import Watch
+
+DEFAULT = "modal_midpoint"
+"""The integrator to take where none is asked for."""
 
 LIMIT = 1e9
 """A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
@@ -27,6 +30,8 @@ class Stepper(Protocol):
 
     default: str
     """The integrator to take where none is asked for."""
+
+    method: Method
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> object:
         """The state at the coordinates `q` (nq,) and rates `v` (nq,)."""
@@ -74,7 +79,7 @@ class Dynamics:
     """
 
     def __init__(self, model: Model, p: Sequence[float]):
-        functions = modal_functions(model.chain)
+        functions = model.modal_functions
         self.p, self.n_given, self.n_links = np.array(p, float), model.chain.n_given, model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
         self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
@@ -105,14 +110,6 @@ class Dynamics:
         return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
 
 
-@lru_cache(maxsize=4)
-def modal_functions(chain):
-    """`emit.casadi.modal_functions` of a chain, built once for all who step it."""
-    from ..backends.casadi import functions as casadi
-
-    return casadi.modal_functions(chain)
-
-
 class Held(NamedTuple):
     """The accelerations while torques and external wrenches are held."""
 
@@ -130,25 +127,19 @@ class Held(NamedTuple):
 # ------------------------------------------------------------------------------ the stepper
 
 
-def check_integrator(name: str) -> None:
-    """Refuse a name that is none of `METHODS`."""
-    if name not in METHODS:
-        raise UsageError(f"there is no integrator '{name}' in the joint form; known: {', '.join(METHODS)}")
-
-
-def diverged(name: str) -> DivergedError:
+def diverged(method: Method) -> DivergedError:
     """The error of an integrator that does not hold at its step."""
-    remedy = f"take a smaller step, or {JointStepper.default}"
-    if name == JointStepper.default:
+    remedy = f"take a smaller step, or {DEFAULT}"
+    if method.name == DEFAULT:
         remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
-    return DivergedError(f"the integrator '{name}' diverged; {remedy}")
+    return DivergedError(f"the integrator '{method}' diverged; {remedy}")
 
 
-def left(name: str, watch: Watch) -> DivergedError:
+def left(method: Method, watch: Watch) -> DivergedError:
     """The error of a run in which a link bends by its own length, by an integrator."""
     if watch.jumped:
-        return diverged(name)
-    return watch.left("" if name.startswith("modal_") else name)
+        return diverged(method)
+    return watch.left("" if method.implicit else method.name)
 
 
 class JointState(NamedTuple):
@@ -161,21 +152,20 @@ class JointState(NamedTuple):
 class JointStepper:
     """Steps of the joint form; constraints hold by construction."""
 
-    default = "modal_midpoint"
+    default = DEFAULT
 
-    def __init__(self, model: Model, integrator: str, p: Sequence[float]):
-        check_integrator(integrator)
-        self.name, self.method, self.dynamics = integrator, METHODS[integrator], Dynamics(model, p)
+    def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
+        self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
         self.judge = model.numpy(p)
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
 
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
-        new = JointState(*self.method(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
+        new = JointState(*self.method.step(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
             self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
-            raise diverged(self.name)
+            raise diverged(self.method)
         return new
 
     def coordinates(self, state: JointState) -> tuple[np.ndarray, np.ndarray]:

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..backends.c.project import METHODS
 from ..errors import ScrewgenError, SingularError, UsageError
+from ..integrators.method import Method
+from ..integrators.methods import METHODS
 from ..runtime.compiled import SINGULAR, Compiled
 from ..runtime.library import has_compiler
 from ..runtime.pace import slices
@@ -56,9 +57,23 @@ class _Run(ctypes.Structure):
     )
 
 
-def instance(model: Model, p: np.ndarray) -> Compiled:
+def _compiled(model: Model, method: Method) -> Compiled:
+    """The model in C with a method, which the model keeps."""
+    return model.once(_key(method), lambda: model.compile(methods=added(method)))
+
+
+def _key(method: Method) -> tuple:
+    return "compiled", *added(method)
+
+
+def added(method: Method) -> tuple[Method, ...]:
+    """What the C needs beside the built-in methods."""
+    return () if method in METHODS.values() else (method,)
+
+
+def instance(model: Model, p: np.ndarray, method: Method) -> Compiled:
     """The model in C with memory of its own at the parameters `p`; compiled when it is first asked for."""
-    compiled = model._compiled
+    compiled = _compiled(model, method)
     try:
         return compiled.fresh(p)
     except ScrewgenError:
@@ -66,12 +81,12 @@ def instance(model: Model, p: np.ndarray) -> Compiled:
         raise UsageError(said) from None
 
 
-def available(model: Model) -> bool:
-    """Whether the model can be had in C; says so where the compiler that is there fails."""
+def available(model: Model, method: Method) -> bool:
+    """Whether the model can be had in C with a method; says so where the compiler that is there fails."""
     try:
-        if "_compiled" not in vars(model) and not has_compiler():
+        if not model.made(_key(method)) and not has_compiler():
             return False
-        return model._compiled is not None
+        return _compiled(model, method) is not None
     except ScrewgenError as error:
         warnings.warn(f"the run goes on in NumPy: {error}", stacklevel=4)
         return False
@@ -80,13 +95,13 @@ def available(model: Model) -> bool:
 class Loop:
     """Runs of the joint form by an integrator, in C."""
 
-    def __init__(self, compiled: Compiled, integrator: str):
-        self.compiled, self.integrator = compiled, integrator
+    def __init__(self, compiled: Compiled, method: Method):
+        self.compiled, self.method = compiled, method
 
     def __call__(self, task: Task, table: Table) -> None:
         """Fill the table."""
         c, self.task, self.table = self.compiled, task, table
-        number = METHODS.index(self.integrator)
+        number = c.number(self.method)
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
         self.plan = _Run(*run, WATCH, FAR, *arrays)
@@ -143,12 +158,12 @@ class Loop:
         q, v = c.q.copy(), c.v.copy()
         with at_time(task.time(k)):
             if status == LEFT:
-                raise left(self.integrator, self.table.watch)
+                raise left(self.method, self.table.watch)
             tau, w_ext = task.given(task.time(k), q, v) if self.plan.pd else (c.tau.copy(), c.w_ext.copy())
             if k < task.steps:
-                JointStepper(c.model, self.integrator, p).step(JointState(q, v), tau, w_ext, task.reach(k))
+                JointStepper(c.model, self.method, p).step(JointState(q, v), tau, w_ext, task.reach(k))
             if max(np.abs(q).max(initial=0.0), np.abs(v).max(initial=0.0)) > RUNAWAY:
-                raise diverged(self.integrator)
+                raise diverged(self.method)
             if status == SINGULAR:
                 c.check(status)
             c.model.numpy(p).forward_dynamics(q, v, tau, w_ext)

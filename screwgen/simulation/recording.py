@@ -24,7 +24,7 @@ from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
 from ..spec.load import one_line
 from .inputs import Inputs
-from .integrate import Dynamics, Evaluator, modal_functions
+from .integrate import Dynamics, Evaluator
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
 
@@ -122,7 +122,7 @@ class Recorder:
     def __init__(self, table: Table):
         functions, self.table = table.model.casadi(), table
         self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
-        modal = modal_functions(table.model.chain)
+        modal = table.model.modal_functions
         self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
 

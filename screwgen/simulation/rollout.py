@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import Given, choice, real_numbers, seconds, whole
-from ..backends.c.project import METHODS
+from ..arguments import Given, real_numbers, seconds, whole
 from ..errors import UsageError
+from ..integrators.method import Method
+from ..integrators.methods import method_of
 from ..runtime.batch import OK, SINGULAR, compiled_batch
 from ..runtime.compiled import NO_METHOD
+from .loop import added
 from .rollout_validity import watched
 from .validity import Validity
 
@@ -80,7 +82,7 @@ def rollout(
     steps: int | None = None,
     substeps: int = 1,
     w_ext: Any = None,
-    integrator: str = "modal_midpoint",
+    integrator: str | Method = "modal_midpoint",
     parameters: Given = None,
     threads: int = 1,
     single: bool = False,
@@ -90,9 +92,10 @@ def rollout(
     `x0`: initial states [q; v], (batch, 2 nq), or (2 nq,) for all. `tau`: joint torques in N·m, (batch, steps,
     n_joints); (steps, n_joints) for all scenarios; (n_joints,) for all and held; zero by default. `w_ext`: tip
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
-    `step` seconds, which the integrator (of `backends.c.project.METHODS`) divides into `substeps` steps. `steps` is
-    needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those
-    that differ by name, each a number or (batch,). `threads`: cores; the results do not depend on it.
+    `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
+    steps. `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
+    (batch, n); or those that differ by name, each a number or (batch,). `threads`: cores; the results do not depend
+    on it.
     `single`: in single precision, about half the time.
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
@@ -101,7 +104,7 @@ def rollout(
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
     _check_numbers(step, steps, substeps, threads)
-    choice(integrator, METHODS, NO_METHOD)
+    method = method_of(integrator, missing=NO_METHOD)
     given = {
         "x0": _array(x0, "x0", (2 * model.nq,), "(batch, 2 nq) or (2 nq,)"),
         "tau": _sequence(tau, "tau", (model.n_joints,)),
@@ -111,19 +114,17 @@ def rollout(
     count = _common({name: len(a) for name, a in given.items()}, "scenarios")
     periods = _periods(steps, {"tau": np.shape(tau)[:-1], "w_ext": np.shape(w_ext)[:-2]})
     _check_size(count, periods, model)
-    return _run(model, given, count, periods, step, substeps, integrator, threads, single)
+    return _run(model, given, count, periods, step, substeps, method, threads, single)
 
 
-def _run(model, given, count, periods, step, substeps, integrator, threads, single) -> Rollout:
-    batch = compiled_batch(model, single)
+def _run(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:
+    batch = compiled_batch(model, single, added(method))
     x = np.broadcast_to(given["x0"], (count, 2 * model.nq)).T
     path = np.empty((2, periods + 1, model.nq, count), batch.real)
     path[:, 0] = x.reshape(2, model.nq, count)
     constants = batch.constants(given["parameters"])
-    tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
-    status, fault, done = batch.run(
-        path[0], path[1], tau, w_ext, constants, step / substeps, substeps, integrator, threads
-    )
+    inputs = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
+    status, fault, done = batch.run(*path, *inputs, constants, step / substeps, substeps, method, threads)
     q, v = path.transpose(0, 3, 1, 2)
     t = step * np.arange(periods + 1)
     links = tuple(link.name for link in model.robot.links)

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import MAX_STEPS, Given, Numbers, choice, seconds, whole
 from ..errors import DivergedError, UsageError
+from ..integrators.method import Method
+from ..integrators.methods import method_of
 from . import loop
 from .controllers import Controller
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
-from .integrate import JointStepper, Stepper, check_integrator, left
+from .integrate import JointStepper, Stepper, left
 from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
 from .runs import FORMATS, Run, check_output
 from .validity import ModelLeftError
@@ -23,7 +26,9 @@ from .validity import ModelLeftError
 if TYPE_CHECKING:
     from ..model import Model
 
-FORMS: dict[str, type[Stepper]] = {"joint": JointStepper, "dae": DaeStepper}
+MakeStepper = Callable[["Model", "str | Method", Sequence[float]], Stepper]
+
+FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
 BACKENDS = ("c", "numpy")
@@ -41,8 +46,8 @@ def simulate(
     v0: Numbers | None = None,
     controller: Controller | Numbers | None = None,
     w_ext: Wrenches | Sequence[Sequence[float]] | np.ndarray | None = None,
-    integrator: str | None = None,
-    form: str = "joint",
+    integrator: str | Method | None = None,
+    form: str | MakeStepper = "joint",
     parameters: Given = None,
     progress: Callable[[int, int], None] | None = None,
     *,
@@ -54,7 +59,10 @@ def simulate(
 
     `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
     (n_joints,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
-    constants. `integrator`: one of `integrate.METHODS` in the joint form, modal_midpoint if none is named.
+    constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
+    :class:`~screwgen.integrators.Method`; modal_midpoint if none is given. `form`: "joint", "dae", or what makes a
+    stepper of one's own of `(model, integrator, p)`, such as
+    `partial(CompiledStepper, compiled)`; its `default` is the integrator where none is given.
     `parameters`: all values, or those that differ from the file's by name. `progress(done, all)` is called
     now and then. A run has steps + 1 samples, or with `every` those of every so many steps and of the end; where
     `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
@@ -77,7 +85,7 @@ def simulate(
     if store is not None:
         check_output(store, FORMATS)
     every = whole(every, "every", 1)
-    walk = (_c_walk if _in_c(backend, form, model) else _numpy_walk)(model, integrator, form, p)
+    walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
     law = started(controller, q0)
     given = Inputs(model, law, w_ext)
@@ -95,24 +103,30 @@ def simulate(
             table.watch.validity().warn()
 
 
-def _in_c(backend: str | None, form: str, model: Model) -> bool:
+def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator: str | Method | None) -> bool:
     """Whether a run is stepped in C."""
     if backend is not None:
         choice(backend, BACKENDS, "backend: there is no")
-    if backend == "c" and form in FORMS and form != "joint":
-        raise UsageError(
-            f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
-        )
-    return form == "joint" and (backend == "c" or (backend is None and loop.available(model)))
+    if form != "joint":
+        if backend == "c" and (callable(form) or form in FORMS):
+            raise UsageError(
+                f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
+            )
+        return False
+    return backend == "c" or (backend is None and loop.available(model, _method(integrator)))
 
 
-def _c_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
-    name = FORMS[form].default if integrator is None else integrator
-    check_integrator(name)
-    return loop.Loop(loop.instance(model, p), name)
+def _method(integrator: str | Method | None) -> Method:
+    """What steps the joint form."""
+    return method_of(JointStepper.default if integrator is None else integrator)
 
 
-def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) -> Walk:
+def _c_walk(model: Model, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:
+    method = _method(integrator)
+    return loop.Loop(loop.instance(model, p, method), method)
+
+
+def _numpy_walk(model: Model, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     plant = stepper(model, integrator, form, p)
 
     def walk(task: Task, table: Table) -> None:
@@ -127,7 +141,7 @@ def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) 
                 if task.sampled(k) or k % WATCH == 0:
                     joints = record.look(t, q, v, tau, wrench)
                     if joints is None:
-                        raise left(plant.name, table.watch)
+                        raise left(plant.method, table.watch)
                     if task.sampled(k):
                         record(task.rows(k), q, v, joints, tau)
                 if k < task.steps:
@@ -139,14 +153,21 @@ def _numpy_walk(model: Model, integrator: str | None, form: str, p: np.ndarray) 
     return walk
 
 
-def stepper(model: Model, integrator: str | None = None, form: str = "joint", p: Numbers | None = None) -> Stepper:
+def stepper(
+    model: Model,
+    integrator: str | Method | None = None,
+    form: str | MakeStepper = "joint",
+    p: Numbers | None = None,
+) -> Stepper:
     """The stepper of a form and an integrator (None: the form's own choice) at the parameters `p`.
 
     Raises UsageError on unknown names.
     """
-    choice(form, FORMS, "there is no simulation in the form")
-    chosen = FORMS[form].default if integrator is None else integrator
-    return FORMS[form](model, chosen, model.parameter_values if p is None else p)
+    make = form if callable(form) else FORMS[choice(form, FORMS, "there is no simulation in the form")]
+    chosen = getattr(make, "default", None) if integrator is None else integrator
+    if chosen is None:
+        raise UsageError("this form names no integrator of its own; give one")
+    return make(model, chosen, model.parameter_values if p is None else p)
 
 
 # ------------------------------------------------------------------------------ what is given

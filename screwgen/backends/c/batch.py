@@ -49,8 +49,12 @@ def dynamics(chain: Chain, baked: bool) -> Program:
     return Program("batch_dynamics", whole.inputs, outputs, whole.guards, whole.sections, whole.origins)
 
 
-def content(chain: Chain, name: str, baked: bool, constants: int, place: Place) -> dict:
-    """What the templates see; ``constants`` of a link in the struct, ``place`` of a signal as in :class:`Writer`."""
+def content(chain: Chain, name: str, baked: bool, constants: int, states: int, place: Place) -> dict:
+    """What the templates see.
+
+    ``constants`` of a link in the struct, ``states`` of a scenario in a step, ``place`` of a signal as in
+    :class:`Writer`.
+    """
     program = dynamics(chain, baked)
     pieces, kept = split(program, _pieces(program))
     angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
@@ -59,7 +63,7 @@ def content(chain: Chain, name: str, baked: bool, constants: int, place: Place) 
         "pieces": [_lines(piece, name, place) for piece in pieces],
         "kept": kept,
         "angles": angles,
-        "stack": _stack(chain, constants, kept),
+        "stack": _stack(chain, constants, states, kept),
     }
 
 
@@ -87,10 +91,10 @@ def _no_guard(test: str, link: int) -> str:
     raise AssertionError("guards of lanes are gathered")
 
 
-def _stack(chain: Chain, constants: int, kept: int) -> int:
+def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
     """What a group of scenarios takes in bytes: lanes at their widest."""
     given, state, joints = max(chain.n_given, 1), 2 * max(chain.nq, 1), max(chain.n_joints, 1)
-    group = 3 + chain.n * constants + 5 * given + 3 * state + state // 2 + joints + 6 * chain.n + 3
+    group = 3 + chain.n * constants + 5 * given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)
 
 

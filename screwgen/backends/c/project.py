@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from functools import cached_property
 
 import mpmath
@@ -12,13 +13,15 @@ from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.schedule import constant_labels
 from ...bodies.validity import BOUNDS
 from ...errors import UsageError
+from ...integrators.method import Method
+from ...integrators.methods import with_built_in
 from ...ir.program import Program
 from ...spec.parameters import coordinate_names, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
 from ..templates import render
-from . import batch, check, derivatives, estimator, files
+from . import batch, check, derivatives, estimator, files, steps
 from .code import Writer, literal, sizes, trimmed, with_unused
 from .fields import (
     Field,
@@ -38,10 +41,6 @@ from .fields import (
 )
 from .links import RUNS, WITHIN, Links, sparsity
 
-ORDERS = {"euler": 1, "semi_implicit": 1, "modal_implicit": 1, "modal_midpoint": 2, "rk4": 4}
-"""The integrators of both forms and their orders."""
-
-METHODS = tuple(ORDERS)
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
 first-level cache of 32 KiB."""
@@ -72,10 +71,11 @@ class CProject:
         batch=False,
         derivatives=False,
         estimator=False,
+        methods: Sequence[Method] = (),
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
-        self.name = chain.robot.name
+        self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.name, self.baked)
         self.layout = self._layout(layout)
@@ -133,8 +133,7 @@ class CProject:
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
-            "methods": METHODS,
-            "orders": ORDERS.values(),
+            **steps.content(self.methods),
             "rounds": ROUNDS,
             "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
@@ -209,7 +208,8 @@ class CProject:
     @property
     def _batch(self) -> dict:
         constants = sum(f.reals for f in self.constants)
-        return batch.content(self.chain, self.name, self.baked is not None, constants, fused_place)
+        states = 2 + len(steps.registers(self.methods))
+        return batch.content(self.chain, self.name, self.baked is not None, constants, states, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
         """Failures are gathered and looked at once: an early return would cost more than its comparison."""
@@ -323,15 +323,16 @@ class CProject:
     @property
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
-        c, length = self.chain, lambda n: max(n, 1)
+        c, length, states = self.chain, lambda n: max(n, 1), 1 + len(steps.registers(self.methods))
         chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) + c.n * sum(
             f.reals for f in store_fields(self._programs)
         )
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
-        work = 2 * length(c.n_given) + 4 * c.n + 2 * state + output + (chain_reals if self.layout == "modular" else 0)
-        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 30 * c.n + 2 * dae_state
-        dae += chain_reals
+        work = 2 * length(c.n_given) + 4 * c.n + states * state + output
+        work += chain_reals if self.layout == "modular" else 0
+        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 18 * c.n
+        dae += states * (dae_state + 6 * c.n) + chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
     @cached_property

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +37,10 @@ class Made(Mapping):
     def __init__(self, makers: Mapping[str, Callable[[], object]]):
         self._makers = makers
         self._made: dict[str, Any] = {}
+
+    def joined(self, makers: Mapping[str, Callable[[], object]]) -> Made:
+        """These values, which are not made again, and others."""
+        return Made({name: partial(self.__getitem__, name) for name in self} | makers)
 
     def __getitem__(self, name: str):
         if name not in self._made:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import casadi as ca
 
 from ...algorithms import fused
-from ...integrators.methods import METHODS, Motion
+from ...integrators.method import Method, Motion
+from ...integrators.methods import METHODS
 from ...topology.chain import Chain
 from .functions import expressions, function, rotations
 
@@ -17,9 +18,13 @@ STEP = "modal_midpoint"
 
 def motion_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     """What makes ``step``, ``step_<method>`` of every method, ``tip_jacobian`` and ``scaling``, by name."""
-    steps = {f"step_{name}": lambda name=name: step(chain, name, f"step_{name}") for name in METHODS}
     others = {"tip_jacobian": lambda: tip_jacobian(chain), "scaling": lambda: scaling(chain)}
-    return {"step": lambda: step(chain, STEP, "step")} | steps | others
+    return {"step": lambda: step(chain, METHODS[STEP], "step")} | steps(chain, METHODS.values()) | others
+
+
+def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.Function]]:
+    """What makes ``step_<method>`` of methods, by name."""
+    return {f"step_{m}": lambda m=m: step(chain, m, f"step_{m}") for m in methods}
 
 
 def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
@@ -31,7 +36,7 @@ def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
 
 
 class Held:
-    """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.methods.Accelerations`."""
+    """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
         self.program, self.given = fused.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
@@ -51,11 +56,11 @@ class Held:
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
 
-def step(chain: Chain, method: str, name: str) -> ca.Function:
+def step(chain: Chain, method: Method, name: str) -> ca.Function:
     """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds."""
     given = symbols(chain, "q v tau w_ext p dt")
     held = Held(chain, given["tau"], given["w_ext"], given["p"])
-    q, v = METHODS[method](held, given["q"], given["v"], given["dt"])
+    q, v = method.step(held, given["q"], given["v"], given["dt"])
     return function(name, given, q_next=q, v_next=v)
 
 

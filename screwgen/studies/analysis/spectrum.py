@@ -9,14 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ...arguments import Numbers
 from ...errors import SingularError, UsageError
-from ...simulation.integrate import METHODS, Dynamics, Evaluator, modal_functions
+from ...integrators.methods import method_of
+from ...simulation.integrate import Dynamics, Evaluator
 from ...simulation.simulate import Inputs, coordinates, started
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def step_map(
 ) -> np.ndarray:
     """`S` (2 nq, 2 nq) with `[δq; δv]` after a step `= S [δq; δv]` before it: the amplification matrix.
 
-    It is the method itself (`integrate.METHODS`, which the generated C steps too) applied to the dynamics
+    It is the method itself (of `integrators`, which the generated C steps too) applied to the dynamics
     linearised at `q`, `v` (nq,); `step` in s. `tau` (n_joints,), N·m, is held; with a `controller(t, q, v)` the
     torques are those of the step's start, held over the step, as in a simulation. For methods that evaluate the
     dynamics once a step, and for all of them at an equilibrium, S is the exact derivative of the step.
@@ -118,7 +119,7 @@ class Linearised:
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
-        self.directional = _directional(model.chain)
+        self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nq), 2)
         self.gains = np.zeros((model.n_joints, 2 * model.nq)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
@@ -147,10 +148,8 @@ class Linearised:
 
     def step_map(self, method: str, step: float) -> np.ndarray:
         """The amplification matrix (2 nq, 2 nq) of a method over `step` seconds."""
-        if method not in METHODS:
-            raise UsageError(f"there is no integrator '{method}' in the joint form; known: {', '.join(METHODS)}")
         check_step(step)
-        return np.vstack(METHODS[method](self, self.identity[0], self.identity[1], step))
+        return np.vstack(method_of(method).step(self, *self.identity, step))
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The accelerations of the motions `q`, `v` (nq, k); the torques are those of `identity`, held."""
@@ -205,10 +204,9 @@ class Linearised:
         return np.array(sides).reshape(-1, self.model.n_joints).T
 
 
-@lru_cache(maxsize=4)
-def _directional(chain) -> Evaluator:
+def _directional(model: Model) -> Evaluator:
     """The derivatives of `modal_dynamics` in nq + nq + n_joints + n_given directions at once."""
-    function = modal_functions(chain)["modal_dynamics"]
+    function, chain = model.modal_functions["modal_dynamics"], model.chain
     primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nq + chain.n_joints + chain.n_given
     return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
 

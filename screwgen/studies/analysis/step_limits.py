@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...simulation.integrate import METHODS
+from ...integrators.methods import METHODS
 from .spectrum import STILL, TOLERANCE, Linearised
 
 if TYPE_CHECKING:

@@ -89,7 +89,7 @@ def _multiply(a: Array, b: Array) -> Array:
         return (a.item() * b) if a.shape == (1, 1) else (a * b.item())
     out = np.empty((a.shape[0], b.shape[1]), dtype=object)
     for i, j in np.ndindex(*out.shape):
-        out[i, j] = sp.Add(*(x * y for x, y in zip(a[i], b[:, j], strict=True) if x != 0 and y != 0))
+        out[i, j] = sp.Add(*(x * y for x, y in zip(a[i], b[:, j], strict=True) if x and y))
     return out
 
 

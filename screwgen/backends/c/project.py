@@ -35,7 +35,7 @@ from .fields import (
     store_fields,
     stumpff_terms,
 )
-from .links import RUNS, WITHIN, Links, sparsity
+from .links import RUNS, WATCHED, WITHIN, Links, sparsity
 
 ORDERS = {"euler": 1, "semi_implicit": 1, "modal_implicit": 1, "modal_midpoint": 2, "rk4": 4}
 """The integrators of both forms and their orders."""
@@ -82,7 +82,7 @@ class CProject:
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` takes what is faster."""
-        passages = self.links.required("joint_dynamics")
+        passages = self.links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
@@ -229,7 +229,7 @@ class CProject:
             counts = Program(whole.name, whole.inputs, asked, whole.guards, whole.sections, whole.origins).operations
         else:
             counts = Counter()
-            for passage in self.links.required("joint_dynamics"):
+            for passage in self.links.passages("joint_dynamics", WATCHED):
                 counts += passage.program.operations
         other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
         return {

@@ -1,5 +1,5 @@
 # make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
-# figures and a report. make test: the whole test suite.
+# figures and a report. make test: the test suite. make test-long: what takes longer.
 # All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
@@ -25,6 +25,10 @@ mpc: $(READY)
 
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider $(ARGS)
+
+# What `make test` leaves out: the rest of its sweeps, and a million steps. About ten minutes.
+test-long: $(READY)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
 docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html
@@ -109,4 +113,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean
+.PHONY: demo paper mpc docs test test-long lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean

@@ -132,7 +132,7 @@ def compiler_of(target: Target) -> str:
     return f"{target.compiler} {found[0] if found else first}"
 
 
-QUICK = ("m4f_float_fused_runtime", "m4f_float_fused_baked", "m4f_float_modular_runtime")
+QUICK = ("m4f_float_fused_baked", "m4f_float_modular_runtime")
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -13,6 +13,9 @@ import pytest
 from hypothesis import settings
 
 MISSING = "tool not installed: "
+SLOWEST = (
+    "ella_paper guides mpc demo bench do_mpc static_analysis firmware generated c_code latex_pages cli_paper".split()
+)
 
 # The same examples on every machine and every day, and nothing written into the checkout.
 hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdir(), "screwgen-hypothesis"))
@@ -30,6 +33,11 @@ def pytest_configure():
     gc.set_threshold(100_000, 50, 50)
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items):
+    """The slowest files first: with several workers, none of them is begun when all the rest is done."""
+    items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in SLOWEST)
 
 
 def require_tool(name: str) -> str:

@@ -91,7 +91,7 @@ def drift(compiled: Compiled, form: str, steps: int) -> Drift:
 
 @cache
 def compiled(which: str, single: bool) -> Compiled:
-    return Compiled(model_of(damped()) if which == "damped" else example("ella"), single=single)
+    return Compiled(model_of(damped()) if which == "damped" else example("ella"), single=single, cache=True)
 
 
 RUNS = {

@@ -79,20 +79,23 @@ def code(text: str) -> str:
 @pytest.mark.parametrize("kind", KINDS, ids="-".join)
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_compiles_without_a_warning(tmp_path, robot, kind):
-    """All sources, the example and the self-check included, in double and in float, by gcc and by clang."""
+    """All sources, the example and the self-check included: gcc in one precision, clang in the other.
+
+    With runtime parameters gcc takes double, with baked ones float.
+    """
     sources = [*written(tmp_path, robot, *kind), "main.c", "check.c"]
-    for compiler in ("gcc", "clang"):
-        for define in ([], [f"-D{project(robot, *kind).name.upper()}_REAL_FLOAT"]):
-            done = build(compiler, tmp_path, *WARNINGS, *define, "-fsyntax-only", *sources)
-            assert done.returncode == 0 and not done.stderr, done.stderr[:3000]
+    precisions = [[], [f"-D{project(robot, *kind).name.upper()}_REAL_FLOAT"]]
+    for compiler, define in zip(("gcc", "clang"), precisions[:: 1 if "runtime" in kind else -1], strict=True):
+        done = build(compiler, tmp_path, *WARNINGS, *define, "-fsyntax-only", *sources)
+        assert done.returncode == 0 and not done.stderr, done.stderr[:3000]
 
 
 CHECKED = [
     ("ella", KINDS[0], "gcc"),
     ("ella", KINDS[3], "clang"),
-    ("six_link", KINDS[3], "gcc"),
     ("welded", KINDS[0], "gcc"),
-    ("many", KINDS[2], "gcc"),
+    pytest.param("six_link", KINDS[3], "gcc", marks=pytest.mark.long),
+    pytest.param("many", KINDS[2], "gcc", marks=pytest.mark.long),
     ("rigid", KINDS[1], "gcc"),
     ("bare", KINDS[2], "clang"),
 ]
@@ -168,7 +171,7 @@ def test_no_recursion(layout):
 
 
 @pytest.mark.parametrize("kind", KINDS, ids="-".join)
-@pytest.mark.parametrize("robot", ["six_link", "many"])
+@pytest.mark.parametrize("robot", ["ella", "welded"])
 def test_objects_hold_no_variables(tmp_path, robot, kind):
     """Nothing writable in any object; of the outside world only libm, the compiler's memory functions and its question
     what processor this is."""
@@ -253,7 +256,7 @@ for path in sys.argv[1:]:
 
 def test_same_bytes_from_every_folder_and_process(tmp_path):
     """Another folder, another hash seed, no other robot before: the text that this process writes."""
-    names = ("ella", "six_link")
+    names = ("ella",)
     robots = [str(example_file(name)) for name in names]
     seed = "1" if os.environ.get("PYTHONHASHSEED") != "1" else "77"
     environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
@@ -265,7 +268,7 @@ def test_same_bytes_from_every_folder_and_process(tmp_path):
         for robot in names
         for name, text in files(robot, layout).items()
     ]
-    assert sorted(found.splitlines()) == sorted(own) and len(own) == 68
+    assert sorted(found.splitlines()) == sorted(own) and len(own) == 34
 
 
 @pytest.mark.parametrize("robot", ROBOTS)

@@ -9,7 +9,7 @@ from helpers import arm, drawn, equal_links, example, link, model_of, quick, rel
 from screwgen.algorithms import functions as alg
 from screwgen.algorithms.modal_elimination import WAYS
 from screwgen.algorithms.schedule import _traced, trace
-from screwgen.algorithms.structure import passages
+from screwgen.algorithms.structure import passages, specialised_phases
 from screwgen.backends.c.project import FUSED_BEST, FUSED_MOST, CProject
 from screwgen.errors import UsageError
 
@@ -53,7 +53,7 @@ def test_steps_compute_neither_wrenches_nor_pose():
 def test_ends_of_a_chain_cost_less():
     """The base is at rest and the last tip is free: their links run fewer operations than one between."""
     chain = model_of(equal_links(6)).chain
-    run = passages(chain, alg.FORWARD, None, ("qddot", "etaddot", "wrench"))
+    run = passages(chain, specialised_phases(chain, alg.FORWARD, None), ("qddot", "etaddot", "wrench"))
     of = lambda link: sum(p.program.operation_count for p in run if p.link == link)  # noqa: E731
     assert of(2) == of(3) == of(4)
     assert of(0) < 0.8 * of(2) and of(5) < 0.8 * of(2)

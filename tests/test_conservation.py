@@ -25,7 +25,7 @@ FREE = (np.zeros(3), np.zeros((2, 6)))
 
 @cache
 def ella() -> Compiled:
-    return Compiled(example("ella"))
+    return Compiled(example("ella"), cache=True)
 
 
 def energy(q, v) -> float:

@@ -39,7 +39,7 @@ screwgen.derive(screwgen.load(sys.argv[1])).write(sys.argv[2])
 """
 
 
-@pytest.mark.parametrize(("name", "limit"), [("ella", 10), ("arm", 30)])
+@pytest.mark.parametrize(("name", "limit"), [("ella", 10), pytest.param("arm", 30, marks=pytest.mark.long)])
 def test_generation_is_quick(tmp_path, name, limit):
     """File to all outputs, Python's start included, in processor time: ELLA 10 s, 32 equal links 30 s."""
     file = ROOT / "examples" / "ella_paper.toml"

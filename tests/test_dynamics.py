@@ -17,6 +17,8 @@ from screwgen import Robot
 from screwgen.spec import dump
 
 SEEDS = range(50)
+COMPILED = range(15)
+"""Of these robots the C is compiled too: three of each number of links, in both layouts."""
 
 
 def links_of(seed: int) -> int:
@@ -29,6 +31,9 @@ def name_of(seed: int) -> str:
 
 
 every_robot = pytest.mark.parametrize("seed", SEEDS, ids=name_of)
+compiled_robots = pytest.mark.parametrize(
+    "seed", [s if s in COMPILED else pytest.param(s, marks=pytest.mark.long) for s in SEEDS], ids=name_of
+)
 some_robots = pytest.mark.parametrize("seed", range(55, 60), ids=name_of)
 
 
@@ -60,21 +65,31 @@ def dae_errors(case: Case) -> dict[str, float]:
     return {k: part_error(expected[k], found[k], expected[other[k]]) for k in expected}
 
 
+def check(case: Case, results: dict[str, dict[str, float]]) -> None:
+    """Every part of every result is right to the tolerance of the robot's state."""
+    wrong = {(who, part): e for who, parts in results.items() for part, e in parts.items() if not e <= case.tolerance}
+    assert not wrong, f"tolerance {case.tolerance:.1e}"
+
+
 @every_robot
 def test_accelerations_and_wrenches(seed):
-    case = case_of(seed)
+    case, model = case_of(seed), case_of(seed).model
     judge = lambda result: case.oracle.errors(case.state, *result)  # noqa: E731
-    model, compiled = case.model, quick(case.model, layout=("fused", "modular")[seed % 2])
     errors = {
         "NumPy": judge(model.numpy().forward_dynamics(*case.inputs)),
         "NumPy, DAE": judge(model.numpy().dae_forward_dynamics(*case.inputs)),
         "CasADi": judge(casadi_forward(model, *case.inputs)),
         "CasADi, DAE": dae_errors(case),
-        "C": judge(compiled.forward_dynamics(*case.inputs)),
-        "C, DAE": judge(compiled.forward_dynamics(*case.inputs, form="dae")),
     }
-    wrong = {(who, part): e for who, parts in errors.items() for part, e in parts.items() if not e <= case.tolerance}
-    assert not wrong, f"tolerance {case.tolerance:.1e}"
+    check(case, errors)
+
+
+@compiled_robots
+def test_accelerations_and_wrenches_in_c(seed):
+    case = case_of(seed)
+    compiled = quick(case.model, layout=("fused", "modular")[seed % 2])
+    results = {form: compiled.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
+    check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
 
 
 @some_robots

@@ -146,7 +146,10 @@ def test_different_counts_in_y_and_z(basis):
     check(case_of(robot, rr.random_state(np.random.default_rng(4), robot)))
 
 
-@pytest.mark.parametrize(("basis", "count"), [("clamped_free", 16), ("polynomial", 32)])
+@pytest.mark.parametrize(
+    ("basis", "count"),
+    [("clamped_free", 16), ("polynomial", 16), pytest.param("polynomial", 32, marks=pytest.mark.long)],
+)
 def test_many_modes(basis, count):
     """The O(r) elimination. The slopes of so many polynomials at the tip make cond M too large for its tolerance."""
     table = link(length=0.8, axes=["y", "z"], modes={"basis": basis, "bending_y": count}, section=SOFT)

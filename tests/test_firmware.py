@@ -17,7 +17,7 @@ import emulate  # noqa: E402
 import stack  # noqa: E402
 import targets  # noqa: E402
 
-QUICK = {("fused", "runtime"), ("fused", "baked"), ("modular", "runtime")}
+QUICK = {("fused", "baked"), ("modular", "runtime")}
 
 
 def test_on_the_cortex_m4f():

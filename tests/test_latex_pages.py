@@ -81,11 +81,12 @@ def test_the_templates_are_where_they_belong():
 # -------- pdflatex
 
 
-@every_robot
+@pytest.mark.parametrize("name", ["ella", "strange", "measured", pytest.param("six_link", marks=pytest.mark.long)])
 def test_pdflatex_compiles_and_nothing_runs_off_the_page(name, tmp_path):
     assert too_wide(tex(name), tmp_path) <= 5.0
 
 
+@pytest.mark.long
 def test_random_robots_compile(tmp_path):
     """One robot with whatever a draw gives; the width of every line is what this looks for."""
     from random_robots import random_robot

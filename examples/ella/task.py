@@ -33,7 +33,7 @@ class Extent:
 
 
 FULL = Extent(8.0, 4.0, frequencies.BASES, 150, ("-O2",))
-QUICK = Extent(2.4, 0.3, frequencies.QUICK, 50, ("-O1",))
+QUICK = Extent(2.4, 0.3, frequencies.QUICK, 50, ("-O0",))
 
 
 @dataclass(frozen=True)

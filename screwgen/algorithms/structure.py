@@ -44,17 +44,19 @@ class Passage:
     wanted: frozenset[tuple[str, int]]
 
 
-def passages(
+Applied = Sequence[tuple[int, int, Program]]
+"""Phase, link and program in the order of execution."""
+
+
+def specialised_phases(
     chain: Chain,
     algorithm: Algorithm,
     constants: Sequence[Mapping[str, list]] | None,
-    results: Iterable[str],
     zero: frozenset[str] = frozenset(),
-) -> list[Passage]:
-    """Every phase of every link in the order of execution.
+) -> Applied:
+    """Every phase of every link with what is known of its inputs folded in.
 
-    ``constants`` are the links' numbers (``c.*``) where they are baked in; ``results`` the signals that a caller
-    reads: of every link, or, of a node (``tip.*``), that of the last tip; ``zero`` the signals that are zero.
+    ``constants`` are the links' numbers (``c.*``) where they are baked in; ``zero`` the signals that are zero.
     """
     specialised: dict[tuple, Program] = {}
     run: list[tuple[int, int, Program]] = []
@@ -69,7 +71,7 @@ def passages(
 
     places = nodes(chain, [0.0 if "gravity" in zero else UNKNOWN] * 3)
     execute(chain, algorithm, _inputs(chain, algorithm, constants, zero), places, apply)
-    return _pruned(chain, run, results)
+    return run
 
 
 def _inputs(chain: Chain, algorithm: Algorithm, constants, zero: frozenset[str]) -> list[dict[str, list]]:
@@ -97,8 +99,11 @@ def _structural(value) -> bool:
     return not isinstance(value, Node) and abs(value) in (0.0, 1.0)
 
 
-def _pruned(chain: Chain, run: Sequence[tuple[int, int, Program]], results: Iterable[str]) -> list[Passage]:
-    """From the last passage to the first: what is read later is wanted, and with it what it is made of."""
+def passages(chain: Chain, run: Applied, results: Iterable[str]) -> list[Passage]:
+    """The phases with only what is read: later, or by the caller.
+
+    ``results`` are the signals that a caller reads: of every link, or, of a node (``tip.*``), that of the last tip.
+    """
     results = frozenset(results)
     read: set[tuple[str, str, int, int]] = set()
     out, cache = [], {}

@@ -293,9 +293,8 @@ def live(values: Iterable[Value]) -> list[Node]:
     stack = [v for v in values if isinstance(v, Node)]
     while stack:
         node = stack.pop()
-        if node.id in seen:
-            continue
-        seen[node.id] = node
-        if node.op != "input":
-            stack.extend(a for a in node.args if isinstance(a, Node))
+        if node.id not in seen:
+            seen[node.id] = node
+            if node.op != "input":
+                stack += [a for a in node.args if isinstance(a, Node) and a.id not in seen]
     return [seen[i] for i in sorted(seen)]

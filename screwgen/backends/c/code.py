@@ -102,8 +102,8 @@ class Writer:
         outer = {c: needs[c].union(*(needs[d] for d in needs if self.within.get(d) == c)) for c in needs}
         times = Counter(i for c, ids in outer.items() if self.within.get(c) not in needs for i in ids)
         common |= {i for i, count in times.items() if count > 1}
-        needs = {c: ids - needs.get(self.within.get(c), set()) for c, ids in needs.items()}
-        groups = {c: [n for n in p.nodes if n.id in needs[c] - common] for c in conditions}
+        needs = {c: ids - needs.get(self.within.get(c), set()) - common for c, ids in needs.items()}
+        groups = {c: [n for n in p.nodes if n.id in needs[c]] for c in conditions}
         return [n for n in p.nodes if n.id in common], groups
 
     def _count_uses(self) -> None:
@@ -115,10 +115,14 @@ class Writer:
                     if isinstance(arg, Node):
                         self._uses[arg.id] += 1
                         self._users[arg.id] = node
-        for values in self.program.outputs.values():
-            for v in values:
+        self._results: dict[int, list[tuple[str, int, str]]] = {}  # of a value: the outputs that are it, and their sign
+        for output, values in self.program.outputs.items():
+            for k, v in enumerate(values):
                 if isinstance(v, Node):
                     self._uses[v.id] += 2
+                    self._results.setdefault(v.id, []).append((output, k, ""))
+                    if v.op == "neg":
+                        self._results.setdefault(v.args[0].id, []).append((output, k, "-"))
 
     def _heading(self, section: int) -> list[str]:
         title = self.program.sections[section]
@@ -158,14 +162,11 @@ class Writer:
         if not self.apart:
             return []
         lines = []
-        for output, values in self.program.outputs.items():
-            if self.optional.get(output, "") != self._condition:
-                continue
-            for k, v in enumerate(values):
-                negative = isinstance(v, Node) and v.op == "neg" and v.args[0] is node
-                if (v is node or negative) and (output, k) not in self._written and self.place(output, k) is not None:
-                    self._written.add((output, k))
-                    lines.append(f"{self.place(output, k)} = {'-' if negative else ''}{name};")
+        for output, k, sign in self._results.get(node.id, ()):
+            wanted = self.optional.get(output, "") == self._condition
+            if wanted and (output, k) not in self._written and self.place(output, k) is not None:
+                self._written.add((output, k))
+                lines.append(f"{self.place(output, k)} = {sign}{name};")
         return lines
 
     def _served(self, node: Node) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
 from ...algorithms.signals import NODE, STORE
+from ...ir.block import Signal
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
@@ -110,19 +111,25 @@ def body_count(robot) -> int:
 
 def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
-    return [Field(name, 0, _constant_comment(chain.classes, name)) for name in sorted(labels)]
+    signals = _signals_of_labels(chain.classes)
+    return [Field(name, 0, _constant_comment(signals.get(name))) for name in sorted(labels)]
 
 
-def _constant_comment(classes: Sequence[LinkClass], name: str) -> str:
-    for key in classes:
-        for block in derived(key).values():
-            for step in block.steps.values():
-                if any(symbol.name == name for symbol, _ in step.assignments):
-                    return f"{step.signal.unit}: {step.signal.meaning}"
-            for signal in block.inputs.values():
-                if any(text == name for _, text in signal.labels()):
-                    return f"{signal.unit}: {signal.meaning}"
-    return "of the joint, as stated"
+def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Signal]:
+    """The signal that every label of the classes' blocks belongs to; the first that has it."""
+    out: dict[str, Signal] = {}
+    for block in (block for key in classes for block in derived(key).values()):
+        for step in block.steps.values():
+            for symbol, _ in step.assignments:
+                out.setdefault(symbol.name, step.signal)
+        for signal in block.inputs.values():
+            for _, text in signal.labels():
+                out.setdefault(text, signal)
+    return out
+
+
+def _constant_comment(signal: Signal | None) -> str:
+    return f"{signal.unit}: {signal.meaning}" if signal else "of the joint, as stated"
 
 
 def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:

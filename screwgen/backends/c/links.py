@@ -11,7 +11,7 @@ from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places
 from ...algorithms.schedule import OUTWARD, Algorithm
 from ...algorithms.signals import CALL
-from ...algorithms.structure import Passage, passages
+from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
@@ -21,6 +21,7 @@ READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "positio
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
 WITHIN = {"motion": "wrench"}  # asked for only with the other
+WATCHED = frozenset({"motion"})  # what only the watch of the model's limits asks for
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
@@ -114,24 +115,22 @@ class Links:
     joint_form: bool = True
     functions: dict[tuple, Function] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
-    _passages: dict[str, list[Passage]] = field(default_factory=dict)
+    _phases: dict[str, Applied] = field(default_factory=dict)
+    _passages: dict[tuple[str, frozenset[str]], list[Passage]] = field(default_factory=dict)
     _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
     def runs(self) -> dict[str, Run]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
-    def passages(self, run: str) -> list[Passage]:
-        """The phases of a run, link by link, specialised to their places."""
-        if run not in self._passages:
-            r = RUNS[run]
-            self._passages[run] = passages(self.chain, r.algorithm, self.baked, r.results, r.zero)
-        return self._passages[run]
-
-    def required(self, run: str) -> list[Passage]:
-        """The phases of a run without what only the watch of the model's limits asks for."""
+    def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
+        """The phases of a run, link by link, specialised to their places, without what only ``unread`` asks for."""
         r = RUNS[run]
-        return passages(self.chain, r.algorithm, self.baked, r.results - {"motion"}, r.zero)
+        if run not in self._phases:
+            self._phases[run] = specialised_phases(self.chain, r.algorithm, self.baked, r.zero)
+        if (run, unread) not in self._passages:
+            self._passages[run, unread] = passages(self.chain, self._phases[run], r.results - unread)
+        return self._passages[run, unread]
 
     def phases(self, run: str) -> list[dict]:
         """The phases of a run, each with its functions and which of them every link calls."""

@@ -39,7 +39,7 @@ from .fields import (
     store_fields,
     stumpff_terms,
 )
-from .links import RUNS, WITHIN, Links, sparsity
+from .links import RUNS, WATCHED, WITHIN, Links, sparsity
 
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
@@ -83,7 +83,7 @@ class CProject:
 
     def _layout(self, asked: str) -> str:
         """``fused`` or ``modular``; ``auto`` takes what is faster."""
-        passages = self.links.required("joint_dynamics")
+        passages = self.links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
             said = f"robot '{self.name}': layout 'fused' would be one function of {size} operations"
@@ -231,7 +231,7 @@ class CProject:
             counts = Program(whole.name, whole.inputs, asked, whole.guards, whole.sections, whole.origins).operations
         else:
             counts = Counter()
-            for passage in self.links.required("joint_dynamics"):
+            for passage in self.links.passages("joint_dynamics", WATCHED):
                 counts += passage.program.operations
         other = sum(n for op, n in counts.items() if op not in ("mul", "add", "sub", "div", "neg"))
         return {

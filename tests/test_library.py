@@ -1,0 +1,187 @@
+"""Libraries of generated C: built once, kept, checked before they are loaded, and what goes wrong with compilers."""
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import require_tool
+from helpers import ROOT, arm, example, link
+
+from screwgen import ScrewgenError
+from screwgen.runtime import library
+
+
+@pytest.fixture(autouse=True)
+def _compiler():
+    require_tool("cc")
+
+
+SMALL = {"one.c": "int answer(void) { return 42; }\n"}
+
+
+def answer(folder, files=SMALL, flags=("-O0",)) -> int:
+    return library.load(files, flags, cache=folder).answer()
+
+
+def answer_elsewhere(folder) -> int:
+    """The answer in a process of its own: this one keeps what it has loaded from a path."""
+    script = "import sys; from pathlib import Path; from test_library import answer; print(answer(Path(sys.argv[1])))"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests")])}
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(folder)], env=environment, capture_output=True, text=True, check=True
+    )
+    return int(done.stdout)
+
+
+def entries(folder) -> list[str]:
+    return sorted(os.listdir(folder))
+
+
+def test_the_same_is_built_once_and_anything_else_anew(tmp_path, monkeypatch):
+    assert answer(tmp_path) == 42
+    (first,) = entries(tmp_path)
+    with monkeypatch.context() as m:
+        m.setattr(library, "_compiled", lambda *_: pytest.fail("built again"))
+        assert answer(tmp_path) == 42
+    assert answer(tmp_path, {"one.c": "int answer(void) { return 43; }\n"}) == 43
+    assert answer(tmp_path, flags=("-O1",)) == 42
+    assert len(entries(tmp_path)) == 3 and first in entries(tmp_path)
+
+
+@pytest.mark.parametrize("damage", ["cut", "empty", "changed", "text"])
+def test_a_damaged_entry_is_built_again(tmp_path, damage):
+    assert answer(tmp_path) == 42
+    path = tmp_path / entries(tmp_path)[0]
+    data = path.read_bytes()
+    flipped = data[:100] + bytes([data[100] ^ 1]) + data[101:]
+    path.unlink()
+    path.write_bytes({"cut": data[: len(data) // 2], "empty": b"", "changed": flipped, "text": b"no library"}[damage])
+    assert answer(tmp_path) == 42
+    assert path.read_bytes() == data or len(path.read_bytes()) == len(data)
+
+
+def test_two_processes_at_once_both_succeed(tmp_path):
+    code = f"""
+import sys
+from screwgen import Robot, derive
+model = derive(Robot.model_validate({arm(link("a", modes={"bending_y": 1}), link("b", axes="y"))!r}))
+print("ready", flush=True)
+sys.stdin.readline()
+print(model.compile().forward_dynamics([0.1] * 3, [0.0] * 3)[0].tolist())
+"""
+    settings = os.environ | {"SCREWGEN_CACHE": str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"}
+    start = dict(
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=settings, cwd=ROOT
+    )
+    both = [subprocess.Popen([sys.executable, "-c", code], **start) for _ in range(2)]
+    assert [p.stdout.readline() for p in both] == ["ready\n"] * 2
+    for p in both:
+        p.stdin.write("\n")
+        p.stdin.flush()
+    said = [p.communicate(timeout=120) for p in both]
+    assert [p.returncode for p in both] == [0, 0], said
+    assert said[0][0] == said[1][0] and said[0][0].count(",") == 2
+    assert len(entries(tmp_path)) == 1 and entries(tmp_path)[0].endswith(".so")
+
+
+def test_a_cache_that_cannot_be_written_is_done_without(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("in the way")
+    for place in (tmp_path / "file", tmp_path / "file" / "below", "/proc/none"):
+        assert answer(place) == 42
+    assert entries(tmp_path) == ["file"]
+    assert answer(False) == 42
+    monkeypatch.setenv("SCREWGEN_CACHE", str(tmp_path / "file"))
+    assert answer(True) == 42
+
+
+def test_where_the_cache_is(tmp_path, monkeypatch):
+    monkeypatch.setenv("SCREWGEN_CACHE", str(tmp_path / "own"))
+    assert answer(True) == 42 and len(entries(tmp_path / "own")) == 1
+    monkeypatch.delenv("SCREWGEN_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert library.cache_folder() == tmp_path / "screwgen"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert library.cache_folder() == tmp_path / ".cache" / "screwgen"
+
+
+def test_a_library_that_others_can_plant_is_not_loaded(tmp_path, monkeypatch):
+    """A cache where others may write, or an entry that they own or may change: built anew, elsewhere, with a line."""
+    folder = tmp_path / "shared"
+    assert answer(folder) == 42 and folder.stat().st_mode & 0o777 == 0o700
+    entry = folder / entries(folder)[0]
+    planted = library._compiled(tmp_path, {"one.c": "int answer(void) { return 666; }\n"}, ["cc"], ()).read_bytes()
+    plant = lambda: entry.unlink() or entry.write_bytes(planted + hashlib.sha256(planted).digest())  # noqa: E731
+    plant()
+    assert answer_elsewhere(folder) == 666  # the digest does not tell who wrote it
+    for place, mode in ((entry, 0o720), (entry, 0o702)):
+        place.chmod(mode)
+        assert answer_elsewhere(folder) == 42 and entry.stat().st_mode & 0o777 == 0o700
+        plant()
+    for mode in (0o777, 0o1777, 0o770):
+        folder.chmod(mode)
+        with pytest.warns(
+            UserWarning, match=r"shared is no cache .*; chmod go-w it, or name another .* SCREWGEN_CACHE"
+        ):
+            assert answer(folder) == 42
+    folder.chmod(0o700)
+    monkeypatch.setattr(library.os, "geteuid", lambda: entry.stat().st_uid + 1)
+    monkeypatch.setattr(library, "ROOT", -1)
+    with pytest.warns(UserWarning, match="or own it"):
+        assert answer(folder) == 42
+    assert entry.read_bytes().startswith(planted)
+
+
+def test_a_pipe_in_the_cache_is_no_entry(tmp_path):
+    answer(tmp_path)
+    entry = tmp_path / entries(tmp_path)[0]
+    entry.unlink()
+    os.mkfifo(entry)
+    assert answer(tmp_path) == 42 and entry.is_file()
+
+
+def test_the_cache_forgets_what_is_old(tmp_path, monkeypatch):
+    monkeypatch.setattr(library, "MAX_ENTRIES", 2)
+    for number in range(4):
+        assert answer(tmp_path, {"one.c": f"int answer(void) {{ return {number}; }}\n"}) == number
+        for age, name in enumerate(entries(tmp_path)):
+            os.utime(tmp_path / name, (1e9 + number - age, 1e9 + number - age))
+    (tmp_path / "building-abandoned").mkdir()
+    os.utime(tmp_path / "building-abandoned", (1e9, 1e9))
+    assert answer(tmp_path, {"one.c": "int answer(void) { return 9; }\n"}) == 9
+    assert len(entries(tmp_path)) == 2
+
+
+def test_the_library_follows_the_environment_and_says_what_is_missing(tmp_path, monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(ScrewgenError, match=r"no C compiler 'no-such-compiler'; install gcc .* CC$") as caught:
+        example("ella").compile()
+    assert "\n" not in str(caught.value)
+    monkeypatch.setenv("CC", f"{shutil.which('cc')} -DANSWER=7")
+    assert answer(tmp_path, {"one.c": "int answer(void) { return ANSWER; }\n"}) == 7
+    monkeypatch.setenv("CC", "cc")
+    with pytest.raises(ScrewgenError, match=r"^cc failed on the generated C: .*error") as caught:
+        answer(tmp_path, {"one.c": "int answer(void) { return x; }\n"})
+    assert "\n" not in str(caught.value) and len(entries(tmp_path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (b"#!/bin/sh\nprintf 'error: d\\351faut\\n' >&2\nexit 1\n", "failed on the generated C: error: d\ufffdfaut$"),
+        (b"no program", "cannot be run: Exec format error; name another one in CC$"),
+        (None, "is no command .*; mend the quotes in CC$"),
+    ],
+    ids=["latin-1", "no program", "quotes"],
+)
+def test_a_compiler_that_is_none_is_one_line(tmp_path, text, message):
+    """Nothing of it is blamed on a file that is being written."""
+    compiler = tmp_path / "compiler"
+    compiler.write_bytes(text or b"")
+    compiler.chmod(0o755)
+    with pytest.raises(ScrewgenError, match=message) as caught:
+        library.load(SMALL, (), str(compiler) if text else f"{compiler} 'x", cache=tmp_path / "cache")
+    assert "\n" not in str(caught.value)

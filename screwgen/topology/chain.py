@@ -51,6 +51,11 @@ class Chain:
         return any(key.sprung for key in self.keys)
 
     @property
+    def slides(self) -> bool:
+        """Whether any joint moves its link along an axis."""
+        return any(key.slides for key in self.keys)
+
+    @property
     def n_given(self) -> int:
         """How many coordinates, the last of q, have inertia and force that an integrator gives."""
         return self.nq if self.sprung else self.n_modes

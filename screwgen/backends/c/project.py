@@ -127,7 +127,7 @@ class CProject:
             "n_modes": chain.n_modes,
             "nq": chain.nq,
             "sprung": chain.sprung,
-            "slides": any(key.slides for key in chain.keys),
+            "slides": chain.slides,
             "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
             "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
             "nx": state_size(chain),
@@ -317,8 +317,6 @@ class CProject:
         gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
         found = fused.columns(self.chain, self.baked).items()
         return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
-
-    # size and reference -----------------------------------------------------------------------
 
     @property
     def bytes(self) -> dict[str, int]:

@@ -163,7 +163,7 @@ ella_status ella_dae_forward_dynamics(const ella_constants *c, const ella_dae_st
     return status;
 }
 
-/* y = x + dt * rate for all but the poses; rates of eta are taken from etadot of the given state. */
+/* y = x + dt * rates for all but the poses; rates of eta are taken from etadot of the given state. */
 static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etadot, const ella_dae_work *work,
     ella_dae_state *y)
 {
@@ -182,27 +182,70 @@ static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etad
     }
 }
 
-/* The joints of y turned with the new rates, as its poses and modes move: a stage must fit together. */
-static void turn_joints(const ella_dae_state *x, ella_real dt, const ella_dae_work *work,
-    ella_dae_state *y)
+/* What moves the poses to a state: u = dt V, or more of it. */
+static void set_turn(ella_real dt, ella_real V[][6], ella_real u[][6])
 {
-    int k;
-    for (k = 0; k < ELLA_NTAU; ++k) {
-        y->q[k] = x->q[k] + dt * (work->qdot[k] + dt * work->qddot[k]);
-    }
-}
-
-/* Poses moved from those of x by dt times the twists V. */
-static void move(const ella_dae_state *x, ella_real dt, ella_real V[][6], ella_dae_state *y)
-{
-    ella_real u[6];
     int i, k;
     for (i = 0; i < ELLA_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {
-            u[k] = dt * V[i][k];
+            u[i][k] = dt * V[i][k];
         }
-        exponential(x->quaternion[i], x->position[i], u, y->quaternion[i], y->position[i]);
     }
+}
+
+static void add_turn(ella_real dt, ella_real V[][6], ella_real u[][6])
+{
+    int i, k;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            u[i][k] += dt * V[i][k];
+        }
+    }
+}
+
+/* The rate of u at the twists of the state to which it moves the poses, in its place. */
+static void turn_rates(const ella_dae_state *s, ella_real u[][6])
+{
+    ella_real rate[6];
+    int i, k;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        algebra_rate(u[i], s->twist[i], rate);
+        for (k = 0; k < 6; ++k) {
+            u[i][k] = rate[k];
+        }
+    }
+}
+
+/* The poses of y: those of x times exp(u). */
+static void move(const ella_dae_state *x, ella_real u[][6], ella_dae_state *y)
+{
+    int i;
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        exponential(x->quaternion[i], x->position[i], u[i], y->quaternion[i], y->position[i]);
+    }
+}
+
+/* y from x over dt: poses and modal coordinates by the rates after `kick`, rates over all of dt; joint coordinates by
+ * the rates of the last accelerations `lead` later. u is what moves the poses.
+ */
+static void leap(const ella_dae_state *x, ella_real dt, ella_real kick, ella_real lead, const ella_dae_work *work,
+    ella_real u[][6], ella_dae_state *y)
+{
+    int i, k;
+    for (k = 0; k < ELLA_NMODES; ++k) {
+        y->eta[k] = x->eta[k] + dt * (x->etadot[k] + kick * work->etaddot[k]);
+        y->etadot[k] = x->etadot[k] + dt * work->etaddot[k];
+    }
+    for (i = 0; i < ELLA_NLINKS; ++i) {
+        for (k = 0; k < 6; ++k) {
+            u[i][k] = dt * (x->twist[i][k] + kick * work->Vdot[i][k]);
+            y->twist[i][k] = x->twist[i][k] + dt * work->Vdot[i][k];
+        }
+    }
+    for (k = 0; k < ELLA_NTAU; ++k) {
+        y->q[k] = x->q[k] + dt * (work->qdot[k] + lead * work->qddot[k]);
+    }
+    move(x, u, y);
 }
 
 static int bad_step(const ella_constants *c, const ella_dae_state *s, const ella_input *u, ella_real dt,
@@ -221,6 +264,7 @@ static ella_status accept(const ella_constants *c, ella_dae_work *work, ella_dae
     return status;
 }
 
+/* euler: forward Euler, explicit, order 1. */
 ella_status ella_dae_step_euler(const ella_constants *c, ella_dae_state *state, const ella_input *input,
     ella_real dt, ella_dae_work *work)
 {
@@ -233,112 +277,117 @@ ella_status ella_dae_step_euler(const ella_constants *c, ella_dae_state *state, 
         return status;
     }
     advance(state, dt, state->etadot, work, &work->next);
-    move(state, dt, state->twist, &work->next);
+    set_turn(dt, state->twist, work->next_turn);
+    move(state, work->next_turn, &work->next);
     return accept(c, work, state);
 }
 
-/* Twists and modal rates first, then poses, modal coordinates and joints with the new rates. */
-static ella_status symplectic(const ella_constants *c, ella_dae_state *state, const ella_input *input, ella_real dt,
-    ella_real modal_dt, ella_dae_work *work)
-{
-    ella_status status;
-    if (bad_step(c, state, input, dt, work)) {
-        return ELLA_BAD_ARGUMENT;
-    }
-    status = accelerate(c, state, state, input, modal_dt, work);
-    if (status != ELLA_OK) {
-        return status;
-    }
-    advance(state, dt, state->etadot, work, &work->next);
-    advance(state, dt, work->next.etadot, work, &work->next);
-    turn_joints(state, dt, work, &work->next);
-    move(state, dt, work->next.twist, &work->next);
-    return accept(c, work, state);
-}
-
+/* semi_implicit: rates first, then coordinates with the new rates, order 1. */
 ella_status ella_dae_step_semi_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,
     ella_real dt, ella_dae_work *work)
 {
-    return symplectic(c, state, input, dt, 0, work);
-}
-
-ella_status ella_dae_step_modal_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,
-    ella_real dt, ella_dae_work *work)
-{
-    return symplectic(c, state, input, dt, dt, work);
-}
-
-/* The midpoint rule with the modes' force implicit; the poses move by the mean of the twists. */
-ella_status ella_dae_step_modal_midpoint(const ella_constants *c, ella_dae_state *state,
-    const ella_input *input, ella_real dt, ella_dae_work *work)
-{
     ella_status status;
-    int i, k;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, state, input, dt / 2, work);
+    status = accelerate(c, state, state, input, 0, work);
     if (status != ELLA_OK) {
         return status;
     }
-    advance(state, dt / 2, state->etadot, work, &work->stage);
-    advance(state, dt / 2, work->stage.etadot, work, &work->stage);
-    turn_joints(state, dt / 2, work, &work->stage);
-    move(state, dt / 2, work->stage.twist, &work->stage);
-    status = accelerate(c, &work->stage, state, input, dt / 2, work);
-    if (status != ELLA_OK) {
-        return status;
-    }
-    advance(state, dt, state->etadot, work, &work->next);
-    for (k = 0; k < ELLA_NMODES; ++k) {
-        work->next.eta[k] = state->eta[k] + dt / 2 * (state->etadot[k] + work->next.etadot[k]);
-    }
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        for (k = 0; k < 6; ++k) {
-            work->sum[i][k] = (state->twist[i][k] + work->next.twist[i][k]) / 2;
-        }
-    }
-    move(state, dt, work->sum, &work->next);
+    leap(state, dt, dt, dt, work, work->next_turn, &work->next);
     return accept(c, work, state);
 }
 
-/* Runge-Kutta-Munthe-Kaas of order four. */
-ella_status ella_dae_step_rk4(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+/* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
+ella_status ella_dae_step_modal_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,
     ella_real dt, ella_dae_work *work)
 {
-    const ella_real third = dt / 3, sixth = dt / 6, half = dt / 2;
-    const ella_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
-    ella_real rate[6];
     ella_status status;
-    int stage, i, k;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    work->stage = *state;
-    work->next = *state;
-    for (i = 0; i < ELLA_NLINKS; ++i) {
-        for (k = 0; k < 6; ++k) {
-            work->algebra[i][k] = 0;
-            work->sum[i][k] = 0;
-        }
+    status = accelerate(c, state, state, input, dt, work);
+    if (status != ELLA_OK) {
+        return status;
     }
-    for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, &work->stage, input, 0, work);
-        if (status != ELLA_OK) {
-            return status;
-        }
-        for (i = 0; i < ELLA_NLINKS; ++i) {
-            algebra_rate(work->algebra[i], work->stage.twist[i], rate);
-            for (k = 0; k < 6; ++k) {
-                work->sum[i][k] += weight[stage] * rate[k];
-                work->algebra[i][k] = reach[stage] * rate[k];
-            }
-        }
-        advance(&work->next, weight[stage], work->stage.etadot, work, &work->next);
-        advance(state, reach[stage], work->stage.etadot, work, &work->stage);
-        move(state, 1, work->algebra, &work->stage);
+    leap(state, dt, dt, dt, work, work->next_turn, &work->next);
+    return accept(c, work, state);
+}
+
+/* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
+ella_status ella_dae_step_modal_midpoint(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    const ella_real half = dt / 2;
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
     }
-    move(state, 1, work->sum, &work->next);
+    /* Stage 1. */
+    status = accelerate(c, state, state, input, half, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    leap(state, half, half, half, work, work->stage_turn, &work->stage);
+    /* Stage 2, the terms of the elastic forces as before. */
+    status = accelerate(c, &work->stage, state, input, half, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    leap(state, dt, half, 0, work, work->next_turn, &work->next);
+    return accept(c, work, state);
+}
+
+/* rk4: classical Runge-Kutta, four forward dynamics, order 4. */
+ella_status ella_dae_step_rk4(const ella_constants *c, ella_dae_state *state, const ella_input *input,
+    ella_real dt, ella_dae_work *work)
+{
+    const ella_real half = dt / 2, third = dt / 3, sixth = dt / 6;
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    /* Stage 1. */
+    status = accelerate(c, state, state, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(state, sixth, state->etadot, work, &work->next);
+    set_turn(sixth, state->twist, work->next_turn);
+    advance(state, half, state->etadot, work, &work->stage);
+    set_turn(half, state->twist, work->stage_turn);
+    move(state, work->stage_turn, &work->stage);
+    /* Stage 2. */
+    status = accelerate(c, &work->stage, &work->stage, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    turn_rates(&work->stage, work->stage_turn);
+    advance(&work->next, third, work->stage.etadot, work, &work->next);
+    add_turn(third, work->stage_turn, work->next_turn);
+    advance(state, half, work->stage.etadot, work, &work->stage);
+    set_turn(half, work->stage_turn, work->stage_turn);
+    move(state, work->stage_turn, &work->stage);
+    /* Stage 3. */
+    status = accelerate(c, &work->stage, &work->stage, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    turn_rates(&work->stage, work->stage_turn);
+    advance(&work->next, third, work->stage.etadot, work, &work->next);
+    add_turn(third, work->stage_turn, work->next_turn);
+    advance(state, dt, work->stage.etadot, work, &work->stage);
+    set_turn(dt, work->stage_turn, work->stage_turn);
+    move(state, work->stage_turn, &work->stage);
+    /* Stage 4. */
+    status = accelerate(c, &work->stage, &work->stage, input, 0, work);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    turn_rates(&work->stage, work->stage_turn);
+    advance(&work->next, sixth, work->stage.etadot, work, &work->next);
+    add_turn(sixth, work->stage_turn, work->next_turn);
+    move(state, work->next_turn, &work->next);
     return accept(c, work, state);
 }
 

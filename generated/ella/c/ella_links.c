@@ -46,8 +46,8 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real R_rel_xz = turn.sine, R_rel_zz = turn.cosine;
     const ella_sincos turn_2 = ella_sine_cosine(q[1]);
     const ella_real R_rel_yx = turn_2.sine, R_rel_yy = turn_2.cosine;
-    link->A[0] = R_rel_yx;
-    link->A[1] = R_rel_yy;
+    link->S[0] = R_rel_yx;
+    link->S[1] = R_rel_yy;
     const ella_real R_rel_xx = R_rel_zz * R_rel_yy;
     const ella_real minus_R_rel_xy = R_rel_yx * R_rel_zz;
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
@@ -59,20 +59,7 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real qdot_1 = R_rel_yx * t2 * twist[0] + R_rel_yy * t2 * twist[1];
     qdot[0] = qdot_1;
 
-    /* omega_J: angular velocity of the link relative to its parent's tip */
-    const ella_real omega_J_x = R_rel_yx * qdot_1;
-    link->omega[0] = omega_J_x;
-    const ella_real omega_J_y = R_rel_yy * qdot_1;
-    link->omega[1] = omega_J_y;
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const ella_real t3 = qdot_1 * twist[2];
-    const ella_real beta_omega_x = t3 * R_rel_yy;
-    link->alpha_0[0] = beta_omega_x;
-    const ella_real minus_beta_omega_y = t3 * R_rel_yx;
-    link->alpha_0[1] = -minus_beta_omega_y;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    /* acceleration of the parent's tip in F_i axes */
     const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
         - minus_R_rel_zx * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
@@ -82,6 +69,19 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
     link->alpha_0[5] = alpha_0_6;
 
+    /* omega_J: angular velocity of the link relative to its parent's tip */
+    const ella_real omega_J_x = R_rel_yx * qdot_1;
+    link->omega[0] = omega_J_x;
+    const ella_real omega_J_y = R_rel_yy * qdot_1;
+    link->omega[1] = omega_J_y;
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const ella_real t3 = qdot_1 * twist[2];
+    const ella_real alpha_x = t3 * R_rel_yy;
+    link->alpha_0[0] = alpha_x;
+    const ella_real minus_alpha_y = t3 * R_rel_yx;
+    link->alpha_0[1] = -minus_alpha_y;
+
     /* r_T: tip point (11) */
     const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
         + eta[2] * REAL(3.5651069283690613);
@@ -89,12 +89,6 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
         + eta[5] * REAL(3.5651069283690613);
     link->r_T[1] = r_T_z;
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
@@ -108,14 +102,81 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real t6 = theta_z * theta_z;
     const ella_real x = minus_theta_hat2_33 + t6;
 
-    /* c1: Stumpff function of order 1 */
-    const ella_real t7 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t7;
-    const ella_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
-    const ella_real t8 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t8;
+    const ella_real t7 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t7;
+
+    /* c3: Stumpff function of order 3 */
+    const ella_real t8 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t8;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const ella_real t9 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t10 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t11 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real t12 = theta_y * t10 - theta_z * t11;
+    const ella_real omega_s_x = thetadot_x + c2 * t9 + c3 * t12;
+    const ella_real t13 = theta_z * t9 - theta_x * t10;
+    const ella_real omega_s_y = thetadot_y + c2 * t11 + c3 * t13;
+    const ella_real t14 = theta_x * t11 - theta_y * t9;
+    const ella_real omega_s_z = thetadot_z + c2 * t10 + c3 * t14;
+
+    /* xdot: rate of the squared angle */
+    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const ella_real c2dot = xdot * (t7 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const ella_real c3dot = xdot * (t8 * REAL(1.5) - t7 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const ella_real alpha_s_x = c2dot * t9 + c3 * (thetadot_y * t10 - thetadot_z * t11) + c3dot * t12;
+    const ella_real alpha_s_y = c2dot * t11 + c3 * (thetadot_z * t9 - thetadot_x * t10) + c3dot * t13;
+    const ella_real alpha_s_z = c2dot * t10 + c3 * (thetadot_x * t11 - thetadot_y * t9) + c3dot * t14;
+
+    /* omega_t: angular velocity of the tip section (46) */
+    const ella_real omega_t_x = omega_s_x + omega_J_x;
+    tip->omega[0] = omega_t_x;
+    const ella_real omega_t_y = omega_s_y + omega_J_y;
+    tip->omega[1] = omega_t_y;
+    const ella_real omega_t_z = omega_s_z + twist[2];
+    tip->omega[2] = omega_t_z;
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const ella_real alpha_t_x = alpha_s_x + alpha_x + omega_s_z * omega_J_y - omega_s_y * twist[2];
+    tip->alpha_0[0] = alpha_t_x;
+    const ella_real alpha_t_y = alpha_s_y - minus_alpha_y + omega_s_x * twist[2] - omega_s_z * omega_J_x;
+    tip->alpha_0[1] = alpha_t_y;
+    const ella_real alpha_t_z = alpha_s_z + omega_s_y * omega_J_x - omega_s_x * omega_J_y;
+    tip->alpha_0[2] = alpha_t_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const ella_real t15 = udot_T_z * 2 + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real t16 = udot_T_y * 2 + c->length * twist[2] - omega_J_x * r_T_z;
+    const ella_real a_t_x = alpha_0_4 - minus_alpha_y * r_T_z + omega_J_y * t15 - twist[2] * t16;
+    tip->alpha_0[3] = a_t_x;
+    const ella_real t17 = omega_J_y * r_T_z - twist[2] * r_T_y;
+    const ella_real a_t_y = alpha_0_5 + twist[2] * t17 - alpha_x * r_T_z - omega_J_x * t15;
+    tip->alpha_0[4] = a_t_y;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t16 + minus_alpha_y * c->length
+        - omega_J_y * t17;
+    tip->alpha_0[5] = a_t_z;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t5 + t6;
@@ -127,25 +188,25 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     /* J_l: left Jacobian of the exponential */
     const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
     link->J_l[0] = J_l_xx;
-    const ella_real t9 = c3 * theta_hat2_12;
-    const ella_real t10 = c2 * theta_z;
-    const ella_real J_l_xy = t9 - t10;
+    const ella_real t18 = c3 * theta_hat2_12;
+    const ella_real t19 = c2 * theta_z;
+    const ella_real J_l_xy = t18 - t19;
     link->J_l[1] = J_l_xy;
-    const ella_real t11 = c2 * theta_y;
-    const ella_real t12 = c3 * theta_hat2_13;
-    const ella_real J_l_xz = t11 + t12;
+    const ella_real t20 = c2 * theta_y;
+    const ella_real t21 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t20 + t21;
     link->J_l[2] = J_l_xz;
-    const ella_real J_l_yx = t10 + t9;
+    const ella_real J_l_yx = t19 + t18;
     link->J_l[3] = J_l_yx;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
     link->J_l[4] = J_l_yy;
-    const ella_real t13 = c3 * theta_hat2_23;
-    const ella_real t14 = c2 * theta_x;
-    const ella_real J_l_yz = t13 - t14;
+    const ella_real t22 = c3 * theta_hat2_23;
+    const ella_real t23 = c2 * theta_x;
+    const ella_real J_l_yz = t22 - t23;
     link->J_l[5] = J_l_yz;
-    const ella_real J_l_zx = t12 - t11;
+    const ella_real J_l_zx = t21 - t20;
     link->J_l[6] = J_l_zx;
-    const ella_real J_l_zy = t14 + t13;
+    const ella_real J_l_zy = t23 + t22;
     link->J_l[7] = J_l_zy;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
     link->J_l[8] = J_l_zz;
@@ -154,91 +215,36 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
     tip->R_T[0] = R_T_xx;
-    const ella_real t15 = c2 * theta_hat2_12;
-    const ella_real t16 = c1 * theta_z;
-    const ella_real R_T_xy = t15 - t16;
+    const ella_real t24 = c2 * theta_hat2_12;
+    const ella_real t25 = c1 * theta_z;
+    const ella_real R_T_xy = t24 - t25;
     link->R_T[1] = R_T_xy;
     tip->R_T[1] = R_T_xy;
-    const ella_real t17 = c1 * theta_y;
-    const ella_real t18 = c2 * theta_hat2_13;
-    const ella_real R_T_xz = t17 + t18;
+    const ella_real t26 = c1 * theta_y;
+    const ella_real t27 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t26 + t27;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
-    const ella_real R_T_yx = t16 + t15;
+    const ella_real R_T_yx = t25 + t24;
     link->R_T[3] = R_T_yx;
     tip->R_T[3] = R_T_yx;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     link->R_T[4] = R_T_yy;
     tip->R_T[4] = R_T_yy;
-    const ella_real t19 = c2 * theta_hat2_23;
-    const ella_real t20 = c1 * theta_x;
-    const ella_real R_T_yz = t19 - t20;
+    const ella_real t28 = c2 * theta_hat2_23;
+    const ella_real t29 = c1 * theta_x;
+    const ella_real R_T_yz = t28 - t29;
     link->R_T[5] = R_T_yz;
     tip->R_T[5] = R_T_yz;
-    const ella_real R_T_zx = t18 - t17;
+    const ella_real R_T_zx = t27 - t26;
     link->R_T[6] = R_T_zx;
     tip->R_T[6] = R_T_zx;
-    const ella_real R_T_zy = t20 + t19;
+    const ella_real R_T_zy = t29 + t28;
     link->R_T[7] = R_T_zy;
     tip->R_T[7] = R_T_zy;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[8] = R_T_zz;
     tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
-    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
-    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t21 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real t22 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const ella_real t23 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const ella_real t24 = theta_y * t22 - theta_z * t23;
-    const ella_real omega_s_x = thetadot_x + c2 * t21 + c3 * t24;
-    const ella_real t25 = theta_z * t21 - theta_x * t22;
-    const ella_real omega_s_y = thetadot_y + c2 * t23 + c3 * t25;
-    const ella_real t26 = theta_x * t23 - theta_y * t21;
-    const ella_real omega_s_z = thetadot_z + c2 * t22 + c3 * t26;
-
-    /* xdot: rate of the squared angle */
-    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
-        + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t8 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t7 * REAL(1.5) - t8 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t21 + c3 * (thetadot_y * t22 - thetadot_z * t23) + c3dot * t24;
-    const ella_real alpha_s_y = c2dot * t23 + c3 * (thetadot_z * t21 - thetadot_x * t22) + c3dot * t25;
-    const ella_real alpha_s_z = c2dot * t22 + c3 * (thetadot_x * t23 - thetadot_y * t21) + c3dot * t26;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real omega_T_1 = omega_J_x + omega_s_x;
-    tip->omega[0] = omega_T_1;
-    const ella_real omega_T_2 = omega_J_y + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const ella_real omega_T_3 = twist[2] + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - twist[2] * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (twist[2] * omega_s_x - omega_J_x * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const ella_real alpha_0_T_3 = alpha_s_z + (omega_J_x * omega_s_y - omega_J_y * omega_s_x);
-    tip->alpha_0[2] = alpha_0_T_3;
-    const ella_real t27 = omega_J_y * r_T_z - twist[2] * r_T_y;
-    const ella_real t28 = twist[2] * c->length - omega_J_x * r_T_z + udot_T_y * 2;
-    const ella_real t29 = omega_J_x * r_T_y - omega_J_y * c->length + udot_T_z * 2;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t29 - twist[2] * t28);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (twist[2] * t27 - omega_J_x * t29);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * c->length)
-        + (omega_J_x * t28 - omega_J_y * t27);
-    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
     qdot[1] = twist[2];
@@ -278,16 +284,12 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     const ella_real qdot_1 = twist[2] - omega_R_3;
     qdot[0] = qdot_1;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    /* acceleration of the parent's tip in F_i axes */
+    const ella_real t1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
+    const ella_real t2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
     const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
         + base->R_T[8] * base->alpha_0[2];
     link->alpha_0[2] = alpha_0_3;
-    const ella_real alpha_0_1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2]
-        + omega_R_2 * qdot_1;
-    link->alpha_0[0] = alpha_0_1;
-    const ella_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2]
-        - omega_R_1 * qdot_1;
-    link->alpha_0[1] = alpha_0_2;
     const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
     const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
@@ -295,6 +297,12 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
         + base->R_T[8] * base->alpha_0[5];
     link->alpha_0[5] = alpha_0_6;
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const ella_real alpha_x = t1 + omega_R_2 * qdot_1;
+    link->alpha_0[0] = alpha_x;
+    const ella_real alpha_y = t2 - omega_R_1 * qdot_1;
+    link->alpha_0[1] = alpha_y;
 
     /* r_T: tip point (11) */
     const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
@@ -304,60 +312,73 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
         + eta[5] * REAL(3.5651069283690613);
     link->r_T[1] = r_T_z;
 
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
-
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real t1 = theta_x * theta_x;
-    const ella_real t2 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_33 = t1 + t2;
-    const ella_real t3 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + t3;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
-    const ella_real c1 = 1 - x * c3;
+    const ella_real t3 = theta_x * theta_x;
+    const ella_real t4 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t3 + t4;
+    const ella_real t5 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t5;
 
     /* c2: Stumpff function of order 2 */
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
+    /* c3: Stumpff function of order 3 */
+    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const ella_real t6 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * omega_R_2;
+    const ella_real t7 = udot_T_y * 2 + c->length * twist[2] - omega_R_1 * r_T_z;
+    const ella_real a_t_x = alpha_0_4 + alpha_y * r_T_z + omega_R_2 * t6 - alpha_0_3 * r_T_y - twist[2] * t7;
+    tip->alpha_0[3] = a_t_x;
+    const ella_real t8 = omega_R_2 * r_T_z - twist[2] * r_T_y;
+    const ella_real a_t_y = alpha_0_5 + alpha_0_3 * c->length + twist[2] * t8 - alpha_x * r_T_z - omega_R_1 * t6;
+    tip->alpha_0[4] = a_t_y;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_R_1 * t7 - alpha_y * c->length - omega_R_2 * t8;
+    tip->alpha_0[5] = a_t_z;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * c3;
+
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real minus_theta_hat2_11 = t4 + t5;
     const ella_real theta_hat2_12 = theta_x * theta_y;
     const ella_real theta_hat2_13 = theta_x * theta_z;
-    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real minus_theta_hat2_22 = t3 + t5;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
     link->J_l[0] = J_l_xx;
-    const ella_real t4 = c3 * theta_hat2_12;
-    const ella_real t5 = c2 * theta_z;
-    const ella_real J_l_xy = t4 - t5;
+    const ella_real t9 = c3 * theta_hat2_12;
+    const ella_real t10 = c2 * theta_z;
+    const ella_real J_l_xy = t9 - t10;
     link->J_l[1] = J_l_xy;
-    const ella_real t6 = c2 * theta_y;
-    const ella_real t7 = c3 * theta_hat2_13;
-    const ella_real J_l_xz = t6 + t7;
+    const ella_real t11 = c2 * theta_y;
+    const ella_real t12 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t11 + t12;
     link->J_l[2] = J_l_xz;
-    const ella_real J_l_yx = t5 + t4;
+    const ella_real J_l_yx = t10 + t9;
     link->J_l[3] = J_l_yx;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
     link->J_l[4] = J_l_yy;
-    const ella_real t8 = c3 * theta_hat2_23;
-    const ella_real t9 = c2 * theta_x;
-    const ella_real J_l_yz = t8 - t9;
+    const ella_real t13 = c3 * theta_hat2_23;
+    const ella_real t14 = c2 * theta_x;
+    const ella_real J_l_yz = t13 - t14;
     link->J_l[5] = J_l_yz;
-    const ella_real J_l_zx = t7 - t6;
+    const ella_real J_l_zx = t12 - t11;
     link->J_l[6] = J_l_zx;
-    const ella_real J_l_zy = t9 + t8;
+    const ella_real J_l_zy = t14 + t13;
     link->J_l[7] = J_l_zy;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
     link->J_l[8] = J_l_zz;
@@ -365,42 +386,28 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     /* R_T: rotation of the tip section, exp of theta */
     const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
-    const ella_real t10 = c2 * theta_hat2_12;
-    const ella_real t11 = c1 * theta_z;
-    const ella_real R_T_xy = t10 - t11;
+    const ella_real t15 = c2 * theta_hat2_12;
+    const ella_real t16 = c1 * theta_z;
+    const ella_real R_T_xy = t15 - t16;
     link->R_T[1] = R_T_xy;
-    const ella_real t12 = c1 * theta_y;
-    const ella_real t13 = c2 * theta_hat2_13;
-    const ella_real R_T_xz = t12 + t13;
+    const ella_real t17 = c1 * theta_y;
+    const ella_real t18 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t17 + t18;
     link->R_T[2] = R_T_xz;
-    const ella_real R_T_yx = t11 + t10;
+    const ella_real R_T_yx = t16 + t15;
     link->R_T[3] = R_T_yx;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     link->R_T[4] = R_T_yy;
-    const ella_real t14 = c2 * theta_hat2_23;
-    const ella_real t15 = c1 * theta_x;
-    const ella_real R_T_yz = t14 - t15;
+    const ella_real t19 = c2 * theta_hat2_23;
+    const ella_real t20 = c1 * theta_x;
+    const ella_real R_T_yz = t19 - t20;
     link->R_T[5] = R_T_yz;
-    const ella_real R_T_zx = t13 - t12;
+    const ella_real R_T_zx = t18 - t17;
     link->R_T[6] = R_T_zx;
-    const ella_real R_T_zy = t15 + t14;
+    const ella_real R_T_zy = t20 + t19;
     link->R_T[7] = R_T_zy;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[8] = R_T_zz;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t16 = omega_R_2 * r_T_z - twist[2] * r_T_y;
-    const ella_real t17 = twist[2] * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
-    const ella_real t18 = omega_R_1 * r_T_y - omega_R_2 * c->length + udot_T_z * 2;
-    const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t18 - twist[2] * t17);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (twist[2] * t16 - omega_R_1 * t18);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t17 - omega_R_2 * t16);
-    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
     link->R_P[2] = base->R_T[2];
@@ -1080,13 +1087,13 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real h_i_6 = h_loaded_6 - (t145 + modes_W_66 * t122 + modes_W_76 * t124);
 
     /* joint: its accelerations eliminated from its rows (43) */
-    const ella_real U_11 = M_i_11 * link->A[0] + M_i_12 * link->A[1];
-    const ella_real U_21 = M_i_12 * link->A[0] + M_i_22 * link->A[1];
-    const ella_real U_31 = M_i_13 * link->A[0] + M_i_23 * link->A[1];
-    const ella_real U_41 = M_i_14 * link->A[0] + M_i_24 * link->A[1];
-    const ella_real U_51 = M_i_15 * link->A[0] + M_i_25 * link->A[1];
-    const ella_real U_61 = M_i_16 * link->A[0] + M_i_26 * link->A[1];
-    const ella_real joint_inertia_11 = link->A[0] * U_11 + link->A[1] * U_21;
+    const ella_real U_11 = M_i_11 * link->S[0] + M_i_12 * link->S[1];
+    const ella_real U_21 = M_i_12 * link->S[0] + M_i_22 * link->S[1];
+    const ella_real U_31 = M_i_13 * link->S[0] + M_i_23 * link->S[1];
+    const ella_real U_41 = M_i_14 * link->S[0] + M_i_24 * link->S[1];
+    const ella_real U_51 = M_i_15 * link->S[0] + M_i_25 * link->S[1];
+    const ella_real U_61 = M_i_16 * link->S[0] + M_i_26 * link->S[1];
+    const ella_real joint_inertia_11 = link->S[0] * U_11 + link->S[1] * U_21;
     const ella_real t146 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
     if (!(joint_inertia_11 - t146 > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_1 = 1 / joint_inertia_11;
@@ -1095,7 +1102,7 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real t147 = M_i_33 - U_31 * joint_L_21;
     if (!(t147 - t146 > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_2 = 1 / t147;
-    const ella_real t148 = tau[0] - (link->A[0] * h_i_1 + link->A[1] * h_i_2);
+    const ella_real t148 = tau[0] - (link->S[0] * h_i_1 + link->S[1] * h_i_2);
     const ella_real t149 = tau[1] - h_i_3 - joint_L_21 * t148;
     const ella_real joint_w_1 = t148 * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
@@ -1604,8 +1611,8 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
     qddot[0] = qddot_1;
 
     /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_1 = link->A[0] * qddot_1;
-    const ella_real delta_2 = link->A[1] * qddot_1;
+    const ella_real delta_1 = link->S[0] * qddot_1;
+    const ella_real delta_2 = link->S[1] * qddot_1;
     const ella_real alpha_1 = delta_1 + link->alpha_0[0];
     alpha[0] = alpha_1;
     const ella_real alpha_2 = delta_2 + link->alpha_0[1];
@@ -1852,18 +1859,18 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
-    const ella_real t21 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
-    const ella_real t22 = ELLA_REAL_EPSILON * 64;
-    if (!(t21 - t22 > 0)) { return ELLA_SINGULAR; }
-    const ella_real t23 = 1 / t21;
-    const ella_real t24 = R_rel_yy * t14 - minus_R_rel_xy * t18 + R_rel_zy * t16
+    const ella_real t21 = R_rel_yy * t14 - minus_R_rel_xy * t18 + R_rel_zy * t16
         - (R_rel_xx * t12 + R_rel_yx * t19 - minus_R_rel_zx * t17);
-    const ella_real t25 = (R_rel_xz * t12 + R_rel_zz * t17
+    const ella_real t22 = (R_rel_xz * t12 + R_rel_zz * t17
         - (R_rel_yy * t15 - minus_R_rel_xy * t13 + R_rel_zy * t20)) * REAL(0.5);
-    const ella_real t26 = (R_rel_xx * t13 + R_rel_yx * t15 - minus_R_rel_zx * t20
+    const ella_real t23 = (R_rel_xx * t13 + R_rel_yx * t15 - minus_R_rel_zx * t20
         - (R_rel_xz * t18 + R_rel_zz * t16)) * REAL(0.5);
-    const ella_real t27 = q[0] + (R_rel_yx * t23 * t25 + R_rel_yy * t23 * t26);
-    const ella_real t28 = q[1] + t24 * REAL(0.5);
+    const ella_real t24 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
+    const ella_real t25 = ELLA_REAL_EPSILON * 64;
+    if (!(t24 - t25 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t26 = 1 / t24;
+    const ella_real t27 = q[0] + (R_rel_yx * t26 * t22 + R_rel_yy * t26 * t23);
+    const ella_real t28 = q[1] + t21 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_3 = ella_sine_cosine(t27);
@@ -1875,17 +1882,17 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real minus_R_rel_zx_2 = R_rel_xz_2 * R_rel_yy_2;
     const ella_real R_rel_zy_2 = R_rel_xz_2 * R_rel_yx_2;
 
-    const ella_real t29 = R_rel_yx_2 * R_rel_yx_2 + R_rel_yy_2 * R_rel_yy_2;
-    if (!(t29 - t22 > 0)) { return ELLA_SINGULAR; }
-    const ella_real t30 = 1 / t29;
-    const ella_real t31 = R_rel_xz_2 * t12 + R_rel_zz_2 * t17
+    const ella_real t29 = R_rel_xz_2 * t12 + R_rel_zz_2 * t17
         - (R_rel_yy_2 * t15 - minus_R_rel_xy_2 * t13 + R_rel_zy_2 * t20);
-    const ella_real t32 = R_rel_xx_2 * t13 + R_rel_yx_2 * t15 - minus_R_rel_zx_2 * t20
+    const ella_real t30 = R_rel_xx_2 * t13 + R_rel_yx_2 * t15 - minus_R_rel_zx_2 * t20
         - (R_rel_xz_2 * t18 + R_rel_zz_2 * t16);
-    const ella_real t33 = R_rel_yy_2 * t14 - minus_R_rel_xy_2 * t18 + R_rel_zy_2 * t16
+    const ella_real t31 = R_rel_yy_2 * t14 - minus_R_rel_xy_2 * t18 + R_rel_zy_2 * t16
         - (R_rel_xx_2 * t12 + R_rel_yx_2 * t19 - minus_R_rel_zx_2 * t17);
-    const ella_real new_q_1 = t27 + (R_rel_yx_2 * t30 * (t31 * REAL(0.5)) + R_rel_yy_2 * t30 * (t32 * REAL(0.5)));
-    const ella_real new_q_2 = t28 + t33 * REAL(0.5);
+    const ella_real t32 = R_rel_yx_2 * R_rel_yx_2 + R_rel_yy_2 * R_rel_yy_2;
+    if (!(t32 - t25 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t33 = 1 / t32;
+    const ella_real new_q_1 = t27 + (R_rel_yx_2 * t33 * (t29 * REAL(0.5)) + R_rel_yy_2 * t33 * (t30 * REAL(0.5)));
+    const ella_real new_q_2 = t28 + t31 * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_5 = ella_sine_cosine(new_q_1);
@@ -1898,9 +1905,15 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real R_rel_zy_3 = R_rel_xz_3 * R_rel_yx_3;
 
     const ella_real t34 = R_rel_yx_3 * R_rel_yx_3 + R_rel_yy_3 * R_rel_yy_3;
-    if (!(t34 - t22 > 0)) { return ELLA_SINGULAR; }
+    if (!(t34 - t25 > 0)) { return ELLA_SINGULAR; }
     const ella_real t35 = 1 / t34;
     const ella_real t36 = R_rel_yx_3 * t35 * twist[0] + R_rel_yy_3 * t35 * twist[1];
+
+    /* r_T: tip point (11) */
+    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
+        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
+        + eta[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
@@ -1945,6 +1958,12 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real R_T_zy = t45 + t44;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
     /* thetadot: rate of the tip's rotation vector */
     const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
@@ -1965,6 +1984,10 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t52 = R_T_zz * t49;
     const ella_real omega_T_z = R_T_xz * (omega_s_x + twist[0]) + R_T_yz * (omega_s_y + twist[1]) + t52;
 
+    /* v_T: velocity of the tip point (46) */
+    const ella_real t53 = twist[2] * r_T_y;
+    const ella_real t54 = c->length * twist[2];
+
     const ella_real R_m_11 = t18 * R_T_xx + t12 * R_T_yx + t13 * R_T_zx;
     const ella_real R_m_12 = t18 * R_T_xy + t12 * R_T_yy + t13 * R_T_zy;
     const ella_real R_m_21 = t14 * R_T_xx + t19 * R_T_yx + t15 * R_T_zx;
@@ -1976,61 +1999,49 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real omega_J_x = R_rel_yx_3 * t36;
     const ella_real omega_J_y = R_rel_yy_3 * t36;
 
-    const ella_real t53 = new_q_1 * REAL(0.5);
-    const ella_sincos turn_7 = ella_sine_cosine(t53);
-    const ella_real t54 = turn_7.sine, t55 = turn_7.cosine;
-    const ella_real t56 = new_q_2 * REAL(0.5);
-    const ella_sincos turn_8 = ella_sine_cosine(t56);
-    const ella_real t57 = turn_8.sine, t58 = turn_8.cosine;
-    const ella_real new_quaternion_1 = t55 * t58;
-    const ella_real new_quaternion_4 = t55 * t57;
-    const ella_real new_quaternion_3 = t58 * t54;
-    const ella_real new_quaternion_2 = t54 * t57;
-
-    /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real t55 = new_q_1 * REAL(0.5);
+    const ella_sincos turn_7 = ella_sine_cosine(t55);
+    const ella_real t56 = turn_7.sine, t57 = turn_7.cosine;
+    const ella_real t58 = new_q_2 * REAL(0.5);
+    const ella_sincos turn_8 = ella_sine_cosine(t58);
+    const ella_real t59 = turn_8.sine, t60 = turn_8.cosine;
+    const ella_real new_quaternion_1 = t57 * t60;
+    const ella_real new_quaternion_4 = t57 * t59;
+    const ella_real new_quaternion_3 = t60 * t56;
+    const ella_real new_quaternion_2 = t56 * t59;
 
     /* omega_T: angular velocity of the tip section (46) */
-    const ella_real t59 = omega_s_x + omega_J_x;
-    const ella_real t60 = omega_s_y + omega_J_y;
-    const ella_real omega_T_x = R_T_xx * t59 + R_T_yx * t60 + t50;
-    const ella_real omega_T_y = R_T_xy * t59 + R_T_yy * t60 + t51;
-    const ella_real omega_T_z_2 = R_T_xz * t59 + R_T_yz * t60 + t52;
+    const ella_real t61 = omega_s_x + omega_J_x;
+    const ella_real t62 = omega_s_y + omega_J_y;
+    const ella_real omega_T_x = R_T_xx * t61 + R_T_yx * t62 + t50;
+    const ella_real omega_T_y = R_T_xy * t61 + R_T_yy * t62 + t51;
+    const ella_real omega_T_z_2 = R_T_xz * t61 + R_T_yz * t62 + t52;
 
     /* v_T: velocity of the tip point (46) */
-    const ella_real t61 = omega_J_y * r_T_z - twist[2] * r_T_y;
-    const ella_real t62 = udot_T_y + c->length * twist[2] - omega_J_x * r_T_z;
-    const ella_real t63 = udot_T_z + omega_J_x * r_T_y - c->length * omega_J_y;
-    const ella_real v_T_x = R_T_xx * t61 + R_T_yx * t62 + R_T_zx * t63;
-    const ella_real v_T_y = R_T_xy * t61 + R_T_yy * t62 + R_T_zy * t63;
-    const ella_real v_T_z = R_T_xz * t61 + R_T_yz * t62 + R_T_zz * t63;
+    const ella_real t63 = omega_J_y * r_T_z - t53;
+    const ella_real t64 = udot_T_y + t54 - omega_J_x * r_T_z;
+    const ella_real t65 = udot_T_z + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real v_T_x = R_T_xx * t63 + R_T_yx * t64 + R_T_zx * t65;
+    const ella_real v_T_y = R_T_xy * t63 + R_T_yy * t64 + R_T_zy * t65;
+    const ella_real v_T_z = R_T_xz * t63 + R_T_yz * t64 + R_T_zz * t65;
 
     const ella_real r_x = R_rel_xx_3 * c->length - minus_R_rel_xy_3 * r_T_y + R_rel_xz_3 * r_T_z;
     const ella_real r_y = R_rel_yx_3 * c->length + R_rel_yy_3 * r_T_y;
     const ella_real r_z = R_rel_zy_3 * r_T_y - minus_R_rel_zx_3 * c->length + R_rel_zz_3 * r_T_z;
-    const ella_real t64 = x * REAL(0.25);
-    const ella_real t65 = 1 - t64 * (REAL(0.5) - t64 * ella_c4(t64));
-    const ella_real t66 = (1 - t64 * (REAL(0.16666666666666666) - t64 * ella_c5(t64))) * REAL(0.5);
-    const ella_real t67 = t66 * theta_x;
-    const ella_real t68 = t66 * theta_y;
-    const ella_real t69 = t66 * theta_z;
-    const ella_real Q_1 = new_quaternion_1 * t65
-        - (new_quaternion_2 * t67 + new_quaternion_3 * t68 + new_quaternion_4 * t69);
-    const ella_real Q_2 = new_quaternion_1 * t67 + t65 * new_quaternion_2
-        + (new_quaternion_3 * t69 - new_quaternion_4 * t68);
-    const ella_real Q_3 = new_quaternion_1 * t68 + t65 * new_quaternion_3
-        + (new_quaternion_4 * t67 - new_quaternion_2 * t69);
-    const ella_real Q_4 = new_quaternion_1 * t69 + t65 * new_quaternion_4
-        + (new_quaternion_2 * t68 - new_quaternion_3 * t67);
+    const ella_real t66 = x * REAL(0.25);
+    const ella_real t67 = 1 - t66 * (REAL(0.5) - t66 * ella_c4(t66));
+    const ella_real t68 = (1 - t66 * (REAL(0.16666666666666666) - t66 * ella_c5(t66))) * REAL(0.5);
+    const ella_real t69 = t68 * theta_x;
+    const ella_real t70 = t68 * theta_y;
+    const ella_real t71 = t68 * theta_z;
+    const ella_real Q_1 = new_quaternion_1 * t67
+        - (new_quaternion_2 * t69 + new_quaternion_3 * t70 + new_quaternion_4 * t71);
+    const ella_real Q_2 = new_quaternion_1 * t69 + t67 * new_quaternion_2
+        + (new_quaternion_3 * t71 - new_quaternion_4 * t70);
+    const ella_real Q_3 = new_quaternion_1 * t70 + t67 * new_quaternion_3
+        + (new_quaternion_4 * t69 - new_quaternion_2 * t71);
+    const ella_real Q_4 = new_quaternion_1 * t71 + t67 * new_quaternion_4
+        + (new_quaternion_2 * t70 - new_quaternion_3 * t69);
 
     /* outputs */
     new_q[0] = new_q_1;
@@ -2055,12 +2066,12 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     new_position[0] = 0;
     new_position[1] = 0;
     new_position[2] = 0;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z_2;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z_2;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
     tip->r[2] = r_z;
@@ -2115,15 +2126,15 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     const ella_real t20 = twist[2] - base->omega_m[2];
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx_3 * base->omega[0] + minus_R_rel_xy_3 * base->omega[1];
-    const ella_real omega_R_y = R_rel_xx_3 * base->omega[1] - minus_R_rel_xy_3 * base->omega[0];
+    const ella_real omega_R_x = R_rel_xx_3 * base->omega_T[0] + minus_R_rel_xy_3 * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx_3 * base->omega_T[1] - minus_R_rel_xy_3 * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
-    const ella_real omega_z = base->omega[2] + t20;
+    const ella_real omega_z = base->omega_T[2] + t20;
 
-    /* v_R: velocity of the joint point */
-    const ella_real v_R_x = R_rel_xx_3 * base->v[0] + minus_R_rel_xy_3 * base->v[1];
-    const ella_real v_R_y = R_rel_xx_3 * base->v[1] - minus_R_rel_xy_3 * base->v[0];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const ella_real v_R_x = R_rel_xx_3 * base->v_T[0] + minus_R_rel_xy_3 * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx_3 * base->v_T[1] - minus_R_rel_xy_3 * base->v_T[0];
 
     const ella_real t21 = new_q_1 * REAL(0.5);
     const ella_sincos turn_4 = ella_sine_cosine(t21);
@@ -2140,7 +2151,7 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     new_twist[2] = omega_z;
     new_twist[3] = v_R_x;
     new_twist[4] = v_R_y;
-    new_twist[5] = base->v[2];
+    new_twist[5] = base->v_T[2];
     new_quaternion[0] = new_quaternion_1;
     new_quaternion[1] = new_quaternion_2;
     new_quaternion[2] = new_quaternion_3;
@@ -2306,12 +2317,12 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     new_position[0] = 0;
     new_position[1] = 0;
     new_position[2] = 0;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -2341,15 +2352,15 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
-    const ella_real omega_z = base->omega[2] + qdot[0];
+    const ella_real omega_z = base->omega_T[2] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const ella_real v_R_x = R_rel_xx * base->v[0] + minus_R_rel_xy * base->v[1];
-    const ella_real v_R_y = R_rel_xx * base->v[1] - minus_R_rel_xy * base->v[0];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
 
     const ella_real t1 = base->R[0] * R_rel_xx + base->R[1] * minus_R_rel_xy;
     const ella_real t2 = base->R[1] * R_rel_xx - base->R[0] * minus_R_rel_xy;
@@ -2433,7 +2444,7 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     new_twist[2] = omega_z;
     new_twist[3] = v_R_x;
     new_twist[4] = v_R_y;
-    new_twist[5] = base->v[2];
+    new_twist[5] = base->v_T[2];
     new_quaternion[0] = new_quaternion_1;
     new_quaternion[1] = new_quaternion_2;
     new_quaternion[2] = new_quaternion_3;
@@ -2470,34 +2481,28 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real minus_R_rel_zx = R_rel_xz * R_rel_yy;
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
-    /* omega_J: angular velocity of the link relative to its parent's tip */
-    const ella_real omega_J_x = R_rel_yx * qdot[0];
-    const ella_real omega_J_y = R_rel_yy * qdot[0];
-
-    /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
-    const ella_real t1 = qdot[0] * qdot[1];
-    const ella_real beta_omega_x = t1 * R_rel_yy;
-    const ella_real minus_beta_omega_y = t1 * R_rel_yx;
-
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real t2 = -minus_beta_omega_y;
+    /* acceleration of the parent's tip in F_i axes */
     const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
         - minus_R_rel_zx * base->alpha_0[5];
     const ella_real alpha_0_5 = R_rel_yy * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3]
         + R_rel_zy * base->alpha_0[5];
     const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
 
+    /* omega_J: angular velocity of the link relative to its parent's tip */
+    const ella_real omega_J_x = R_rel_yx * qdot[0];
+    const ella_real omega_J_y = R_rel_yy * qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const ella_real t1 = qdot[0] * qdot[1];
+    const ella_real alpha_x = t1 * R_rel_yy;
+    const ella_real minus_alpha_y = t1 * R_rel_yx;
+    const ella_real t2 = -minus_alpha_y;
+
     /* r_T: tip point (11) */
     const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
         + eta[2] * REAL(3.5651069283690613);
     const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
         + eta[5] * REAL(3.5651069283690613);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
@@ -2511,14 +2516,72 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real t5 = theta_z * theta_z;
     const ella_real x = minus_theta_hat2_33 + t5;
 
-    /* c1: Stumpff function of order 1 */
-    const ella_real t6 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t6;
-    const ella_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
-    const ella_real t7 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t7;
+    const ella_real t6 = ella_c4(x);
+    const ella_real c2 = REAL(0.5) - x * t6;
+
+    /* c3: Stumpff function of order 3 */
+    const ella_real t7 = ella_c5(x);
+    const ella_real c3 = REAL(0.16666666666666666) - x * t7;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
+    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const ella_real t8 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const ella_real t9 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const ella_real t10 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const ella_real t11 = theta_y * t9 - theta_z * t10;
+    const ella_real omega_s_x = thetadot_x + c2 * t8 + c3 * t11;
+    const ella_real t12 = theta_z * t8 - theta_x * t9;
+    const ella_real omega_s_y = thetadot_y + c2 * t10 + c3 * t12;
+    const ella_real t13 = theta_x * t10 - theta_y * t8;
+    const ella_real omega_s_z = thetadot_z + c2 * t9 + c3 * t13;
+
+    /* xdot: rate of the squared angle */
+    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const ella_real c2dot = xdot * (t6 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const ella_real c3dot = xdot * (t7 * REAL(1.5) - t6 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const ella_real alpha_s_x = c2dot * t8 + c3 * (thetadot_y * t9 - thetadot_z * t10) + c3dot * t11;
+    const ella_real alpha_s_y = c2dot * t10 + c3 * (thetadot_z * t8 - thetadot_x * t9) + c3dot * t12;
+    const ella_real alpha_s_z = c2dot * t9 + c3 * (thetadot_x * t10 - thetadot_y * t8) + c3dot * t13;
+
+    /* omega_t: angular velocity of the tip section (46) */
+    const ella_real omega_t_x = omega_s_x + omega_J_x;
+    const ella_real omega_t_y = omega_s_y + omega_J_y;
+    const ella_real omega_t_z = omega_s_z + qdot[1];
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const ella_real alpha_t_x = alpha_s_x + alpha_x + omega_s_z * omega_J_y - omega_s_y * qdot[1];
+    const ella_real alpha_t_y = alpha_s_y - minus_alpha_y + omega_s_x * qdot[1] - omega_s_z * omega_J_x;
+    const ella_real alpha_t_z = alpha_s_z + omega_s_y * omega_J_x - omega_s_x * omega_J_y;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const ella_real t14 = udot_T_z * 2 + omega_J_x * r_T_y - c->length * omega_J_y;
+    const ella_real t15 = udot_T_y * 2 + c->length * qdot[1] - omega_J_x * r_T_z;
+    const ella_real a_t_x = alpha_0_4 - minus_alpha_y * r_T_z + omega_J_y * t14 - qdot[1] * t15;
+    const ella_real t16 = omega_J_y * r_T_z - qdot[1] * r_T_y;
+    const ella_real a_t_y = alpha_0_5 + qdot[1] * t16 - alpha_x * r_T_z - omega_J_x * t14;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t15 + minus_alpha_y * c->length
+        - omega_J_y * t16;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t4 + t5;
@@ -2529,91 +2592,45 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
 
     /* J_l: left Jacobian of the exponential */
     const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    const ella_real t8 = c3 * theta_hat2_12;
-    const ella_real t9 = c2 * theta_z;
-    const ella_real J_l_xy = t8 - t9;
-    const ella_real t10 = c2 * theta_y;
-    const ella_real t11 = c3 * theta_hat2_13;
-    const ella_real J_l_xz = t10 + t11;
-    const ella_real J_l_yx = t9 + t8;
+    const ella_real t17 = c3 * theta_hat2_12;
+    const ella_real t18 = c2 * theta_z;
+    const ella_real J_l_xy = t17 - t18;
+    const ella_real t19 = c2 * theta_y;
+    const ella_real t20 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t19 + t20;
+    const ella_real J_l_yx = t18 + t17;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real t12 = c3 * theta_hat2_23;
-    const ella_real t13 = c2 * theta_x;
-    const ella_real J_l_yz = t12 - t13;
-    const ella_real J_l_zx = t11 - t10;
-    const ella_real J_l_zy = t13 + t12;
+    const ella_real t21 = c3 * theta_hat2_23;
+    const ella_real t22 = c2 * theta_x;
+    const ella_real J_l_yz = t21 - t22;
+    const ella_real J_l_zx = t20 - t19;
+    const ella_real J_l_zy = t22 + t21;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
     const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const ella_real t14 = c2 * theta_hat2_12;
-    const ella_real t15 = c1 * theta_z;
-    const ella_real R_T_xy = t14 - t15;
-    const ella_real t16 = c1 * theta_y;
-    const ella_real t17 = c2 * theta_hat2_13;
-    const ella_real R_T_xz = t16 + t17;
-    const ella_real R_T_yx = t15 + t14;
+    const ella_real t23 = c2 * theta_hat2_12;
+    const ella_real t24 = c1 * theta_z;
+    const ella_real R_T_xy = t23 - t24;
+    const ella_real t25 = c1 * theta_y;
+    const ella_real t26 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t25 + t26;
+    const ella_real R_T_yx = t24 + t23;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real t18 = c2 * theta_hat2_23;
-    const ella_real t19 = c1 * theta_x;
-    const ella_real R_T_yz = t18 - t19;
-    const ella_real R_T_zx = t17 - t16;
-    const ella_real R_T_zy = t19 + t18;
+    const ella_real t27 = c2 * theta_hat2_23;
+    const ella_real t28 = c1 * theta_x;
+    const ella_real R_T_yz = t27 - t28;
+    const ella_real R_T_zx = t26 - t25;
+    const ella_real R_T_zy = t28 + t27;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
-    /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
-    const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
-    const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const ella_real t20 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const ella_real t21 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const ella_real t22 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const ella_real t23 = theta_y * t21 - theta_z * t22;
-    const ella_real omega_s_x = thetadot_x + c2 * t20 + c3 * t23;
-    const ella_real t24 = theta_z * t20 - theta_x * t21;
-    const ella_real omega_s_y = thetadot_y + c2 * t22 + c3 * t24;
-    const ella_real t25 = theta_x * t22 - theta_y * t20;
-    const ella_real omega_s_z = thetadot_z + c2 * t21 + c3 * t25;
-
-    /* xdot: rate of the squared angle */
-    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
-        + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t7 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t6 * REAL(1.5) - t7 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const ella_real alpha_s_x = c2dot * t20 + c3 * (thetadot_y * t21 - thetadot_z * t22) + c3dot * t23;
-    const ella_real alpha_s_y = c2dot * t22 + c3 * (thetadot_z * t20 - thetadot_x * t21) + c3dot * t24;
-    const ella_real alpha_s_z = c2dot * t21 + c3 * (thetadot_x * t22 - thetadot_y * t20) + c3dot * t25;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real omega_T_1 = omega_J_x + omega_s_x;
-    const ella_real omega_T_2 = omega_J_y + omega_s_y;
-    const ella_real omega_T_3 = qdot[1] + omega_s_z;
-    const ella_real alpha_0_T_1 = beta_omega_x + alpha_s_x + (omega_J_y * omega_s_z - qdot[1] * omega_s_y);
-    const ella_real alpha_0_T_2 = alpha_s_y - minus_beta_omega_y + (qdot[1] * omega_s_x - omega_J_x * omega_s_z);
-    const ella_real alpha_0_T_3 = alpha_s_z + (omega_J_x * omega_s_y - omega_J_y * omega_s_x);
-    const ella_real t26 = omega_J_y * r_T_z - qdot[1] * r_T_y;
-    const ella_real t27 = qdot[1] * c->length - omega_J_x * r_T_z + udot_T_y * 2;
-    const ella_real t28 = omega_J_x * r_T_y - omega_J_y * c->length + udot_T_z * 2;
-    const ella_real alpha_0_T_4 = alpha_0_4 - minus_beta_omega_y * r_T_z + (omega_J_y * t28 - qdot[1] * t27);
-    const ella_real alpha_0_T_5 = alpha_0_5 - beta_omega_x * r_T_z + (qdot[1] * t26 - omega_J_x * t28);
-    const ella_real alpha_0_T_6 = alpha_0_6 + (beta_omega_x * r_T_y + minus_beta_omega_y * c->length)
-        + (omega_J_x * t27 - omega_J_y * t26);
-
     /* outputs */
-    link->A[0] = R_rel_yx;
-    link->A[1] = R_rel_yy;
+    link->S[0] = R_rel_yx;
+    link->S[1] = R_rel_yy;
     link->omega[0] = omega_J_x;
     link->omega[1] = omega_J_y;
     link->omega[2] = qdot[1];
-    link->alpha_0[0] = beta_omega_x;
+    link->alpha_0[0] = alpha_x;
     link->alpha_0[1] = t2;
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = alpha_0_5;
@@ -2647,15 +2664,15 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     tip->R_T[6] = R_T_zx;
     tip->R_T[7] = R_T_zy;
     tip->R_T[8] = R_T_zz;
-    tip->omega[0] = omega_T_1;
-    tip->omega[1] = omega_T_2;
-    tip->omega[2] = omega_T_3;
-    tip->alpha_0[0] = alpha_0_T_1;
-    tip->alpha_0[1] = alpha_0_T_2;
-    tip->alpha_0[2] = alpha_0_T_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->omega[0] = omega_t_x;
+    tip->omega[1] = omega_t_y;
+    tip->omega[2] = omega_t_z;
+    tip->alpha_0[0] = alpha_t_x;
+    tip->alpha_0[1] = alpha_t_y;
+    tip->alpha_0[2] = alpha_t_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return ELLA_OK;
 }
 
@@ -2679,18 +2696,22 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
         + base->R_T[8] * base->omega[2];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const ella_real omega_z = omega_R_3 + qdot[0];
+    /* acceleration of the parent's tip in F_i axes */
+    const ella_real t1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
+    const ella_real t2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
     const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
         + base->R_T[8] * base->alpha_0[2];
-    const ella_real alpha_0_1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2]
-        + omega_R_2 * qdot[0];
-    const ella_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2]
-        - omega_R_1 * qdot[0];
     const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
     const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
     const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
         + base->R_T[8] * base->alpha_0[5];
+
+    /* omega: angular velocity of the link (45) */
+    const ella_real omega_z = omega_R_3 + qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const ella_real alpha_x = t1 + omega_R_2 * qdot[0];
+    const ella_real alpha_y = t2 - omega_R_1 * qdot[0];
 
     /* r_T: tip point (11) */
     const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
@@ -2698,82 +2719,81 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
         + eta[5] * REAL(3.5651069283690613);
 
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
-
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
     /* x: squared angle of the tip section */
-    const ella_real t1 = theta_x * theta_x;
-    const ella_real t2 = theta_y * theta_y;
-    const ella_real minus_theta_hat2_33 = t1 + t2;
-    const ella_real t3 = theta_z * theta_z;
-    const ella_real x = minus_theta_hat2_33 + t3;
-
-    /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
-    const ella_real c1 = 1 - x * c3;
+    const ella_real t3 = theta_x * theta_x;
+    const ella_real t4 = theta_y * theta_y;
+    const ella_real minus_theta_hat2_33 = t3 + t4;
+    const ella_real t5 = theta_z * theta_z;
+    const ella_real x = minus_theta_hat2_33 + t5;
 
     /* c2: Stumpff function of order 2 */
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
 
+    /* c3: Stumpff function of order 3 */
+    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
+        + etadot[2] * REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
+        + etadot[5] * REAL(3.5651069283690613);
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const ella_real t6 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * omega_R_2;
+    const ella_real t7 = udot_T_y * 2 + c->length * omega_z - omega_R_1 * r_T_z;
+    const ella_real a_t_x = alpha_0_4 + alpha_y * r_T_z + omega_R_2 * t6 - alpha_0_3 * r_T_y - omega_z * t7;
+    const ella_real t8 = omega_R_2 * r_T_z - omega_z * r_T_y;
+    const ella_real a_t_y = alpha_0_5 + alpha_0_3 * c->length + omega_z * t8 - alpha_x * r_T_z - omega_R_1 * t6;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_R_1 * t7 - alpha_y * c->length - omega_R_2 * t8;
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * c3;
+
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const ella_real minus_theta_hat2_11 = t2 + t3;
+    const ella_real minus_theta_hat2_11 = t4 + t5;
     const ella_real theta_hat2_12 = theta_x * theta_y;
     const ella_real theta_hat2_13 = theta_x * theta_z;
-    const ella_real minus_theta_hat2_22 = t1 + t3;
+    const ella_real minus_theta_hat2_22 = t3 + t5;
     const ella_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const ella_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    const ella_real t4 = c3 * theta_hat2_12;
-    const ella_real t5 = c2 * theta_z;
-    const ella_real J_l_xy = t4 - t5;
-    const ella_real t6 = c2 * theta_y;
-    const ella_real t7 = c3 * theta_hat2_13;
-    const ella_real J_l_xz = t6 + t7;
-    const ella_real J_l_yx = t5 + t4;
+    const ella_real t9 = c3 * theta_hat2_12;
+    const ella_real t10 = c2 * theta_z;
+    const ella_real J_l_xy = t9 - t10;
+    const ella_real t11 = c2 * theta_y;
+    const ella_real t12 = c3 * theta_hat2_13;
+    const ella_real J_l_xz = t11 + t12;
+    const ella_real J_l_yx = t10 + t9;
     const ella_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const ella_real t8 = c3 * theta_hat2_23;
-    const ella_real t9 = c2 * theta_x;
-    const ella_real J_l_yz = t8 - t9;
-    const ella_real J_l_zx = t7 - t6;
-    const ella_real J_l_zy = t9 + t8;
+    const ella_real t13 = c3 * theta_hat2_23;
+    const ella_real t14 = c2 * theta_x;
+    const ella_real J_l_yz = t13 - t14;
+    const ella_real J_l_zx = t12 - t11;
+    const ella_real J_l_zy = t14 + t13;
     const ella_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
 
     /* R_T: rotation of the tip section, exp of theta */
     const ella_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const ella_real t10 = c2 * theta_hat2_12;
-    const ella_real t11 = c1 * theta_z;
-    const ella_real R_T_xy = t10 - t11;
-    const ella_real t12 = c1 * theta_y;
-    const ella_real t13 = c2 * theta_hat2_13;
-    const ella_real R_T_xz = t12 + t13;
-    const ella_real R_T_yx = t11 + t10;
+    const ella_real t15 = c2 * theta_hat2_12;
+    const ella_real t16 = c1 * theta_z;
+    const ella_real R_T_xy = t15 - t16;
+    const ella_real t17 = c1 * theta_y;
+    const ella_real t18 = c2 * theta_hat2_13;
+    const ella_real R_T_xz = t17 + t18;
+    const ella_real R_T_yx = t16 + t15;
     const ella_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const ella_real t14 = c2 * theta_hat2_23;
-    const ella_real t15 = c1 * theta_x;
-    const ella_real R_T_yz = t14 - t15;
-    const ella_real R_T_zx = t13 - t12;
-    const ella_real R_T_zy = t15 + t14;
+    const ella_real t19 = c2 * theta_hat2_23;
+    const ella_real t20 = c1 * theta_x;
+    const ella_real R_T_yz = t19 - t20;
+    const ella_real R_T_zx = t18 - t17;
+    const ella_real R_T_zy = t20 + t19;
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const ella_real t16 = omega_R_2 * r_T_z - omega_z * r_T_y;
-    const ella_real t17 = omega_z * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
-    const ella_real t18 = omega_R_1 * r_T_y - omega_R_2 * c->length + udot_T_z * 2;
-    const ella_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_R_2 * t18 - omega_z * t17);
-    const ella_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_z * t16 - omega_R_1 * t18);
-    const ella_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t17 - omega_R_2 * t16);
 
     /* outputs */
     link->R_P[0] = R_P_11;
@@ -2788,8 +2808,8 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     link->omega[0] = omega_R_1;
     link->omega[1] = omega_R_2;
     link->omega[2] = omega_z;
-    link->alpha_0[0] = alpha_0_1;
-    link->alpha_0[1] = alpha_0_2;
+    link->alpha_0[0] = alpha_x;
+    link->alpha_0[1] = alpha_y;
     link->alpha_0[2] = alpha_0_3;
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = alpha_0_5;
@@ -2814,9 +2834,9 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     link->J_l[6] = J_l_zx;
     link->J_l[7] = J_l_zy;
     link->J_l[8] = J_l_zz;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return ELLA_OK;
 }
 
@@ -2824,8 +2844,8 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
 ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
     const ella_real etaddot[7])
 {
-    const ella_real delta_1 = link->A[0] * qddot[0];
-    const ella_real delta_2 = link->A[1] * qddot[0];
+    const ella_real delta_1 = link->S[0] * qddot[0];
+    const ella_real delta_2 = link->S[1] * qddot[0];
     const ella_real t1 = etaddot[6] * REAL(1.7320508075688772);
     const ella_real t2 = c->Psi_c_y4 * etaddot[3] + c->Psi_c_y5 * etaddot[4] + c->Psi_c_y6 * etaddot[5];
     const ella_real t3 = c->Psi_c_z1 * etaddot[0] + c->Psi_c_z2 * etaddot[1] + c->Psi_c_z3 * etaddot[2];
@@ -3043,7 +3063,7 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real force_eta_4 = t28 + t18 * REAL(2.0011941703010714);
     const ella_real force_eta_5 = t29 + t18 * REAL(2.0700807911885764);
     const ella_real force_eta_6 = t30 + t18 * REAL(3.5651069283690613);
-    const ella_real force_1 = link->A[0] * wrench_1 + link->A[1] * wrench_2;
+    const ella_real force_1 = link->S[0] * wrench_1 + link->S[1] * wrench_2;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3336,12 +3356,14 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real t3 = theta_z * theta_z;
     const ella_real x = minus_theta_hat2_33 + t3;
 
-    /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
-    const ella_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
     const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+
+    /* c3: Stumpff function of order 3 */
+    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+
+    /* c1: Stumpff function of order 1 */
+    const ella_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t2 + t3;
@@ -3385,8 +3407,8 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* outputs */
-    link->A[0] = R_rel_yx;
-    link->A[1] = R_rel_yy;
+    link->S[0] = R_rel_yx;
+    link->S[1] = R_rel_yy;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->J_l[0] = J_l_xx;
@@ -3502,7 +3524,7 @@ ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, c
         + c->Psi_c_y5 * t8 + t3 * REAL(2.0700807911885764);
     const ella_real force_eta_6 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + m_eta[5] * etaddot[5]
         + c->Psi_c_y6 * t8 + t3 * REAL(3.5651069283690613);
-    const ella_real force_1 = link->A[0] * wrench_1 + link->A[1] * wrench_2;
+    const ella_real force_1 = link->S[0] * wrench_1 + link->S[1] * wrench_2;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3712,12 +3734,12 @@ ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_no
     const ella_real v_T_z = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
 
     /* outputs */
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return ELLA_OK;
 }
 
@@ -3730,15 +3752,15 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
     const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
-    const ella_real omega_z = base->omega[2] + qdot[0];
+    const ella_real omega_z = base->omega_T[2] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const ella_real v_R_x = R_rel_xx * base->v[0] + minus_R_rel_xy * base->v[1];
-    const ella_real v_R_y = R_rel_xx * base->v[1] - minus_R_rel_xy * base->v[0];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
 
     /* r_T: tip point (11) */
     const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
@@ -3819,18 +3841,18 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
     /* v_T: velocity of the tip point (46) */
     const ella_real t16 = v_R_x + omega_R_y * r_T_z - omega_z * r_T_y;
     const ella_real t17 = udot_T_y + v_R_y + c->length * omega_z - omega_R_x * r_T_z;
-    const ella_real t18 = udot_T_z + base->v[2] + omega_R_x * r_T_y - c->length * omega_R_y;
+    const ella_real t18 = udot_T_z + base->v_T[2] + omega_R_x * r_T_y - c->length * omega_R_y;
     const ella_real v_T_x = R_T_xx * t16 + R_T_yx * t17 + R_T_zx * t18;
     const ella_real v_T_y = R_T_xy * t16 + R_T_yy * t17 + R_T_zy * t18;
     const ella_real v_T_z = R_T_xz * t16 + R_T_yz * t17 + R_T_zz * t18;
 
     /* outputs */
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return ELLA_OK;
 }
 
@@ -4051,15 +4073,15 @@ ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_nod
 /* tip twist, links like upper_arm: 30 operations */
 ELLA_PART ella_status tip_twist_upper_arm(const ella_node *tip, ella_real tip_twist[6])
 {
-    const ella_real tip_twist_1 = tip->R[0] * tip->omega[0] + tip->R[1] * tip->omega[1]
-        + tip->R[2] * tip->omega[2];
-    const ella_real tip_twist_2 = tip->R[3] * tip->omega[0] + tip->R[4] * tip->omega[1]
-        + tip->R[5] * tip->omega[2];
-    const ella_real tip_twist_3 = tip->R[6] * tip->omega[0] + tip->R[7] * tip->omega[1]
-        + tip->R[8] * tip->omega[2];
-    const ella_real tip_twist_4 = tip->R[0] * tip->v[0] + tip->R[1] * tip->v[1] + tip->R[2] * tip->v[2];
-    const ella_real tip_twist_5 = tip->R[3] * tip->v[0] + tip->R[4] * tip->v[1] + tip->R[5] * tip->v[2];
-    const ella_real tip_twist_6 = tip->R[6] * tip->v[0] + tip->R[7] * tip->v[1] + tip->R[8] * tip->v[2];
+    const ella_real tip_twist_1 = tip->R[0] * tip->omega_T[0] + tip->R[1] * tip->omega_T[1]
+        + tip->R[2] * tip->omega_T[2];
+    const ella_real tip_twist_2 = tip->R[3] * tip->omega_T[0] + tip->R[4] * tip->omega_T[1]
+        + tip->R[5] * tip->omega_T[2];
+    const ella_real tip_twist_3 = tip->R[6] * tip->omega_T[0] + tip->R[7] * tip->omega_T[1]
+        + tip->R[8] * tip->omega_T[2];
+    const ella_real tip_twist_4 = tip->R[0] * tip->v_T[0] + tip->R[1] * tip->v_T[1] + tip->R[2] * tip->v_T[2];
+    const ella_real tip_twist_5 = tip->R[3] * tip->v_T[0] + tip->R[4] * tip->v_T[1] + tip->R[5] * tip->v_T[2];
+    const ella_real tip_twist_6 = tip->R[6] * tip->v_T[0] + tip->R[7] * tip->v_T[1] + tip->R[8] * tip->v_T[2];
 
     /* outputs */
     tip_twist[0] = tip_twist_1;
@@ -4416,7 +4438,7 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real h_T_F_y = a_T_y * c->body0_mass;
     const ella_real h_T_F_z = a_T_z * c->body0_mass;
 
-    /* N: projector onto the joint's axes */
+    /* N: projector onto the joint's motion subspace */
     const ella_real N_xx = t3 * R_rel_yx;
     const ella_real N_xy = t4 * R_rel_yx;
     const ella_real N_yx = t3 * R_rel_yy;
@@ -4488,11 +4510,11 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     link->b_T[3] = b_v_x;
     link->b_T[4] = b_v_y;
     link->b_T[5] = b_v_z;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
     link->h_T[0] = h_T_F_x;
     link->h_T[1] = h_T_F_y;
     link->h_T[2] = h_T_F_z;
@@ -4539,13 +4561,13 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
     const ella_real t1 = -minus_R_rel_xy;
 
-    const ella_real omega_R_x = R_rel_xx * base->omega[0] + minus_R_rel_xy * base->omega[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega[1] - minus_R_rel_xy * base->omega[0];
-    const ella_real t2 = twist[2] - base->omega[2];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
+    const ella_real t2 = twist[2] - base->omega_T[2];
 
-    /* v_R: velocity of the joint point */
-    const ella_real v_R_x = R_rel_xx * base->v[0] + minus_R_rel_xy * base->v[1];
-    const ella_real v_R_y = R_rel_xx * base->v[1] - minus_R_rel_xy * base->v[0];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
     const ella_real beta_omega_x = omega_R_y * t2;

@@ -123,8 +123,9 @@ static ella_status accept(const ella_state *next, const ella_input *input, ella_
     return ELLA_OK;
 }
 
-ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
-    ella_work *work)
+/* euler: forward Euler, explicit, order 1. */
+ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
 {
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -138,15 +139,15 @@ ella_status ella_step_euler(const ella_constants *c, ella_state *state, const el
     return accept(&work->next, input, state);
 }
 
-/* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
-static ella_status symplectic(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
-    ella_real modal_dt, ella_work *work)
+/* semi_implicit: rates first, then coordinates with the new rates, order 1. */
+ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
 {
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, input, modal_terms(c, state, modal_dt, work), work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -154,34 +155,39 @@ static ella_status symplectic(const ella_constants *c, ella_state *state, const 
     return accept(&work->next, input, state);
 }
 
-ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
-{
-    return symplectic(c, state, input, dt, 0, work);
-}
-
+/* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
 ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
     ella_real dt, ella_work *work)
 {
-    return symplectic(c, state, input, dt, dt, work);
-}
-
-/* The modes implicit over half a step, twice from the same state: their terms serve both. */
-ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
-{
-    const ella_real half = dt / 2, *m_eta;
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    m_eta = modal_terms(c, state, half, work);
-    status = accelerate(c, state, input, m_eta, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, dt, work), work, 0, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    leap(state, dt, dt, work->output.vdot, &work->next);
+    return accept(&work->next, input, state);
+}
+
+/* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
+ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
+{
+    const ella_real half = dt / 2;
+    ella_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return ELLA_BAD_ARGUMENT;
+    }
+    /* Stage 1. */
+    status = accelerate(c, state, input, modal_terms(c, state, half, work), work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
     leap(state, half, half, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, input, m_eta, work, 0, &work->output);
+    /* Stage 2, the terms of the elastic forces as before. */
+    status = accelerate(c, &work->stage, input, work->m_eta, work, 0, &work->output);
     if (status != ELLA_OK) {
         return status;
     }
@@ -189,25 +195,41 @@ ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state,
     return accept(&work->next, input, state);
 }
 
-ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
-    ella_work *work)
+/* rk4: classical Runge-Kutta, four forward dynamics, order 4. */
+ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input,
+    ella_real dt, ella_work *work)
 {
-    const ella_real third = dt / 3, sixth = dt / 6, half = dt / 2;
-    const ella_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    const ella_real half = dt / 2, third = dt / 3, sixth = dt / 6;
     ella_status status;
-    int stage;
     if (bad_step(c, state, input, dt, work)) {
         return ELLA_BAD_ARGUMENT;
     }
-    work->stage = *state;
-    work->next = *state;
-    for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
-        if (status != ELLA_OK) {
-            return status;
-        }
-        advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
-        advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 1. */
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
+    if (status != ELLA_OK) {
+        return status;
     }
+    advance(state, sixth, state->v, work->output.vdot, &work->next);
+    advance(state, half, state->v, work->output.vdot, &work->stage);
+    /* Stage 2. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(&work->next, third, work->stage.v, work->output.vdot, &work->next);
+    advance(state, half, work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 3. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(&work->next, third, work->stage.v, work->output.vdot, &work->next);
+    advance(state, dt, work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 4. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != ELLA_OK) {
+        return status;
+    }
+    advance(&work->next, sixth, work->stage.v, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }

@@ -54,16 +54,16 @@ SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_consta
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
     const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
-    link->alpha_0[4] = alpha_0_5;
-    tip->alpha_0[4] = alpha_0_5;
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real a_J_x = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
+    link->alpha_0[3] = a_J_x;
+    const six_link_real a_J_y = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
+    link->alpha_0[4] = a_J_y;
+    tip->alpha_0[4] = a_J_y;
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real alpha_0_T_4 = alpha_0_4 - twist[2] * (twist[2] * c->length);
-    tip->alpha_0[3] = alpha_0_T_4;
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = a_J_x - c->length * (twist[2] * twist[2]);
+    tip->alpha_0[3] = a_t_x;
 
     /* outputs */
     qdot[0] = twist[2];
@@ -89,29 +89,36 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     link->R_P[8] = R_rel_xx;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
-    link->lever[0] = lever_1;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
-    link->lever[1] = lever_3;
     const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
     link->omega[0] = -minus_omega_R_1;
     const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
     link->omega[2] = omega_R_3;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real minus_alpha_0_1 = omega_R_3 * twist[1];
-    link->alpha_0[0] = -minus_alpha_0_1;
-    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * twist[1];
-    link->alpha_0[2] = -minus_alpha_0_3;
-    const six_link_real t1 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t1;
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = base->alpha_0[4]
-        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
-        - minus_omega_R_1 * t1;
-    link->alpha_0[5] = alpha_0_6;
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t1 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
+    const six_link_real t2 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real minus_alpha_x = omega_R_3 * twist[1];
+    link->alpha_0[0] = -minus_alpha_x;
+    const six_link_real minus_alpha_z = minus_omega_R_1 * twist[1];
+    link->alpha_0[2] = -minus_alpha_z;
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    link->lever[0] = r_R_x;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+    link->lever[1] = r_R_z;
+
+    /* a_J: acceleration of the joint point while no joint accelerates (accconst4) */
+    const six_link_real t3 = omega_R_3 * r_R_x + minus_omega_R_1 * r_R_z;
+    const six_link_real a_J_x = t1 - omega_R_3 * t3;
+    link->alpha_0[3] = a_J_x;
+    const six_link_real a_J_y = base->alpha_0[4] - omega_R_3 * (c->mount_xyz_y * omega_R_3)
+        - minus_omega_R_1 * (c->mount_xyz_y * minus_omega_R_1);
+    link->alpha_0[4] = a_J_y;
+    const six_link_real a_J_z = t2 - minus_omega_R_1 * t3;
+    link->alpha_0[5] = a_J_z;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -119,60 +126,122 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
     link->r_T[1] = r_T_z;
 
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
-
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
     const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
     const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
-    const six_link_real t2 = theta_x * theta_x;
-    const six_link_real t3 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t2 + t3;
-    const six_link_real t4 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t4;
-
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t5 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t5;
-    const six_link_real c1 = 1 - x * c3;
+    const six_link_real t4 = theta_x * theta_x;
+    const six_link_real t5 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t4 + t5;
+    const six_link_real t6 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t6;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t6 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t6;
+    const six_link_real t7 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t7;
+
+    /* c3: Stumpff function of order 3 */
+    const six_link_real t8 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t9 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t10 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t11 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t12 = theta_y * t10 - theta_z * t11;
+    const six_link_real omega_s_x = thetadot_x + c2 * t9 + c3 * t12;
+    const six_link_real t13 = theta_z * t9 - theta_x * t10;
+    const six_link_real omega_s_y = thetadot_y + c2 * t11 + c3 * t13;
+    const six_link_real t14 = theta_x * t11 - theta_y * t9;
+    const six_link_real omega_s_z = thetadot_z + c2 * t10 + c3 * t14;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+        + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t7 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t7 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t9 + c3 * (thetadot_y * t10 - thetadot_z * t11) + c3dot * t12;
+    const six_link_real alpha_s_y = c2dot * t11 + c3 * (thetadot_z * t9 - thetadot_x * t10) + c3dot * t13;
+    const six_link_real alpha_s_z = c2dot * t10 + c3 * (thetadot_x * t11 - thetadot_y * t9) + c3dot * t14;
+
+    /* omega_t: angular velocity of the tip section (46) */
+    const six_link_real omega_t_x = omega_s_x - minus_omega_R_1;
+    tip->omega[0] = omega_t_x;
+    const six_link_real omega_t_y = omega_s_y + twist[1];
+    tip->omega[1] = omega_t_y;
+    const six_link_real omega_t_z = omega_s_z + omega_R_3;
+    tip->omega[2] = omega_t_z;
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const six_link_real alpha_t_x = alpha_s_x - minus_alpha_x + omega_s_z * twist[1] - omega_s_y * omega_R_3;
+    tip->alpha_0[0] = alpha_t_x;
+    const six_link_real alpha_t_y = alpha_s_y + omega_s_x * omega_R_3 + omega_s_z * minus_omega_R_1;
+    tip->alpha_0[1] = alpha_t_y;
+    const six_link_real alpha_t_z = alpha_s_z - minus_alpha_z - omega_s_y * minus_omega_R_1
+        - omega_s_x * twist[1];
+    tip->alpha_0[2] = alpha_t_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real t15 = udot_T_z * 2 - minus_omega_R_1 * r_T_y - c->length * twist[1];
+    const six_link_real t16 = udot_T_y * 2 + c->length * omega_R_3 + minus_omega_R_1 * r_T_z;
+    const six_link_real a_t_x = a_J_x + twist[1] * t15 + minus_alpha_z * r_T_y - omega_R_3 * t16;
+    tip->alpha_0[3] = a_t_x;
+    const six_link_real t17 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real a_t_y = a_J_y - minus_alpha_z * c->length + omega_R_3 * t17 + minus_alpha_x * r_T_z
+        + minus_omega_R_1 * t15;
+    tip->alpha_0[4] = a_t_y;
+    const six_link_real a_t_z = a_J_z - minus_alpha_x * r_T_y - minus_omega_R_1 * t16 - twist[1] * t17;
+    tip->alpha_0[5] = a_t_z;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t3 + t4;
+    const six_link_real minus_theta_hat2_11 = t5 + t6;
     const six_link_real theta_hat2_12 = theta_x * theta_y;
     const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t2 + t4;
+    const six_link_real minus_theta_hat2_22 = t4 + t6;
     const six_link_real theta_hat2_23 = theta_y * theta_z;
 
     /* J_l: left Jacobian of the exponential */
     const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
     link->J_l[0] = J_l_xx;
-    const six_link_real t7 = c3 * theta_hat2_12;
-    const six_link_real t8 = c2 * theta_z;
-    const six_link_real J_l_xy = t7 - t8;
+    const six_link_real t18 = c3 * theta_hat2_12;
+    const six_link_real t19 = c2 * theta_z;
+    const six_link_real J_l_xy = t18 - t19;
     link->J_l[1] = J_l_xy;
-    const six_link_real t9 = c2 * theta_y;
-    const six_link_real t10 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t9 + t10;
+    const six_link_real t20 = c2 * theta_y;
+    const six_link_real t21 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t20 + t21;
     link->J_l[2] = J_l_xz;
-    const six_link_real J_l_yx = t8 + t7;
+    const six_link_real J_l_yx = t19 + t18;
     link->J_l[3] = J_l_yx;
     const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
     link->J_l[4] = J_l_yy;
-    const six_link_real t11 = c3 * theta_hat2_23;
-    const six_link_real t12 = c2 * theta_x;
-    const six_link_real J_l_yz = t11 - t12;
+    const six_link_real t22 = c3 * theta_hat2_23;
+    const six_link_real t23 = c2 * theta_x;
+    const six_link_real J_l_yz = t22 - t23;
     link->J_l[5] = J_l_yz;
-    const six_link_real J_l_zx = t10 - t9;
+    const six_link_real J_l_zx = t21 - t20;
     link->J_l[6] = J_l_zx;
-    const six_link_real J_l_zy = t12 + t11;
+    const six_link_real J_l_zy = t23 + t22;
     link->J_l[7] = J_l_zy;
     const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
     link->J_l[8] = J_l_zz;
@@ -181,94 +250,36 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
     link->R_T[0] = R_T_xx;
     tip->R_T[0] = R_T_xx;
-    const six_link_real t13 = c2 * theta_hat2_12;
-    const six_link_real t14 = c1 * theta_z;
-    const six_link_real R_T_xy = t13 - t14;
+    const six_link_real t24 = c2 * theta_hat2_12;
+    const six_link_real t25 = c1 * theta_z;
+    const six_link_real R_T_xy = t24 - t25;
     link->R_T[1] = R_T_xy;
     tip->R_T[1] = R_T_xy;
-    const six_link_real t15 = c1 * theta_y;
-    const six_link_real t16 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t15 + t16;
+    const six_link_real t26 = c1 * theta_y;
+    const six_link_real t27 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t26 + t27;
     link->R_T[2] = R_T_xz;
     tip->R_T[2] = R_T_xz;
-    const six_link_real R_T_yx = t14 + t13;
+    const six_link_real R_T_yx = t25 + t24;
     link->R_T[3] = R_T_yx;
     tip->R_T[3] = R_T_yx;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     link->R_T[4] = R_T_yy;
     tip->R_T[4] = R_T_yy;
-    const six_link_real t17 = c2 * theta_hat2_23;
-    const six_link_real t18 = c1 * theta_x;
-    const six_link_real R_T_yz = t17 - t18;
+    const six_link_real t28 = c2 * theta_hat2_23;
+    const six_link_real t29 = c1 * theta_x;
+    const six_link_real R_T_yz = t28 - t29;
     link->R_T[5] = R_T_yz;
     tip->R_T[5] = R_T_yz;
-    const six_link_real R_T_zx = t16 - t15;
+    const six_link_real R_T_zx = t27 - t26;
     link->R_T[6] = R_T_zx;
     tip->R_T[6] = R_T_zx;
-    const six_link_real R_T_zy = t18 + t17;
+    const six_link_real R_T_zy = t29 + t28;
     link->R_T[7] = R_T_zy;
     tip->R_T[7] = R_T_zy;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
     link->R_T[8] = R_T_zz;
     tip->R_T[8] = R_T_zz;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
-    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t19 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t20 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t21 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t22 = theta_y * t20 - theta_z * t21;
-    const six_link_real omega_s_x = thetadot_x + c2 * t19 + c3 * t22;
-    const six_link_real t23 = theta_z * t19 - theta_x * t20;
-    const six_link_real omega_s_y = thetadot_y + c2 * t21 + c3 * t23;
-    const six_link_real t24 = theta_x * t21 - theta_y * t19;
-    const six_link_real omega_s_z = thetadot_z + c2 * t20 + c3 * t24;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
-        + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t6 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t5 * REAL(1.5) - t6 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t19 + c3 * (thetadot_y * t20 - thetadot_z * t21) + c3dot * t22;
-    const six_link_real alpha_s_y = c2dot * t21 + c3 * (thetadot_z * t19 - thetadot_x * t20) + c3dot * t23;
-    const six_link_real alpha_s_z = c2dot * t20 + c3 * (thetadot_x * t21 - thetadot_y * t19) + c3dot * t24;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
-    tip->omega[0] = omega_T_1;
-    const six_link_real omega_T_2 = twist[1] + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1
-        + (twist[1] * omega_s_z - omega_R_3 * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
-        - (minus_omega_R_1 * omega_s_y + twist[1] * omega_s_x);
-    tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t25 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t26 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + udot_T_y * 2;
-    const six_link_real t27 = udot_T_z * 2 - (minus_omega_R_1 * r_T_y + twist[1] * c->length);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (twist[1] * t27 - omega_R_3 * t26);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
-        + (omega_R_3 * t25 + minus_omega_R_1 * t27);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
-        - (minus_omega_R_1 * t26 + twist[1] * t25);
-    tip->alpha_0[5] = alpha_0_T_6;
 
     /* outputs */
     qdot[0] = twist[1];
@@ -311,15 +322,6 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     link->R_P[7] = R_P_32;
     const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
     link->R_P[8] = R_P_33;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
-        + R_rel_zx * c->mount_xyz_z;
-    link->lever[0] = lever_1;
-    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
-    link->lever[1] = lever_2;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
-        + R_rel_zz * c->mount_xyz_z;
-    link->lever[2] = lever_3;
     const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
     link->omega[0] = omega_R_1;
     const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
@@ -329,38 +331,47 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     const six_link_real qdot_1 = twist[1] - omega_R_2;
     qdot[0] = qdot_1;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    /* acceleration of the parent's tip in F_i axes */
     const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
     const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
         + R_P_32 * base->alpha_0[2];
     link->alpha_0[1] = alpha_0_2;
     const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
-    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot_1;
-    link->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot_1;
-    link->alpha_0[2] = alpha_0_3;
-    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
-    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
-    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
-    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
-        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
-    link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
-    link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
-    link->alpha_0[5] = alpha_0_6;
+    const six_link_real t5 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
+    const six_link_real t6 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
+    const six_link_real t7 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4] + R_P_33 * base->alpha_0[5];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_x = t3 - omega_R_3 * qdot_1;
+    link->alpha_0[0] = alpha_x;
+    const six_link_real alpha_z = t4 + omega_R_1 * qdot_1;
+    link->alpha_0[2] = alpha_z;
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
+    link->lever[0] = r_R_x;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    link->lever[1] = r_R_y;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
+    link->lever[2] = r_R_z;
+
+    /* a_J: acceleration of the joint point while no joint accelerates (accconst4) */
+    const six_link_real t8 = omega_R_1 * r_R_y - omega_R_2 * r_R_x;
+    const six_link_real t9 = omega_R_3 * r_R_x - omega_R_1 * r_R_z;
+    const six_link_real a_J_x = t5 + alpha_0_2 * r_R_z + omega_R_2 * t8 - t4 * r_R_y - omega_R_3 * t9;
+    link->alpha_0[3] = a_J_x;
+    const six_link_real t10 = omega_R_2 * r_R_z - omega_R_3 * r_R_y;
+    const six_link_real a_J_y = t6 + t4 * r_R_x + omega_R_3 * t10 - t3 * r_R_z - omega_R_1 * t8;
+    link->alpha_0[4] = a_J_y;
+    const six_link_real a_J_z = t7 + t3 * r_R_y + omega_R_1 * t9 - alpha_0_2 * r_R_x - omega_R_2 * t10;
+    link->alpha_0[5] = a_J_z;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
     link->r_T[0] = r_T_y;
     const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
     link->r_T[1] = r_T_z;
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
@@ -371,14 +382,72 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
     const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t8 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
-    const six_link_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
-    const six_link_real t9 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t9;
+    const six_link_real t11 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t11;
+
+    /* c3: Stumpff function of order 3 */
+    const six_link_real t12 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t12;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t13 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t13;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t13;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t13;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t11 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t12 * REAL(1.5) - t11 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t13;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t13 + c3dot * theta_z * t13;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t13 + c3dot * theta_y * t13;
+
+    /* omega_t: angular velocity of the tip section (46) */
+    const six_link_real omega_t_x = omega_s_x + omega_R_1;
+    tip->omega[0] = omega_t_x;
+    const six_link_real omega_t_y = omega_s_y + twist[1];
+    tip->omega[1] = omega_t_y;
+    const six_link_real omega_t_z = omega_s_z + omega_R_3;
+    tip->omega[2] = omega_t_z;
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const six_link_real alpha_t_x = alpha_s_x + alpha_x + omega_s_z * twist[1] - omega_s_y * omega_R_3;
+    tip->alpha_0[0] = alpha_t_x;
+    const six_link_real alpha_t_y = alpha_s_y + alpha_0_2 + omega_s_x * omega_R_3 - omega_s_z * omega_R_1;
+    tip->alpha_0[1] = alpha_t_y;
+    const six_link_real alpha_t_z = alpha_z - minus_alpha_s_z + omega_s_y * omega_R_1 - omega_s_x * twist[1];
+    tip->alpha_0[2] = alpha_t_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real t14 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * twist[1];
+    const six_link_real t15 = udot_T_y * 2 + c->length * omega_R_3 - omega_R_1 * r_T_z;
+    const six_link_real a_t_x = a_J_x + alpha_0_2 * r_T_z + twist[1] * t14 - alpha_z * r_T_y - omega_R_3 * t15;
+    tip->alpha_0[3] = a_t_x;
+    const six_link_real t16 = twist[1] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real a_t_y = a_J_y + alpha_z * c->length + omega_R_3 * t16 - alpha_x * r_T_z - omega_R_1 * t14;
+    tip->alpha_0[4] = a_t_y;
+    const six_link_real a_t_z = a_J_z + alpha_x * r_T_y + omega_R_1 * t15 - alpha_0_2 * c->length
+        - twist[1] * t16;
+    tip->alpha_0[5] = a_t_z;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real theta_hat2_23 = theta_y * theta_z;
@@ -418,63 +487,12 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     link->R_T[5] = R_T_zz;
     tip->R_T[8] = R_T_zz;
 
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t10 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t10;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t10;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t10;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t10;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t10 + c3dot * theta_z * t10;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t10 + c3dot * theta_y * t10;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
-    tip->omega[0] = omega_T_1;
-    const six_link_real omega_T_2 = twist[1] + omega_s_y;
-    tip->omega[1] = omega_T_2;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    tip->omega[2] = omega_T_3;
-    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (twist[1] * omega_s_z - omega_R_3 * omega_s_y);
-    tip->alpha_0[0] = alpha_0_T_1;
-    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
-    tip->alpha_0[1] = alpha_0_T_2;
-    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z
-        + (omega_R_1 * omega_s_y - twist[1] * omega_s_x);
-    tip->alpha_0[2] = alpha_0_T_3;
-    const six_link_real t11 = twist[1] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t12 = omega_R_3 * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
-    const six_link_real t13 = omega_R_1 * r_T_y - twist[1] * c->length + udot_T_z * 2;
-    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (twist[1] * t13 - omega_R_3 * t12);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_R_3 * t11 - omega_R_1 * t13);
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t12 - twist[1] * t11);
-    tip->alpha_0[5] = alpha_0_T_6;
-
     /* outputs */
     link->omega[1] = twist[1];
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like wrist_roll: 84 operations */
+/* dae kinematics, links like wrist_roll: 85 operations */
 SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
@@ -508,19 +526,13 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
     const six_link_real qdot_1 = twist[0] - omega_R_1;
     qdot[0] = qdot_1;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
+    /* acceleration of the parent's tip in F_i axes */
     const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
         + base->R_T[6] * base->alpha_0[2];
     link->alpha_0[0] = alpha_0_1;
     tip->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot_1;
-    link->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[1] = alpha_0_2;
-    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
-        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot_1;
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
+    const six_link_real t1 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
+    const six_link_real t2 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
     const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
         + base->R_T[6] * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
@@ -531,15 +543,23 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
         + R_P_33 * base->alpha_0[5];
     link->alpha_0[5] = alpha_0_6;
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_y = t1 + omega_R_3 * qdot_1;
+    link->alpha_0[1] = alpha_y;
+    tip->alpha_0[1] = alpha_y;
+    const six_link_real alpha_z = t2 - omega_R_2 * qdot_1;
+    link->alpha_0[2] = alpha_z;
+    tip->alpha_0[2] = alpha_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2)
+        - c->length * (omega_R_3 * omega_R_3);
+    tip->alpha_0[3] = a_t_x;
+    const six_link_real t3 = c->length * twist[0];
+    const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t3 * omega_R_2;
+    tip->alpha_0[4] = a_t_y;
+    const six_link_real a_t_z = alpha_0_6 + t3 * omega_R_3 - alpha_y * c->length;
+    tip->alpha_0[5] = a_t_z;
 
     /* outputs */
     link->R_P[0] = base->R_T[0];
@@ -550,7 +570,7 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like wrist_pitch: 40 operations */
+/* dae kinematics, links like wrist_pitch: 41 operations */
 SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
@@ -574,29 +594,31 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_con
     const six_link_real qdot_1 = twist[1] - base->omega[1];
     qdot[0] = qdot_1;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
-        - omega_R_3 * qdot_1;
-    link->alpha_0[0] = alpha_0_1;
-    tip->alpha_0[0] = alpha_0_1;
-    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
-        + omega_R_1 * qdot_1;
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2];
+    const six_link_real t2 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2];
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
     const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
     link->alpha_0[5] = alpha_0_6;
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = twist[1] * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (twist[1] * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_x = t1 - omega_R_3 * qdot_1;
+    link->alpha_0[0] = alpha_x;
+    tip->alpha_0[0] = alpha_x;
+    const six_link_real alpha_z = t2 + omega_R_1 * qdot_1;
+    link->alpha_0[2] = alpha_z;
+    tip->alpha_0[2] = alpha_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = alpha_0_4 - c->length * (twist[1] * twist[1])
+        - c->length * (omega_R_3 * omega_R_3);
+    tip->alpha_0[3] = a_t_x;
+    const six_link_real t3 = c->length * omega_R_1;
+    const six_link_real a_t_y = base->alpha_0[4] + alpha_z * c->length + t3 * twist[1];
+    tip->alpha_0[4] = a_t_y;
+    const six_link_real a_t_z = alpha_0_6 + t3 * omega_R_3 - base->alpha_0[1] * c->length;
+    tip->alpha_0[5] = a_t_z;
 
     /* outputs */
     link->omega[1] = twist[1];
@@ -607,7 +629,7 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_con
     return SIX_LINK_OK;
 }
 
-/* dae kinematics, links like flange: 40 operations */
+/* dae kinematics, links like flange: 41 operations */
 SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
     const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
     const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
@@ -631,29 +653,31 @@ SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constant
     const six_link_real qdot_1 = twist[0] - base->omega[0];
     qdot[0] = qdot_1;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
-        + omega_R_3 * qdot_1;
-    link->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[1] = alpha_0_2;
-    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
-        - omega_R_2 * qdot_1;
-    link->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[2] = alpha_0_3;
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t1 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2];
+    const six_link_real t2 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1];
     const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
     link->alpha_0[4] = alpha_0_5;
     const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
     link->alpha_0[5] = alpha_0_6;
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t2 + omega_R_3 * t1);
-    tip->alpha_0[3] = alpha_0_T_4;
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + twist[0] * t2;
-    tip->alpha_0[4] = alpha_0_T_5;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + twist[0] * t1;
-    tip->alpha_0[5] = alpha_0_T_6;
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_y = t1 + omega_R_3 * qdot_1;
+    link->alpha_0[1] = alpha_y;
+    tip->alpha_0[1] = alpha_y;
+    const six_link_real alpha_z = t2 - omega_R_2 * qdot_1;
+    link->alpha_0[2] = alpha_z;
+    tip->alpha_0[2] = alpha_z;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = base->alpha_0[3] - c->length * (omega_R_2 * omega_R_2)
+        - c->length * (omega_R_3 * omega_R_3);
+    tip->alpha_0[3] = a_t_x;
+    const six_link_real t3 = c->length * twist[0];
+    const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t3 * omega_R_2;
+    tip->alpha_0[4] = a_t_y;
+    const six_link_real a_t_z = alpha_0_6 + t3 * omega_R_3 - alpha_y * c->length;
+    tip->alpha_0[5] = a_t_z;
 
     /* outputs */
     link->omega[0] = twist[0];
@@ -3284,14 +3308,13 @@ SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c,
     const six_link_sincos turn_3 = six_link_sine_cosine(new_q_1);
     const six_link_real minus_R_rel_xy_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
+    /* v_T: velocity of the tip point (46) */
+    const six_link_real v_T_y = c->length * twist[2];
+
     const six_link_real t13 = -minus_R_rel_xy_3;
     const six_link_real t14 = new_q_1 * REAL(0.5);
     const six_link_sincos turn_4 = six_link_sine_cosine(t14);
     const six_link_real new_quaternion_4 = turn_4.sine, new_quaternion_1 = turn_4.cosine;
-
-    /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = c->length * twist[2];
-
     const six_link_real r_x = c->mount_xyz_x + R_rel_xx_3 * c->length;
     const six_link_real r_y = c->mount_xyz_y + minus_R_rel_xy_3 * c->length;
 
@@ -3317,8 +3340,8 @@ SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c,
     new_position[0] = c->mount_xyz_x;
     new_position[1] = c->mount_xyz_y;
     new_position[2] = c->mount_xyz_z;
-    tip->omega[2] = twist[2];
-    tip->v[1] = v_T_y;
+    tip->omega_T[2] = twist[2];
+    tip->v_T[1] = v_T_y;
     tip->R[0] = R_rel_xx_3;
     tip->R[1] = t13;
     tip->R[3] = minus_R_rel_xy_3;
@@ -3382,6 +3405,10 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
 
     const six_link_real omega_y = twist[1] - base->omega_m[1];
 
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
     const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
@@ -3425,6 +3452,10 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real R_T_zy = t34 + t33;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
     /* thetadot: rate of the tip's rotation vector */
     const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
     const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
@@ -3457,15 +3488,15 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real R_m_33 = t16 * R_T_xz + t17 * R_T_yz + t20 * R_T_zz;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real minus_omega_R_x = R_rel_xz_3 * base->omega[2];
+    const six_link_real minus_omega_R_x = R_rel_xz_3 * base->omega_T[2];
     const six_link_real t41 = -minus_omega_R_x;
-    const six_link_real omega_R_z = R_rel_xx_3 * base->omega[2];
+    const six_link_real omega_R_z = R_rel_xx_3 * base->omega_T[2];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t42 = c->mount_xyz_y * base->omega[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t42 = c->mount_xyz_y * base->omega_T[2];
     const six_link_real minus_v_R_x = R_rel_xx_3 * t42;
     const six_link_real t43 = -minus_v_R_x;
-    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real v_R_y = base->v_T[1] + c->mount_xyz_x * base->omega_T[2];
     const six_link_real minus_v_R_z = R_rel_xz_3 * t42;
     const six_link_real t44 = -minus_v_R_z;
 
@@ -3484,14 +3515,6 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_real new_quaternion_4 = t51 * base->Q[3];
     const six_link_real minus_new_quaternion_2 = base->Q[3] * t50;
     const six_link_real t52 = -minus_new_quaternion_2;
-
-    /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
-    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* omega_T: angular velocity of the tip section (46) */
     const six_link_real t53 = omega_s_x - minus_omega_R_x;
@@ -3563,12 +3586,12 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     new_position[0] = new_position_1;
     new_position[1] = new_position_2;
     new_position[2] = new_position_3;
-    tip->omega[0] = omega_T_x_2;
-    tip->omega[1] = omega_T_y_2;
-    tip->omega[2] = omega_T_z_2;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x_2;
+    tip->omega_T[1] = omega_T_y_2;
+    tip->omega_T[2] = omega_T_z_2;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -3662,6 +3685,10 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real t36 = twist[1]
         - (c->R_m_xy * base->omega_m[0] + c->R_m_yy * base->omega_m[1] + c->R_m_zy * base->omega_m[2]);
 
+    /* r_T: tip point (11) */
+    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
+    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
+
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
     const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
@@ -3689,6 +3716,10 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real R_T_yz = c2 * theta_hat2_23;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
     /* thetadot: rate of the tip's rotation vector */
     const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
@@ -3711,20 +3742,23 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real R_m_33 = t16 * R_T_xz + t17 * R_T_yz + t20 * R_T_zz;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx_3 * base->omega[0] + R_rel_yx_3 * base->omega[1]
-        + R_rel_zx_3 * base->omega[2];
-    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
-        + c->R_m_zy * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz_3 * base->omega[0] + R_rel_yz_3 * base->omega[1]
-        + R_rel_zz_3 * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx_3 * base->omega_T[0] + R_rel_yx_3 * base->omega_T[1]
+        + R_rel_zx_3 * base->omega_T[2];
+    const six_link_real omega_R_y = c->R_m_xy * base->omega_T[0] + c->R_m_yy * base->omega_T[1]
+        + c->R_m_zy * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz_3 * base->omega_T[0] + R_rel_yz_3 * base->omega_T[1]
+        + R_rel_zz_3 * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
     const six_link_real omega_y = omega_R_y + t36;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t38 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t39 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t40 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t38 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1]
+        - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t39 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2]
+        - c->mount_xyz_z * base->omega_T[0];
+    const six_link_real t40 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0]
+        - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx_3 * t38 + R_rel_yx_3 * t39 + R_rel_zx_3 * t40;
     const six_link_real v_R_y = c->R_m_xy * t38 + c->R_m_yy * t39 + c->R_m_zy * t40;
     const six_link_real v_R_z = R_rel_xz_3 * t38 + R_rel_yz_3 * t39 + R_rel_zz_3 * t40;
@@ -3776,14 +3810,6 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
         + (base->Q[3] * t72 - base->Q[1] * t73);
     const six_link_real new_quaternion_4 = base->Q[0] * t73 + t70 * base->Q[3]
         + (base->Q[1] * t71 - base->Q[2] * t72);
-
-    /* r_T: tip point (11) */
-    const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
-    const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* omega_T: angular velocity of the tip section (46) */
     const six_link_real t74 = omega_s_x + omega_R_x;
@@ -3845,12 +3871,12 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     new_position[0] = new_position_1;
     new_position[1] = new_position_2;
     new_position[2] = new_position_3;
-    tip->omega[0] = omega_T_x_2;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x_2;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -3923,15 +3949,15 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
     const six_link_real t18 = twist[0] - base->omega_m[0];
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy_3 * base->omega[1] + minus_R_rel_yz_3 * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy_3 * base->omega[2] - minus_R_rel_yz_3 * base->omega[1];
+    const six_link_real omega_R_y = R_rel_yy_3 * base->omega_T[1] + minus_R_rel_yz_3 * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy_3 * base->omega_T[2] - minus_R_rel_yz_3 * base->omega_T[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + t18;
+    const six_link_real omega_x = base->omega_T[0] + t18;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy_3 * base->v[1] + minus_R_rel_yz_3 * base->v[2];
-    const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy_3 * base->v_T[1] + minus_R_rel_yz_3 * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy_3 * base->v_T[2] - minus_R_rel_yz_3 * base->v_T[1];
 
     const six_link_real R_xz = base->R[2] * R_rel_yy_3 - base->R[1] * minus_R_rel_yz_3;
     const six_link_real R_yz = base->R[5] * R_rel_yy_3 - base->R[4] * minus_R_rel_yz_3;
@@ -3964,7 +3990,7 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
     new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
     new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
+    new_twist[3] = base->v_T[0];
     new_twist[4] = v_R_y;
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
@@ -3974,12 +4000,12 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
     new_position[0] = base->r[0];
     new_position[1] = base->r[1];
     new_position[2] = base->r[2];
-    tip->omega[0] = omega_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = base->v[0];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_x;
+    tip->omega_T[1] = omega_R_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = base->v_T[0];
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = base->R[0];
     tip->R[2] = R_xz;
     tip->R[3] = base->R[3];
@@ -4048,15 +4074,15 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     const six_link_real t17 = twist[1] - base->omega_m[1];
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx_3 * base->omega[0] - R_rel_xz_3 * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz_3 * base->omega[0] + R_rel_xx_3 * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx_3 * base->omega_T[0] - R_rel_xz_3 * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz_3 * base->omega_T[0] + R_rel_xx_3 * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_y = base->omega[1] + t17;
+    const six_link_real omega_y = base->omega_T[1] + t17;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_x = R_rel_xx_3 * base->v[0] - R_rel_xz_3 * base->v[2];
-    const six_link_real v_R_z = R_rel_xz_3 * base->v[0] + R_rel_xx_3 * base->v[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_x = R_rel_xx_3 * base->v_T[0] - R_rel_xz_3 * base->v_T[2];
+    const six_link_real v_R_z = R_rel_xz_3 * base->v_T[0] + R_rel_xx_3 * base->v_T[2];
 
     const six_link_real R_xx = base->R[0] * R_rel_xx_3 - base->R[2] * R_rel_xz_3;
     const six_link_real R_yx = base->R[3] * R_rel_xx_3 - base->R[5] * R_rel_xz_3;
@@ -4070,7 +4096,7 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     const six_link_real new_quaternion_4 = t20 * base->Q[3] + base->Q[1] * t19;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = base->v[1] + c->length * omega_R_z;
+    const six_link_real v_T_y = base->v_T[1] + c->length * omega_R_z;
     const six_link_real v_T_z = v_R_z - c->length * omega_y;
 
     const six_link_real r_x = base->r[0] + R_xx * c->length;
@@ -4090,7 +4116,7 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     new_twist[1] = omega_y;
     new_twist[2] = omega_R_z;
     new_twist[3] = v_R_x;
-    new_twist[4] = base->v[1];
+    new_twist[4] = base->v_T[1];
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
     new_quaternion[1] = new_quaternion_2;
@@ -4099,12 +4125,12 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     new_position[0] = base->r[0];
     new_position[1] = base->r[1];
     new_position[2] = base->r[2];
-    tip->omega[0] = omega_R_x;
-    tip->omega[1] = omega_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = v_R_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_R_x;
+    tip->omega_T[1] = omega_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = v_R_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->r[0] = r_x;
     tip->r[1] = r_y;
     tip->r[2] = r_z;
@@ -4160,15 +4186,15 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
     const six_link_real t14 = twist[0] - base->omega_m[0];
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy_3 * base->omega[1] + minus_R_rel_yz_3 * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy_3 * base->omega[2] - minus_R_rel_yz_3 * base->omega[1];
+    const six_link_real omega_R_y = R_rel_yy_3 * base->omega_T[1] + minus_R_rel_yz_3 * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy_3 * base->omega_T[2] - minus_R_rel_yz_3 * base->omega_T[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + t14;
+    const six_link_real omega_x = base->omega_T[0] + t14;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy_3 * base->v[1] + minus_R_rel_yz_3 * base->v[2];
-    const six_link_real v_R_z = R_rel_yy_3 * base->v[2] - minus_R_rel_yz_3 * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy_3 * base->v_T[1] + minus_R_rel_yz_3 * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy_3 * base->v_T[2] - minus_R_rel_yz_3 * base->v_T[1];
 
     const six_link_real t15 = new_q_1 * REAL(0.5);
     const six_link_sincos turn_4 = six_link_sine_cosine(t15);
@@ -4183,7 +4209,7 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
     new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
     new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
+    new_twist[3] = base->v_T[0];
     new_twist[4] = v_R_y;
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
@@ -4230,8 +4256,8 @@ SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_co
     new_position[0] = c->mount_xyz_x;
     new_position[1] = c->mount_xyz_y;
     new_position[2] = c->mount_xyz_z;
-    tip->omega[2] = qdot[0];
-    tip->v[1] = v_T_y;
+    tip->omega_T[2] = qdot[0];
+    tip->v_T[1] = v_T_y;
     tip->R[0] = R_rel_xx;
     tip->R[1] = t1;
     tip->R[3] = minus_R_rel_xy;
@@ -4255,15 +4281,15 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
+    const six_link_real minus_omega_R_x = R_rel_xz * base->omega_T[2];
     const six_link_real t1 = -minus_omega_R_x;
-    const six_link_real omega_R_z = R_rel_xx * base->omega[2];
+    const six_link_real omega_R_z = R_rel_xx * base->omega_T[2];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t2 = c->mount_xyz_y * base->omega[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t2 = c->mount_xyz_y * base->omega_T[2];
     const six_link_real minus_v_R_x = R_rel_xx * t2;
     const six_link_real t3 = -minus_v_R_x;
-    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real v_R_y = base->v_T[1] + c->mount_xyz_x * base->omega_T[2];
     const six_link_real minus_v_R_z = R_rel_xz * t2;
     const six_link_real t4 = -minus_v_R_z;
 
@@ -4404,12 +4430,12 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
     new_position[0] = new_position_1;
     new_position[1] = new_position_2;
     new_position[2] = new_position_3;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -4446,20 +4472,20 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
-        + R_rel_zx * base->omega[2];
-    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
-        + c->R_m_zy * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
-        + R_rel_zz * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1]
+        + R_rel_zx * base->omega_T[2];
+    const six_link_real omega_R_y = c->R_m_xy * base->omega_T[0] + c->R_m_yy * base->omega_T[1]
+        + c->R_m_zy * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_yz * base->omega_T[1]
+        + R_rel_zz * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
     const six_link_real omega_y = omega_R_y + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t4 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t5 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t3 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1] - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t4 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2] - c->mount_xyz_z * base->omega_T[0];
+    const six_link_real t5 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0] - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx * t3 + R_rel_yx * t4 + R_rel_zx * t5;
     const six_link_real v_R_y = c->R_m_xy * t3 + c->R_m_yy * t4 + c->R_m_zy * t5;
     const six_link_real v_R_z = R_rel_xz * t3 + R_rel_yz * t4 + R_rel_zz * t5;
@@ -4609,12 +4635,12 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     new_position[0] = new_position_1;
     new_position[1] = new_position_2;
     new_position[2] = new_position_3;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -4644,15 +4670,15 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
     const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    const six_link_real omega_R_y = R_rel_yy * base->omega_T[1] + minus_R_rel_yz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega_T[2] - minus_R_rel_yz * base->omega_T[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
+    const six_link_real omega_x = base->omega_T[0] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy * base->v_T[1] + minus_R_rel_yz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy * base->v_T[2] - minus_R_rel_yz * base->v_T[1];
 
     const six_link_real R_xy = base->R[1] * R_rel_yy + base->R[2] * minus_R_rel_yz;
     const six_link_real R_xz = base->R[2] * R_rel_yy - base->R[1] * minus_R_rel_yz;
@@ -4680,7 +4706,7 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
     new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
     new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
+    new_twist[3] = base->v_T[0];
     new_twist[4] = v_R_y;
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
@@ -4690,12 +4716,12 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
     new_position[0] = base->r[0];
     new_position[1] = base->r[1];
     new_position[2] = base->r[2];
-    tip->omega[0] = omega_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = base->v[0];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_x;
+    tip->omega_T[1] = omega_R_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = base->v_T[0];
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = base->R[0];
     tip->R[1] = R_xy;
     tip->R[2] = R_xz;
@@ -4725,15 +4751,15 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] - R_rel_xz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_xx * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_y = base->omega[1] + qdot[0];
+    const six_link_real omega_y = base->omega_T[1] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
-    const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_x = R_rel_xx * base->v_T[0] - R_rel_xz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_xz * base->v_T[0] + R_rel_xx * base->v_T[2];
 
     const six_link_real R_xx = base->R[0] * R_rel_xx - base->R[2] * R_rel_xz;
     const six_link_real R_xz = base->R[0] * R_rel_xz + base->R[2] * R_rel_xx;
@@ -4750,7 +4776,7 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     const six_link_real new_quaternion_4 = t3 * base->Q[3] + base->Q[1] * t2;
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = base->v[1] + c->length * omega_R_z;
+    const six_link_real v_T_y = base->v_T[1] + c->length * omega_R_z;
     const six_link_real v_T_z = v_R_z - c->length * omega_y;
 
     const six_link_real r_x = base->r[0] + R_xx * c->length;
@@ -4762,7 +4788,7 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     new_twist[1] = omega_y;
     new_twist[2] = omega_R_z;
     new_twist[3] = v_R_x;
-    new_twist[4] = base->v[1];
+    new_twist[4] = base->v_T[1];
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
     new_quaternion[1] = new_quaternion_2;
@@ -4771,12 +4797,12 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
     new_position[0] = base->r[0];
     new_position[1] = base->r[1];
     new_position[2] = base->r[2];
-    tip->omega[0] = omega_R_x;
-    tip->omega[1] = omega_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = v_R_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_R_x;
+    tip->omega_T[1] = omega_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = v_R_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     tip->R[0] = R_xx;
     tip->R[1] = base->R[1];
     tip->R[2] = R_xz;
@@ -4806,15 +4832,15 @@ SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_cons
     const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    const six_link_real omega_R_y = R_rel_yy * base->omega_T[1] + minus_R_rel_yz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega_T[2] - minus_R_rel_yz * base->omega_T[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
+    const six_link_real omega_x = base->omega_T[0] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy * base->v_T[1] + minus_R_rel_yz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy * base->v_T[2] - minus_R_rel_yz * base->v_T[1];
 
     const six_link_real R_xy = base->R[1] * R_rel_yy + base->R[2] * minus_R_rel_yz;
     const six_link_real R_xz = base->R[2] * R_rel_yy - base->R[1] * minus_R_rel_yz;
@@ -4837,7 +4863,7 @@ SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_cons
     new_twist[0] = omega_x;
     new_twist[1] = omega_R_y;
     new_twist[2] = omega_R_z;
-    new_twist[3] = base->v[0];
+    new_twist[3] = base->v_T[0];
     new_twist[4] = v_R_y;
     new_twist[5] = v_R_z;
     new_quaternion[0] = new_quaternion_1;
@@ -4870,21 +4896,21 @@ SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants 
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
     const six_link_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
-    const six_link_real alpha_0_5 = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real a_J_x = R_rel_xx * base->alpha_0[3] + minus_R_rel_xy * base->alpha_0[4];
+    const six_link_real a_J_y = R_rel_xx * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3];
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real alpha_0_T_4 = alpha_0_4 - qdot[0] * (qdot[0] * c->length);
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = a_J_x - c->length * (qdot[0] * qdot[0]);
 
     /* outputs */
     link->omega[2] = qdot[0];
-    link->alpha_0[3] = alpha_0_4;
-    link->alpha_0[4] = alpha_0_5;
+    link->alpha_0[3] = a_J_x;
+    link->alpha_0[4] = a_J_y;
     link->alpha_0[5] = base->alpha_0[5];
     tip->omega[2] = qdot[0];
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_5;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_J_y;
     tip->alpha_0[5] = base->alpha_0[5];
     return SIX_LINK_OK;
 }
@@ -4900,31 +4926,34 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
     const six_link_real minus_omega_R_1 = R_rel_xz * base->omega[2];
     const six_link_real t2 = -minus_omega_R_1;
     const six_link_real omega_R_3 = R_rel_xx * base->omega[2];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real minus_alpha_0_1 = omega_R_3 * qdot[0];
-    const six_link_real minus_alpha_0_3 = minus_omega_R_1 * qdot[0];
-    const six_link_real t3 = -minus_alpha_0_3;
-    const six_link_real t4 = -minus_alpha_0_1;
-    const six_link_real t5 = omega_R_3 * lever_1 + minus_omega_R_1 * lever_3;
-    const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5] - omega_R_3 * t5;
-    const six_link_real alpha_0_5 = base->alpha_0[4]
-        - (omega_R_3 * (omega_R_3 * c->mount_xyz_y) + minus_omega_R_1 * (minus_omega_R_1 * c->mount_xyz_y));
-    const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5]
-        - minus_omega_R_1 * t5;
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t3 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
+    const six_link_real t4 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real minus_alpha_x = omega_R_3 * qdot[0];
+    const six_link_real t5 = -minus_alpha_x;
+    const six_link_real minus_alpha_z = minus_omega_R_1 * qdot[0];
+    const six_link_real t6 = -minus_alpha_z;
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+
+    /* a_J: acceleration of the joint point while no joint accelerates (accconst4) */
+    const six_link_real t7 = omega_R_3 * r_R_x + minus_omega_R_1 * r_R_z;
+    const six_link_real a_J_x = t3 - omega_R_3 * t7;
+    const six_link_real a_J_y = base->alpha_0[4] - omega_R_3 * (c->mount_xyz_y * omega_R_3)
+        - minus_omega_R_1 * (c->mount_xyz_y * minus_omega_R_1);
+    const six_link_real a_J_z = t4 - minus_omega_R_1 * t7;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
     const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_x = eta[4] * REAL(1.7320508075688772);
@@ -4932,61 +4961,23 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1];
 
     /* x: squared angle of the tip section */
-    const six_link_real t6 = theta_x * theta_x;
-    const six_link_real t7 = theta_y * theta_y;
-    const six_link_real minus_theta_hat2_33 = t6 + t7;
-    const six_link_real t8 = theta_z * theta_z;
-    const six_link_real x = minus_theta_hat2_33 + t8;
-
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t9 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t9;
-    const six_link_real c1 = 1 - x * c3;
+    const six_link_real t8 = theta_x * theta_x;
+    const six_link_real t9 = theta_y * theta_y;
+    const six_link_real minus_theta_hat2_33 = t8 + t9;
+    const six_link_real t10 = theta_z * theta_z;
+    const six_link_real x = minus_theta_hat2_33 + t10;
 
     /* c2: Stumpff function of order 2 */
-    const six_link_real t10 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t10;
+    const six_link_real t11 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t11;
 
-    /* theta_hat2: square of the rotation vector's skew matrix */
-    const six_link_real minus_theta_hat2_11 = t7 + t8;
-    const six_link_real theta_hat2_12 = theta_x * theta_y;
-    const six_link_real theta_hat2_13 = theta_x * theta_z;
-    const six_link_real minus_theta_hat2_22 = t6 + t8;
-    const six_link_real theta_hat2_23 = theta_y * theta_z;
+    /* c3: Stumpff function of order 3 */
+    const six_link_real t12 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t12;
 
-    /* J_l: left Jacobian of the exponential */
-    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
-    const six_link_real t11 = c3 * theta_hat2_12;
-    const six_link_real t12 = c2 * theta_z;
-    const six_link_real J_l_xy = t11 - t12;
-    const six_link_real t13 = c2 * theta_y;
-    const six_link_real t14 = c3 * theta_hat2_13;
-    const six_link_real J_l_xz = t13 + t14;
-    const six_link_real J_l_yx = t12 + t11;
-    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
-    const six_link_real t15 = c3 * theta_hat2_23;
-    const six_link_real t16 = c2 * theta_x;
-    const six_link_real J_l_yz = t15 - t16;
-    const six_link_real J_l_zx = t14 - t13;
-    const six_link_real J_l_zy = t16 + t15;
-    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
-
-    /* R_T: rotation of the tip section, exp of theta */
-    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
-    const six_link_real t17 = c2 * theta_hat2_12;
-    const six_link_real t18 = c1 * theta_z;
-    const six_link_real R_T_xy = t17 - t18;
-    const six_link_real t19 = c1 * theta_y;
-    const six_link_real t20 = c2 * theta_hat2_13;
-    const six_link_real R_T_xz = t19 + t20;
-    const six_link_real R_T_yx = t18 + t17;
-    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
-    const six_link_real t21 = c2 * theta_hat2_23;
-    const six_link_real t22 = c1 * theta_x;
-    const six_link_real R_T_yz = t21 - t22;
-    const six_link_real R_T_zx = t20 - t19;
-    const six_link_real R_T_zy = t22 + t21;
-    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* thetadot: rate of the tip's rotation vector */
     const six_link_real thetadot_x = etadot[4] * REAL(1.7320508075688772);
@@ -4994,63 +4985,109 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
 
     /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t23 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real t24 = theta_x * thetadot_y - theta_y * thetadot_x;
-    const six_link_real t25 = theta_z * thetadot_x - theta_x * thetadot_z;
-    const six_link_real t26 = theta_y * t24 - theta_z * t25;
-    const six_link_real omega_s_x = thetadot_x + c2 * t23 + c3 * t26;
-    const six_link_real t27 = theta_z * t23 - theta_x * t24;
-    const six_link_real omega_s_y = thetadot_y + c2 * t25 + c3 * t27;
-    const six_link_real t28 = theta_x * t25 - theta_y * t23;
-    const six_link_real omega_s_z = thetadot_z + c2 * t24 + c3 * t28;
+    const six_link_real t13 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real t14 = theta_x * thetadot_y - theta_y * thetadot_x;
+    const six_link_real t15 = theta_z * thetadot_x - theta_x * thetadot_z;
+    const six_link_real t16 = theta_y * t14 - theta_z * t15;
+    const six_link_real omega_s_x = thetadot_x + c2 * t13 + c3 * t16;
+    const six_link_real t17 = theta_z * t13 - theta_x * t14;
+    const six_link_real omega_s_y = thetadot_y + c2 * t15 + c3 * t17;
+    const six_link_real t18 = theta_x * t15 - theta_y * t13;
+    const six_link_real omega_s_z = thetadot_z + c2 * t14 + c3 * t18;
 
     /* xdot: rate of the squared angle */
     const six_link_real xdot = eta[4] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t10 - c3 * REAL(0.5));
+    const six_link_real c2dot = xdot * (t11 - c3 * REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t9 * REAL(1.5) - t10 * REAL(0.5));
+    const six_link_real c3dot = xdot * (t12 * REAL(1.5) - t11 * REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t23 + c3 * (thetadot_y * t24 - thetadot_z * t25) + c3dot * t26;
-    const six_link_real alpha_s_y = c2dot * t25 + c3 * (thetadot_z * t23 - thetadot_x * t24) + c3dot * t27;
-    const six_link_real alpha_s_z = c2dot * t24 + c3 * (thetadot_x * t25 - thetadot_y * t23) + c3dot * t28;
+    const six_link_real alpha_s_x = c2dot * t13 + c3 * (thetadot_y * t14 - thetadot_z * t15) + c3dot * t16;
+    const six_link_real alpha_s_y = c2dot * t15 + c3 * (thetadot_z * t13 - thetadot_x * t14) + c3dot * t17;
+    const six_link_real alpha_s_z = c2dot * t14 + c3 * (thetadot_x * t15 - thetadot_y * t13) + c3dot * t18;
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_s_x - minus_omega_R_1;
-    const six_link_real omega_T_2 = qdot[0] + omega_s_y;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    const six_link_real alpha_0_T_1 = alpha_s_x - minus_alpha_0_1 + (qdot[0] * omega_s_z - omega_R_3 * omega_s_y);
-    const six_link_real alpha_0_T_2 = alpha_s_y + (omega_R_3 * omega_s_x + minus_omega_R_1 * omega_s_z);
-    const six_link_real alpha_0_T_3 = alpha_s_z - minus_alpha_0_3
-        - (minus_omega_R_1 * omega_s_y + qdot[0] * omega_s_x);
-    const six_link_real t29 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t30 = omega_R_3 * c->length + minus_omega_R_1 * r_T_z + udot_T_y * 2;
-    const six_link_real t31 = udot_T_z * 2 - (minus_omega_R_1 * r_T_y + qdot[0] * c->length);
-    const six_link_real alpha_0_T_4 = alpha_0_4 + minus_alpha_0_3 * r_T_y + (qdot[0] * t31 - omega_R_3 * t30);
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (minus_alpha_0_1 * r_T_z - minus_alpha_0_3 * c->length)
-        + (omega_R_3 * t29 + minus_omega_R_1 * t31);
-    const six_link_real alpha_0_T_6 = alpha_0_6 - minus_alpha_0_1 * r_T_y
-        - (minus_omega_R_1 * t30 + qdot[0] * t29);
+    /* omega_t: angular velocity of the tip section (46) */
+    const six_link_real omega_t_x = omega_s_x - minus_omega_R_1;
+    const six_link_real omega_t_y = omega_s_y + qdot[0];
+    const six_link_real omega_t_z = omega_s_z + omega_R_3;
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const six_link_real alpha_t_x = alpha_s_x - minus_alpha_x + omega_s_z * qdot[0] - omega_s_y * omega_R_3;
+    const six_link_real alpha_t_y = alpha_s_y + omega_s_x * omega_R_3 + omega_s_z * minus_omega_R_1;
+    const six_link_real alpha_t_z = alpha_s_z - minus_alpha_z - omega_s_y * minus_omega_R_1 - omega_s_x * qdot[0];
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real t19 = udot_T_z * 2 - minus_omega_R_1 * r_T_y - c->length * qdot[0];
+    const six_link_real t20 = udot_T_y * 2 + c->length * omega_R_3 + minus_omega_R_1 * r_T_z;
+    const six_link_real a_t_x = a_J_x + qdot[0] * t19 + minus_alpha_z * r_T_y - omega_R_3 * t20;
+    const six_link_real t21 = qdot[0] * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real a_t_y = a_J_y - minus_alpha_z * c->length + omega_R_3 * t21 + minus_alpha_x * r_T_z
+        + minus_omega_R_1 * t19;
+    const six_link_real a_t_z = a_J_z - minus_alpha_x * r_T_y - minus_omega_R_1 * t20 - qdot[0] * t21;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
+
+    /* theta_hat2: square of the rotation vector's skew matrix */
+    const six_link_real minus_theta_hat2_11 = t9 + t10;
+    const six_link_real theta_hat2_12 = theta_x * theta_y;
+    const six_link_real theta_hat2_13 = theta_x * theta_z;
+    const six_link_real minus_theta_hat2_22 = t8 + t10;
+    const six_link_real theta_hat2_23 = theta_y * theta_z;
+
+    /* J_l: left Jacobian of the exponential */
+    const six_link_real J_l_xx = 1 - c3 * minus_theta_hat2_11;
+    const six_link_real t22 = c3 * theta_hat2_12;
+    const six_link_real t23 = c2 * theta_z;
+    const six_link_real J_l_xy = t22 - t23;
+    const six_link_real t24 = c2 * theta_y;
+    const six_link_real t25 = c3 * theta_hat2_13;
+    const six_link_real J_l_xz = t24 + t25;
+    const six_link_real J_l_yx = t23 + t22;
+    const six_link_real J_l_yy = 1 - c3 * minus_theta_hat2_22;
+    const six_link_real t26 = c3 * theta_hat2_23;
+    const six_link_real t27 = c2 * theta_x;
+    const six_link_real J_l_yz = t26 - t27;
+    const six_link_real J_l_zx = t25 - t24;
+    const six_link_real J_l_zy = t27 + t26;
+    const six_link_real J_l_zz = 1 - c3 * minus_theta_hat2_33;
+
+    /* R_T: rotation of the tip section, exp of theta */
+    const six_link_real R_T_xx = 1 - c2 * minus_theta_hat2_11;
+    const six_link_real t28 = c2 * theta_hat2_12;
+    const six_link_real t29 = c1 * theta_z;
+    const six_link_real R_T_xy = t28 - t29;
+    const six_link_real t30 = c1 * theta_y;
+    const six_link_real t31 = c2 * theta_hat2_13;
+    const six_link_real R_T_xz = t30 + t31;
+    const six_link_real R_T_yx = t29 + t28;
+    const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
+    const six_link_real t32 = c2 * theta_hat2_23;
+    const six_link_real t33 = c1 * theta_x;
+    const six_link_real R_T_yz = t32 - t33;
+    const six_link_real R_T_zx = t31 - t30;
+    const six_link_real R_T_zy = t33 + t32;
+    const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* outputs */
     link->R_P[0] = R_rel_xx;
     link->R_P[2] = R_rel_xz;
     link->R_P[6] = t1;
     link->R_P[8] = R_rel_xx;
-    link->lever[0] = lever_1;
-    link->lever[1] = lever_3;
+    link->lever[0] = r_R_x;
+    link->lever[1] = r_R_z;
     link->omega[0] = t2;
     link->omega[1] = qdot[0];
     link->omega[2] = omega_R_3;
-    link->alpha_0[0] = t4;
-    link->alpha_0[2] = t3;
-    link->alpha_0[3] = alpha_0_4;
-    link->alpha_0[4] = alpha_0_5;
-    link->alpha_0[5] = alpha_0_6;
+    link->alpha_0[0] = t5;
+    link->alpha_0[2] = t6;
+    link->alpha_0[3] = a_J_x;
+    link->alpha_0[4] = a_J_y;
+    link->alpha_0[5] = a_J_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
@@ -5080,15 +5117,15 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
     tip->R_T[6] = R_T_zx;
     tip->R_T[7] = R_T_zy;
     tip->R_T[8] = R_T_zz;
-    tip->omega[0] = omega_T_1;
-    tip->omega[1] = omega_T_2;
-    tip->omega[2] = omega_T_3;
-    tip->alpha_0[0] = alpha_0_T_1;
-    tip->alpha_0[1] = alpha_0_T_2;
-    tip->alpha_0[2] = alpha_0_T_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->omega[0] = omega_t_x;
+    tip->omega[1] = omega_t_y;
+    tip->omega[2] = omega_t_z;
+    tip->alpha_0[0] = alpha_t_x;
+    tip->alpha_0[1] = alpha_t_y;
+    tip->alpha_0[2] = alpha_t_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return SIX_LINK_OK;
 }
 
@@ -5117,41 +5154,43 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
     const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
     const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
-        + R_rel_zx * c->mount_xyz_z;
-    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
-        + R_rel_zz * c->mount_xyz_z;
     const six_link_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
     const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
     const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_y = omega_R_2 + qdot[0];
+    /* acceleration of the parent's tip in F_i axes */
     const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
     const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
         + R_P_32 * base->alpha_0[2];
     const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
-    const six_link_real alpha_0_1 = t3 - omega_R_3 * qdot[0];
-    const six_link_real alpha_0_3 = t4 + omega_R_1 * qdot[0];
-    const six_link_real t5 = omega_R_2 * lever_3 - omega_R_3 * lever_2;
-    const six_link_real t6 = omega_R_3 * lever_1 - omega_R_1 * lever_3;
-    const six_link_real t7 = omega_R_1 * lever_2 - omega_R_2 * lever_1;
-    const six_link_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4]
-        + R_P_31 * base->alpha_0[5] + (alpha_0_2 * lever_3 - t4 * lever_2 + (omega_R_2 * t7 - omega_R_3 * t6));
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5] + (t4 * lever_1 - t3 * lever_3 + (omega_R_3 * t5 - omega_R_1 * t7));
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5] + (t3 * lever_2 - alpha_0_2 * lever_1 + (omega_R_1 * t6 - omega_R_2 * t5));
+    const six_link_real t5 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
+    const six_link_real t6 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
+    const six_link_real t7 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4] + R_P_33 * base->alpha_0[5];
+
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_y = omega_R_2 + qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_x = t3 - omega_R_3 * qdot[0];
+    const six_link_real alpha_z = t4 + omega_R_1 * qdot[0];
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
+
+    /* a_J: acceleration of the joint point while no joint accelerates (accconst4) */
+    const six_link_real t8 = omega_R_1 * r_R_y - omega_R_2 * r_R_x;
+    const six_link_real t9 = omega_R_3 * r_R_x - omega_R_1 * r_R_z;
+    const six_link_real a_J_x = t5 + alpha_0_2 * r_R_z + omega_R_2 * t8 - t4 * r_R_y - omega_R_3 * t9;
+    const six_link_real t10 = omega_R_2 * r_R_z - omega_R_3 * r_R_y;
+    const six_link_real a_J_y = t6 + t4 * r_R_x + omega_R_3 * t10 - t3 * r_R_z - omega_R_1 * t8;
+    const six_link_real a_J_z = t7 + t3 * r_R_y + omega_R_1 * t9 - alpha_0_2 * r_R_x - omega_R_2 * t10;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
     const six_link_real r_T_z = eta[3] * REAL(2.8145226674626453) + eta[2] * REAL(2.0195202782688155);
-
-    /* udot_T: rate of the tip's elastic displacement (23) */
-    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
-    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_y = c->Psi_c_y3 * eta[2] + c->Psi_c_y4 * eta[3];
@@ -5162,14 +5201,62 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
     const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
-    /* c1: Stumpff function of order 1 */
-    const six_link_real t8 = six_link_c5(x);
-    const six_link_real c3 = REAL(0.16666666666666666) - x * t8;
-    const six_link_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
-    const six_link_real t9 = six_link_c4(x);
-    const six_link_real c2 = REAL(0.5) - x * t9;
+    const six_link_real t11 = six_link_c4(x);
+    const six_link_real c2 = REAL(0.5) - x * t11;
+
+    /* c3: Stumpff function of order 3 */
+    const six_link_real t12 = six_link_c5(x);
+    const six_link_real c3 = REAL(0.16666666666666666) - x * t12;
+
+    /* udot_T: rate of the tip's elastic displacement (23) */
+    const six_link_real udot_T_y = etadot[1] * REAL(2.8145226674626453) + etadot[0] * REAL(2.0195202782688155);
+    const six_link_real udot_T_z = etadot[3] * REAL(2.8145226674626453) + etadot[2] * REAL(2.0195202782688155);
+
+    /* thetadot: rate of the tip's rotation vector */
+    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
+    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
+
+    /* omega_s: angular velocity of the tip section relative to F_i */
+    const six_link_real t13 = theta_y * thetadot_z - theta_z * thetadot_y;
+    const six_link_real omega_s_x = c2 * t13;
+    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t13;
+    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t13;
+
+    /* xdot: rate of the squared angle */
+    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
+
+    /* c2dot: rate of c2 */
+    const six_link_real c2dot = xdot * (t11 - c3 * REAL(0.5));
+
+    /* c3dot: rate of c3 */
+    const six_link_real c3dot = xdot * (t12 * REAL(1.5) - t11 * REAL(0.5));
+
+    /* alpha_s: rate of the section's angular velocity without etaddot */
+    const six_link_real alpha_s_x = c2dot * t13;
+    const six_link_real alpha_s_y = c3 * thetadot_z * t13 + c3dot * theta_z * t13;
+    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t13 + c3dot * theta_y * t13;
+
+    /* omega_t: angular velocity of the tip section (46) */
+    const six_link_real omega_t_x = omega_s_x + omega_R_1;
+    const six_link_real omega_t_y = omega_s_y + omega_y;
+    const six_link_real omega_t_z = omega_s_z + omega_R_3;
+
+    /* alpha_t: angular acceleration of the tip section (accconst1b) */
+    const six_link_real alpha_t_x = alpha_s_x + alpha_x + omega_s_z * omega_y - omega_s_y * omega_R_3;
+    const six_link_real alpha_t_y = alpha_s_y + alpha_0_2 + omega_s_x * omega_R_3 - omega_s_z * omega_R_1;
+    const six_link_real alpha_t_z = alpha_z - minus_alpha_s_z + omega_s_y * omega_R_1 - omega_s_x * omega_y;
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real t14 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * omega_y;
+    const six_link_real t15 = udot_T_y * 2 + c->length * omega_R_3 - omega_R_1 * r_T_z;
+    const six_link_real a_t_x = a_J_x + alpha_0_2 * r_T_z + omega_y * t14 - alpha_z * r_T_y - omega_R_3 * t15;
+    const six_link_real t16 = omega_y * r_T_z - omega_R_3 * r_T_y;
+    const six_link_real a_t_y = a_J_y + alpha_z * c->length + omega_R_3 * t16 - alpha_x * r_T_z - omega_R_1 * t14;
+    const six_link_real a_t_z = a_J_z + alpha_x * r_T_y + omega_R_1 * t15 - alpha_0_2 * c->length - omega_y * t16;
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real theta_hat2_23 = theta_y * theta_z;
@@ -5184,53 +5271,12 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     /* R_T: rotation of the tip section, exp of theta */
     const six_link_real R_T_xx = 1 - c2 * x;
     const six_link_real minus_R_T_xy = c1 * theta_z;
-    const six_link_real t10 = -minus_R_T_xy;
+    const six_link_real t17 = -minus_R_T_xy;
     const six_link_real R_T_xz = c1 * theta_y;
     const six_link_real R_T_yy = 1 - c2 * minus_theta_hat2_22;
     const six_link_real R_T_yz = c2 * theta_hat2_23;
-    const six_link_real t11 = -R_T_xz;
+    const six_link_real t18 = -R_T_xz;
     const six_link_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
-
-    /* thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_y = c->Psi_c_y3 * etadot[2] + c->Psi_c_y4 * etadot[3];
-    const six_link_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1];
-
-    /* omega_s: angular velocity of the tip section relative to F_i */
-    const six_link_real t12 = theta_y * thetadot_z - theta_z * thetadot_y;
-    const six_link_real omega_s_x = c2 * t12;
-    const six_link_real omega_s_y = thetadot_y + c3 * theta_z * t12;
-    const six_link_real omega_s_z = thetadot_z - c3 * theta_y * t12;
-
-    /* xdot: rate of the squared angle */
-    const six_link_real xdot = theta_y * 2 * thetadot_y + theta_z * 2 * thetadot_z;
-
-    /* c2dot: rate of c2 */
-    const six_link_real c2dot = xdot * (t9 - c3 * REAL(0.5));
-
-    /* c3dot: rate of c3 */
-    const six_link_real c3dot = xdot * (t8 * REAL(1.5) - t9 * REAL(0.5));
-
-    /* alpha_s: rate of the section's angular velocity without etaddot */
-    const six_link_real alpha_s_x = c2dot * t12;
-    const six_link_real alpha_s_y = c3 * thetadot_z * t12 + c3dot * theta_z * t12;
-    const six_link_real minus_alpha_s_z = c3 * thetadot_y * t12 + c3dot * theta_y * t12;
-
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real omega_T_1 = omega_R_1 + omega_s_x;
-    const six_link_real omega_T_2 = omega_y + omega_s_y;
-    const six_link_real omega_T_3 = omega_R_3 + omega_s_z;
-    const six_link_real alpha_0_T_1 = alpha_0_1 + alpha_s_x + (omega_y * omega_s_z - omega_R_3 * omega_s_y);
-    const six_link_real alpha_0_T_2 = alpha_0_2 + alpha_s_y + (omega_R_3 * omega_s_x - omega_R_1 * omega_s_z);
-    const six_link_real alpha_0_T_3 = alpha_0_3 - minus_alpha_s_z + (omega_R_1 * omega_s_y - omega_y * omega_s_x);
-    const six_link_real t13 = omega_y * r_T_z - omega_R_3 * r_T_y;
-    const six_link_real t14 = omega_R_3 * c->length - omega_R_1 * r_T_z + udot_T_y * 2;
-    const six_link_real t15 = omega_R_1 * r_T_y - omega_y * c->length + udot_T_z * 2;
-    const six_link_real alpha_0_T_4 = alpha_0_4 + (alpha_0_2 * r_T_z - alpha_0_3 * r_T_y)
-        + (omega_y * t15 - omega_R_3 * t14);
-    const six_link_real alpha_0_T_5 = alpha_0_5 + (alpha_0_3 * c->length - alpha_0_1 * r_T_z)
-        + (omega_R_3 * t13 - omega_R_1 * t15);
-    const six_link_real alpha_0_T_6 = alpha_0_6 + (alpha_0_1 * r_T_y - alpha_0_2 * c->length)
-        + (omega_R_1 * t14 - omega_y * t13);
 
     /* outputs */
     link->R_P[0] = R_P_11;
@@ -5242,18 +5288,18 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     link->R_P[6] = R_P_31;
     link->R_P[7] = R_P_32;
     link->R_P[8] = R_P_33;
-    link->lever[0] = lever_1;
-    link->lever[1] = lever_2;
-    link->lever[2] = lever_3;
+    link->lever[0] = r_R_x;
+    link->lever[1] = r_R_y;
+    link->lever[2] = r_R_z;
     link->omega[0] = omega_R_1;
     link->omega[1] = omega_y;
     link->omega[2] = omega_R_3;
-    link->alpha_0[0] = alpha_0_1;
+    link->alpha_0[0] = alpha_x;
     link->alpha_0[1] = alpha_0_2;
-    link->alpha_0[2] = alpha_0_3;
-    link->alpha_0[3] = alpha_0_4;
-    link->alpha_0[4] = alpha_0_5;
-    link->alpha_0[5] = alpha_0_6;
+    link->alpha_0[2] = alpha_z;
+    link->alpha_0[3] = a_J_x;
+    link->alpha_0[4] = a_J_y;
+    link->alpha_0[5] = a_J_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
@@ -5268,27 +5314,27 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
     link->J_l[4] = J_l_yz;
     link->J_l[5] = J_l_zz;
     tip->R_T[0] = R_T_xx;
-    tip->R_T[1] = t10;
+    tip->R_T[1] = t17;
     tip->R_T[2] = R_T_xz;
     tip->R_T[3] = minus_R_T_xy;
     tip->R_T[4] = R_T_yy;
     tip->R_T[5] = R_T_yz;
-    tip->R_T[6] = t11;
+    tip->R_T[6] = t18;
     tip->R_T[7] = R_T_yz;
     tip->R_T[8] = R_T_zz;
-    tip->omega[0] = omega_T_1;
-    tip->omega[1] = omega_T_2;
-    tip->omega[2] = omega_T_3;
-    tip->alpha_0[0] = alpha_0_T_1;
-    tip->alpha_0[1] = alpha_0_T_2;
-    tip->alpha_0[2] = alpha_0_T_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->omega[0] = omega_t_x;
+    tip->omega[1] = omega_t_y;
+    tip->omega[2] = omega_t_z;
+    tip->alpha_0[0] = alpha_t_x;
+    tip->alpha_0[1] = alpha_t_y;
+    tip->alpha_0[2] = alpha_t_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like wrist_roll: 84 operations */
+/* kinematics, links like wrist_roll: 85 operations */
 SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
@@ -5308,14 +5354,11 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     const six_link_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
     const six_link_real omega_R_3 = R_P_13 * base->omega[0] + R_P_23 * base->omega[1] + R_P_33 * base->omega[2];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_x = omega_R_1 + qdot[0];
+    /* acceleration of the parent's tip in F_i axes */
     const six_link_real alpha_0_1 = base->R_T[0] * base->alpha_0[0] + base->R_T[3] * base->alpha_0[1]
         + base->R_T[6] * base->alpha_0[2];
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2] + omega_R_3 * qdot[0];
-    const six_link_real alpha_0_3 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1]
-        + R_P_33 * base->alpha_0[2] - omega_R_2 * qdot[0];
+    const six_link_real t1 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
+    const six_link_real t2 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
     const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
         + base->R_T[6] * base->alpha_0[5];
     const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
@@ -5323,12 +5366,19 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
         + R_P_33 * base->alpha_0[5];
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t1 = omega_R_3 * c->length;
-    const six_link_real t2 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_R_2 * t2 + omega_R_3 * t1);
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t2;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t1;
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_x = omega_R_1 + qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_y = t1 + omega_R_3 * qdot[0];
+    const six_link_real alpha_z = t2 - omega_R_2 * qdot[0];
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2)
+        - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real t3 = c->length * omega_x;
+    const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t3 * omega_R_2;
+    const six_link_real a_t_z = alpha_0_6 + t3 * omega_R_3 - alpha_y * c->length;
 
     /* outputs */
     link->R_P[0] = base->R_T[0];
@@ -5344,8 +5394,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     link->omega[1] = omega_R_2;
     link->omega[2] = omega_R_3;
     link->alpha_0[0] = alpha_0_1;
-    link->alpha_0[1] = alpha_0_2;
-    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[1] = alpha_y;
+    link->alpha_0[2] = alpha_z;
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = alpha_0_5;
     link->alpha_0[5] = alpha_0_6;
@@ -5353,15 +5403,15 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     tip->omega[1] = omega_R_2;
     tip->omega[2] = omega_R_3;
     tip->alpha_0[0] = alpha_0_1;
-    tip->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->alpha_0[1] = alpha_y;
+    tip->alpha_0[2] = alpha_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like wrist_pitch: 40 operations */
+/* kinematics, links like wrist_pitch: 41 operations */
 SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
@@ -5374,21 +5424,24 @@ SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constan
     const six_link_real omega_R_1 = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
     const six_link_real omega_R_3 = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_y = base->omega[1] + qdot[0];
-    const six_link_real alpha_0_1 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2]
-        - omega_R_3 * qdot[0];
-    const six_link_real alpha_0_3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2]
-        + omega_R_1 * qdot[0];
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t2 = R_rel_xx * base->alpha_0[0] - R_rel_xz * base->alpha_0[2];
+    const six_link_real t3 = R_rel_xz * base->alpha_0[0] + R_rel_xx * base->alpha_0[2];
     const six_link_real alpha_0_4 = R_rel_xx * base->alpha_0[3] - R_rel_xz * base->alpha_0[5];
     const six_link_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_xx * base->alpha_0[5];
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = omega_y * c->length;
-    const six_link_real alpha_0_T_4 = alpha_0_4 - (omega_y * t3 + omega_R_3 * t2);
-    const six_link_real alpha_0_T_5 = base->alpha_0[4] + alpha_0_3 * c->length + omega_R_1 * t3;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - base->alpha_0[1] * c->length + omega_R_1 * t2;
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_y = base->omega[1] + qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_x = t2 - omega_R_3 * qdot[0];
+    const six_link_real alpha_z = t3 + omega_R_1 * qdot[0];
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_y * omega_y) - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real t4 = c->length * omega_R_1;
+    const six_link_real a_t_y = base->alpha_0[4] + alpha_z * c->length + t4 * omega_y;
+    const six_link_real a_t_z = alpha_0_6 + t4 * omega_R_3 - base->alpha_0[1] * c->length;
 
     /* outputs */
     link->R_P[0] = R_rel_xx;
@@ -5398,25 +5451,25 @@ SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constan
     link->omega[0] = omega_R_1;
     link->omega[1] = omega_y;
     link->omega[2] = omega_R_3;
-    link->alpha_0[0] = alpha_0_1;
+    link->alpha_0[0] = alpha_x;
     link->alpha_0[1] = base->alpha_0[1];
-    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[2] = alpha_z;
     link->alpha_0[3] = alpha_0_4;
     link->alpha_0[4] = base->alpha_0[4];
     link->alpha_0[5] = alpha_0_6;
     tip->omega[0] = omega_R_1;
     tip->omega[1] = omega_y;
     tip->omega[2] = omega_R_3;
-    tip->alpha_0[0] = alpha_0_1;
+    tip->alpha_0[0] = alpha_x;
     tip->alpha_0[1] = base->alpha_0[1];
-    tip->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->alpha_0[2] = alpha_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return SIX_LINK_OK;
 }
 
-/* kinematics, links like flange: 40 operations */
+/* kinematics, links like flange: 41 operations */
 SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
     six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
@@ -5429,21 +5482,25 @@ SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c
     const six_link_real omega_R_2 = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
     const six_link_real omega_R_3 = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
 
-    /* alpha_0: acceleration of F_i while no joint and no mode accelerates (accconst4) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
-    const six_link_real alpha_0_2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2]
-        + omega_R_3 * qdot[0];
-    const six_link_real alpha_0_3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1]
-        - omega_R_2 * qdot[0];
+    /* acceleration of the parent's tip in F_i axes */
+    const six_link_real t2 = R_rel_yy * base->alpha_0[1] + minus_R_rel_yz * base->alpha_0[2];
+    const six_link_real t3 = R_rel_yy * base->alpha_0[2] - minus_R_rel_yz * base->alpha_0[1];
     const six_link_real alpha_0_5 = R_rel_yy * base->alpha_0[4] + minus_R_rel_yz * base->alpha_0[5];
     const six_link_real alpha_0_6 = R_rel_yy * base->alpha_0[5] - minus_R_rel_yz * base->alpha_0[4];
 
-    /* tip: angular velocity and acceleration while no joint and no mode accelerates (accconst1b) */
-    const six_link_real t2 = omega_R_3 * c->length;
-    const six_link_real t3 = omega_R_2 * c->length;
-    const six_link_real alpha_0_T_4 = base->alpha_0[3] - (omega_R_2 * t3 + omega_R_3 * t2);
-    const six_link_real alpha_0_T_5 = alpha_0_5 + alpha_0_3 * c->length + omega_x * t3;
-    const six_link_real alpha_0_T_6 = alpha_0_6 - alpha_0_2 * c->length + omega_x * t2;
+    /* omega: angular velocity of the link (45) */
+    const six_link_real omega_x = base->omega[0] + qdot[0];
+
+    /* alpha: angular acceleration while no joint accelerates (accconst4) */
+    const six_link_real alpha_y = t2 + omega_R_3 * qdot[0];
+    const six_link_real alpha_z = t3 - omega_R_2 * qdot[0];
+
+    /* a_t: acceleration of the tip point (accconst1b) */
+    const six_link_real a_t_x = base->alpha_0[3] - c->length * (omega_R_2 * omega_R_2)
+        - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real t4 = c->length * omega_x;
+    const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t4 * omega_R_2;
+    const six_link_real a_t_z = alpha_0_6 + t4 * omega_R_3 - alpha_y * c->length;
 
     /* outputs */
     link->R_P[4] = R_rel_yy;
@@ -5454,8 +5511,8 @@ SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c
     link->omega[1] = omega_R_2;
     link->omega[2] = omega_R_3;
     link->alpha_0[0] = base->alpha_0[0];
-    link->alpha_0[1] = alpha_0_2;
-    link->alpha_0[2] = alpha_0_3;
+    link->alpha_0[1] = alpha_y;
+    link->alpha_0[2] = alpha_z;
     link->alpha_0[3] = base->alpha_0[3];
     link->alpha_0[4] = alpha_0_5;
     link->alpha_0[5] = alpha_0_6;
@@ -5463,11 +5520,11 @@ SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c
     tip->omega[1] = omega_R_2;
     tip->omega[2] = omega_R_3;
     tip->alpha_0[0] = base->alpha_0[0];
-    tip->alpha_0[1] = alpha_0_2;
-    tip->alpha_0[2] = alpha_0_3;
-    tip->alpha_0[3] = alpha_0_T_4;
-    tip->alpha_0[4] = alpha_0_T_5;
-    tip->alpha_0[5] = alpha_0_T_6;
+    tip->alpha_0[1] = alpha_y;
+    tip->alpha_0[2] = alpha_z;
+    tip->alpha_0[3] = a_t_x;
+    tip->alpha_0[4] = a_t_y;
+    tip->alpha_0[5] = a_t_z;
     return SIX_LINK_OK;
 }
 
@@ -6370,8 +6427,10 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
     const six_link_real t1 = -R_rel_xz;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x - R_rel_xz * c->mount_xyz_z;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_xx * c->mount_xyz_z;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -6389,12 +6448,14 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
     const six_link_real t4 = theta_z * theta_z;
     const six_link_real x = minus_theta_hat2_33 + t4;
 
-    /* c1: Stumpff function of order 1 */
-    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
-    const six_link_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
     const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* c3: Stumpff function of order 3 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real minus_theta_hat2_11 = t3 + t4;
@@ -6440,8 +6501,8 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
     /* outputs */
     link->R_P[6] = t1;
     link->R_P[8] = R_rel_xx;
-    link->lever[0] = lever_1;
-    link->lever[1] = lever_3;
+    link->lever[0] = r_R_x;
+    link->lever[1] = r_R_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
@@ -6498,12 +6559,12 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
     const six_link_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx + base->R_T[8] * R_rel_zx;
     const six_link_real R_P_32 = base->R_T[6] * c->R_m_xy + base->R_T[7] * c->R_m_yy + base->R_T[8] * c->R_m_zy;
     const six_link_real R_P_33 = base->R_T[6] * R_rel_xz + base->R_T[7] * R_rel_yz + base->R_T[8] * R_rel_zz;
-    const six_link_real lever_1 = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y
-        + R_rel_zx * c->mount_xyz_z;
-    const six_link_real lever_2 = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
+
+    /* r_R: joint point relative to the parent's tip point */
+    const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
         + c->R_m_zy * c->mount_xyz_z;
-    const six_link_real lever_3 = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y
-        + R_rel_zz * c->mount_xyz_z;
+    const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -6518,12 +6579,14 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
     const six_link_real minus_theta_hat2_22 = theta_z * theta_z;
     const six_link_real x = minus_theta_hat2_33 + minus_theta_hat2_22;
 
-    /* c1: Stumpff function of order 1 */
-    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
-    const six_link_real c1 = 1 - x * c3;
-
     /* c2: Stumpff function of order 2 */
     const six_link_real c2 = REAL(0.5) - x * six_link_c4(x);
+
+    /* c3: Stumpff function of order 3 */
+    const six_link_real c3 = REAL(0.16666666666666666) - x * six_link_c5(x);
+
+    /* c1: Stumpff function of order 1 */
+    const six_link_real c1 = 1 - x * c3;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const six_link_real theta_hat2_23 = theta_y * theta_z;
@@ -6555,9 +6618,9 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
     link->R_P[6] = R_P_31;
     link->R_P[7] = R_P_32;
     link->R_P[8] = R_P_33;
-    link->lever[0] = lever_1;
-    link->lever[1] = lever_2;
-    link->lever[2] = lever_3;
+    link->lever[0] = r_R_x;
+    link->lever[1] = r_R_y;
+    link->lever[2] = r_R_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->J_l[1] = minus_J_l_xy;
@@ -6965,8 +7028,8 @@ SIX_LINK_PART six_link_status velocities_shoulder(const six_link_link_constants 
     const six_link_real v_T_y = c->length * qdot[0];
 
     /* outputs */
-    tip->omega[2] = qdot[0];
-    tip->v[1] = v_T_y;
+    tip->omega_T[2] = qdot[0];
+    tip->v_T[1] = v_T_y;
     return SIX_LINK_OK;
 }
 
@@ -6980,13 +7043,13 @@ SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real minus_omega_R_x = R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xx * base->omega[2];
+    const six_link_real minus_omega_R_x = R_rel_xz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xx * base->omega_T[2];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t1 = c->mount_xyz_y * base->omega[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t1 = c->mount_xyz_y * base->omega_T[2];
     const six_link_real minus_v_R_x = R_rel_xx * t1;
-    const six_link_real v_R_y = base->v[1] + c->mount_xyz_x * base->omega[2];
+    const six_link_real v_R_y = base->v_T[1] + c->mount_xyz_x * base->omega_T[2];
     const six_link_real minus_v_R_z = R_rel_xz * t1;
 
     /* r_T: tip point (11) */
@@ -7070,12 +7133,12 @@ SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants
     const six_link_real v_T_z = R_T_xz * t17 + R_T_yz * t18 + R_T_zz * t19;
 
     /* outputs */
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return SIX_LINK_OK;
 }
 
@@ -7095,20 +7158,20 @@ SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *
     const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
-        + R_rel_zx * base->omega[2];
-    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
-        + c->R_m_zy * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
-        + R_rel_zz * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1]
+        + R_rel_zx * base->omega_T[2];
+    const six_link_real omega_R_y = c->R_m_xy * base->omega_T[0] + c->R_m_yy * base->omega_T[1]
+        + c->R_m_zy * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_yz * base->omega_T[1]
+        + R_rel_zz * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
     const six_link_real omega_y = omega_R_y + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t4 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t5 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t3 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1] - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t4 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2] - c->mount_xyz_z * base->omega_T[0];
+    const six_link_real t5 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0] - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx * t3 + R_rel_yx * t4 + R_rel_zx * t5;
     const six_link_real v_R_y = c->R_m_xy * t3 + c->R_m_yy * t4 + c->R_m_zy * t5;
     const six_link_real v_R_z = R_rel_xz * t3 + R_rel_yz * t4 + R_rel_zz * t5;
@@ -7175,12 +7238,12 @@ SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *
     const six_link_real v_T_z = R_T_xz * t10 + R_T_yz * t11 + R_T_zz * t12;
 
     /* outputs */
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return SIX_LINK_OK;
 }
 
@@ -7193,27 +7256,27 @@ SIX_LINK_PART six_link_status velocities_wrist_roll(const six_link_link_constant
     const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
+    const six_link_real omega_R_y = R_rel_yy * base->omega_T[1] + minus_R_rel_yz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega_T[2] - minus_R_rel_yz * base->omega_T[1];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_x = base->omega[0] + qdot[0];
+    const six_link_real omega_x = base->omega_T[0] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy * base->v_T[1] + minus_R_rel_yz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy * base->v_T[2] - minus_R_rel_yz * base->v_T[1];
 
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = v_R_y + c->length * omega_R_z;
     const six_link_real v_T_z = v_R_z - c->length * omega_R_y;
 
     /* outputs */
-    tip->omega[0] = omega_x;
-    tip->omega[1] = omega_R_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = base->v[0];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_x;
+    tip->omega_T[1] = omega_R_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = base->v_T[0];
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return SIX_LINK_OK;
 }
 
@@ -7226,27 +7289,27 @@ SIX_LINK_PART six_link_status velocities_wrist_pitch(const six_link_link_constan
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] - R_rel_xz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_xx * base->omega_T[2];
 
     /* omega: angular velocity of the link (45) */
-    const six_link_real omega_y = base->omega[1] + qdot[0];
+    const six_link_real omega_y = base->omega_T[1] + qdot[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
-    const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_x = R_rel_xx * base->v_T[0] - R_rel_xz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_xz * base->v_T[0] + R_rel_xx * base->v_T[2];
 
     /* v_T: velocity of the tip point (46) */
-    const six_link_real v_T_y = base->v[1] + c->length * omega_R_z;
+    const six_link_real v_T_y = base->v_T[1] + c->length * omega_R_z;
     const six_link_real v_T_z = v_R_z - c->length * omega_y;
 
     /* outputs */
-    tip->omega[0] = omega_R_x;
-    tip->omega[1] = omega_y;
-    tip->omega[2] = omega_R_z;
-    tip->v[0] = v_R_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_R_x;
+    tip->omega_T[1] = omega_y;
+    tip->omega_T[2] = omega_R_z;
+    tip->v_T[0] = v_R_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     return SIX_LINK_OK;
 }
 
@@ -7598,13 +7661,13 @@ SIX_LINK_PART six_link_status poses_wrist_pitch(const six_link_link_constants *c
 /* tip twist, links like shoulder: 2 operations */
 SIX_LINK_PART six_link_status tip_twist_shoulder(const six_link_node *tip, six_link_real tip_twist[6])
 {
-    const six_link_real tip_twist_4 = tip->R[1] * tip->v[1];
-    const six_link_real tip_twist_5 = tip->R[4] * tip->v[1];
+    const six_link_real tip_twist_4 = tip->R[1] * tip->v_T[1];
+    const six_link_real tip_twist_5 = tip->R[4] * tip->v_T[1];
 
     /* outputs */
     tip_twist[0] = 0;
     tip_twist[1] = 0;
-    tip_twist[2] = tip->omega[2];
+    tip_twist[2] = tip->omega_T[2];
     tip_twist[3] = tip_twist_4;
     tip_twist[4] = tip_twist_5;
     tip_twist[5] = 0;
@@ -7614,15 +7677,15 @@ SIX_LINK_PART six_link_status tip_twist_shoulder(const six_link_node *tip, six_l
 /* tip twist, links like upper_arm: 30 operations */
 SIX_LINK_PART six_link_status tip_twist_upper_arm(const six_link_node *tip, six_link_real tip_twist[6])
 {
-    const six_link_real tip_twist_1 = tip->R[0] * tip->omega[0] + tip->R[1] * tip->omega[1]
-        + tip->R[2] * tip->omega[2];
-    const six_link_real tip_twist_2 = tip->R[3] * tip->omega[0] + tip->R[4] * tip->omega[1]
-        + tip->R[5] * tip->omega[2];
-    const six_link_real tip_twist_3 = tip->R[6] * tip->omega[0] + tip->R[7] * tip->omega[1]
-        + tip->R[8] * tip->omega[2];
-    const six_link_real tip_twist_4 = tip->R[0] * tip->v[0] + tip->R[1] * tip->v[1] + tip->R[2] * tip->v[2];
-    const six_link_real tip_twist_5 = tip->R[3] * tip->v[0] + tip->R[4] * tip->v[1] + tip->R[5] * tip->v[2];
-    const six_link_real tip_twist_6 = tip->R[6] * tip->v[0] + tip->R[7] * tip->v[1] + tip->R[8] * tip->v[2];
+    const six_link_real tip_twist_1 = tip->R[0] * tip->omega_T[0] + tip->R[1] * tip->omega_T[1]
+        + tip->R[2] * tip->omega_T[2];
+    const six_link_real tip_twist_2 = tip->R[3] * tip->omega_T[0] + tip->R[4] * tip->omega_T[1]
+        + tip->R[5] * tip->omega_T[2];
+    const six_link_real tip_twist_3 = tip->R[6] * tip->omega_T[0] + tip->R[7] * tip->omega_T[1]
+        + tip->R[8] * tip->omega_T[2];
+    const six_link_real tip_twist_4 = tip->R[0] * tip->v_T[0] + tip->R[1] * tip->v_T[1] + tip->R[2] * tip->v_T[2];
+    const six_link_real tip_twist_5 = tip->R[3] * tip->v_T[0] + tip->R[4] * tip->v_T[1] + tip->R[5] * tip->v_T[2];
+    const six_link_real tip_twist_6 = tip->R[6] * tip->v_T[0] + tip->R[7] * tip->v_T[1] + tip->R[8] * tip->v_T[2];
 
     /* outputs */
     tip_twist[0] = tip_twist_1;
@@ -7810,11 +7873,11 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
     link->h_V[2] = H_star_4;
     link->h_V[3] = H_star_5;
     link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = twist[0];
+    tip->omega_T[1] = twist[1];
+    tip->omega_T[2] = twist[2];
+    tip->v_T[0] = twist[3];
+    tip->v_T[2] = v_T_z;
     link->h_T[0] = h_T_tau_x;
     link->h_T[1] = h_T_tau_y;
     link->h_T[2] = h_T_tau_z;
@@ -7855,13 +7918,13 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     const six_link_real t1 = -R_rel_xz;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    const six_link_real t2 = twist[1] - base->omega[1];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] - R_rel_xz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_xx * base->omega_T[2];
+    const six_link_real t2 = twist[1] - base->omega_T[1];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t3 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t4 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t3 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1] - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t4 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0] - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx * t3 - R_rel_xz * t4;
     const six_link_real v_R_z = R_rel_xz * t3 + R_rel_xx * t4;
 
@@ -8220,12 +8283,12 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     link->b_T[3] = b_v_x;
     link->b_T[4] = b_v_y;
     link->b_T[5] = b_v_z;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[0] = v_T_x;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[0] = v_T_x;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     link->h_T[0] = h_T_tau_x;
     link->h_T[1] = h_T_tau_y;
     link->h_T[2] = h_T_tau_z;
@@ -8310,18 +8373,18 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real R_rel_zx = c->R_m_zx * t2 - c->R_m_zz * t1;
     const six_link_real R_rel_zz = c->R_m_zx * t1 + c->R_m_zz * t2;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] + R_rel_yx * base->omega[1]
-        + R_rel_zx * base->omega[2];
-    const six_link_real omega_R_y = c->R_m_xy * base->omega[0] + c->R_m_yy * base->omega[1]
-        + c->R_m_zy * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_yz * base->omega[1]
-        + R_rel_zz * base->omega[2];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1]
+        + R_rel_zx * base->omega_T[2];
+    const six_link_real omega_R_y = c->R_m_xy * base->omega_T[0] + c->R_m_yy * base->omega_T[1]
+        + c->R_m_zy * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_yz * base->omega_T[1]
+        + R_rel_zz * base->omega_T[2];
     const six_link_real t3 = twist[1] - omega_R_y;
 
-    /* v_R: velocity of the joint point */
-    const six_link_real t4 = base->v[0] + c->mount_xyz_z * base->omega[1] - c->mount_xyz_y * base->omega[2];
-    const six_link_real t5 = base->v[1] + c->mount_xyz_x * base->omega[2] - c->mount_xyz_z * base->omega[0];
-    const six_link_real t6 = base->v[2] + c->mount_xyz_y * base->omega[0] - c->mount_xyz_x * base->omega[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real t4 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1] - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t5 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2] - c->mount_xyz_z * base->omega_T[0];
+    const six_link_real t6 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0] - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx * t4 + R_rel_yx * t5 + R_rel_zx * t6;
     const six_link_real v_R_z = R_rel_xz * t4 + R_rel_yz * t5 + R_rel_zz * t6;
 
@@ -8626,11 +8689,11 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     link->J_l[5] = J_l_zz;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
-    tip->omega[0] = omega_T_x;
-    tip->omega[1] = omega_T_y;
-    tip->omega[2] = omega_T_z;
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = omega_T_x;
+    tip->omega_T[1] = omega_T_y;
+    tip->omega_T[2] = omega_T_z;
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     M[place[0]] = 1;
     M[place[1]] = 1;
     M[place[2]] = P_c_22;
@@ -8724,13 +8787,13 @@ SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constant
     const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
     const six_link_real t1 = -minus_R_rel_yz;
 
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    const six_link_real t2 = twist[0] - base->omega[0];
+    const six_link_real omega_R_y = R_rel_yy * base->omega_T[1] + minus_R_rel_yz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega_T[2] - minus_R_rel_yz * base->omega_T[1];
+    const six_link_real t2 = twist[0] - base->omega_T[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy * base->v_T[1] + minus_R_rel_yz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy * base->v_T[2] - minus_R_rel_yz * base->v_T[1];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
     const six_link_real beta_omega_y = omega_R_z * t2;
@@ -8798,11 +8861,11 @@ SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constant
     link->h_V[2] = H_star_4;
     link->h_V[3] = H_star_5;
     link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[0] = twist[3];
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = twist[0];
+    tip->omega_T[1] = twist[1];
+    tip->omega_T[2] = twist[2];
+    tip->v_T[0] = twist[3];
+    tip->v_T[2] = v_T_z;
     M[place[0]] = 1;
     M[place[1]] = P_c_11;
     M[place[2]] = 1;
@@ -8853,13 +8916,13 @@ SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constan
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
     const six_link_real t1 = -R_rel_xz;
 
-    const six_link_real omega_R_x = R_rel_xx * base->omega[0] - R_rel_xz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_xz * base->omega[0] + R_rel_xx * base->omega[2];
-    const six_link_real t2 = twist[1] - base->omega[1];
+    const six_link_real omega_R_x = R_rel_xx * base->omega_T[0] - R_rel_xz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_xz * base->omega_T[0] + R_rel_xx * base->omega_T[2];
+    const six_link_real t2 = twist[1] - base->omega_T[1];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_x = R_rel_xx * base->v[0] - R_rel_xz * base->v[2];
-    const six_link_real v_R_z = R_rel_xz * base->v[0] + R_rel_xx * base->v[2];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_x = R_rel_xx * base->v_T[0] - R_rel_xz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_xz * base->v_T[0] + R_rel_xx * base->v_T[2];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
     const six_link_real minus_beta_omega_x = omega_R_z * t2;
@@ -8923,11 +8986,11 @@ SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constan
     link->h_V[2] = H_star_4;
     link->h_V[3] = H_star_5;
     link->h_V[4] = H_star_6;
-    tip->omega[0] = twist[0];
-    tip->omega[1] = twist[1];
-    tip->omega[2] = twist[2];
-    tip->v[1] = v_T_y;
-    tip->v[2] = v_T_z;
+    tip->omega_T[0] = twist[0];
+    tip->omega_T[1] = twist[1];
+    tip->omega_T[2] = twist[2];
+    tip->v_T[1] = v_T_y;
+    tip->v_T[2] = v_T_z;
     M[place[0]] = 1;
     M[place[1]] = 1;
     M[place[2]] = P_c_22;
@@ -8978,13 +9041,13 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
     const six_link_real minus_R_rel_yz = turn.sine, R_rel_yy = turn.cosine;
     const six_link_real t1 = -minus_R_rel_yz;
 
-    const six_link_real omega_R_y = R_rel_yy * base->omega[1] + minus_R_rel_yz * base->omega[2];
-    const six_link_real omega_R_z = R_rel_yy * base->omega[2] - minus_R_rel_yz * base->omega[1];
-    const six_link_real t2 = twist[0] - base->omega[0];
+    const six_link_real omega_R_y = R_rel_yy * base->omega_T[1] + minus_R_rel_yz * base->omega_T[2];
+    const six_link_real omega_R_z = R_rel_yy * base->omega_T[2] - minus_R_rel_yz * base->omega_T[1];
+    const six_link_real t2 = twist[0] - base->omega_T[0];
 
-    /* v_R: velocity of the joint point */
-    const six_link_real v_R_y = R_rel_yy * base->v[1] + minus_R_rel_yz * base->v[2];
-    const six_link_real v_R_z = R_rel_yy * base->v[2] - minus_R_rel_yz * base->v[1];
+    /* v_R: velocity of the joint point, fixed to the parent */
+    const six_link_real v_R_y = R_rel_yy * base->v_T[1] + minus_R_rel_yz * base->v_T[2];
+    const six_link_real v_R_z = R_rel_yy * base->v_T[2] - minus_R_rel_yz * base->v_T[1];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
     const six_link_real beta_omega_y = omega_R_z * t2;

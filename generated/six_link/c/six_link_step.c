@@ -124,8 +124,9 @@ static six_link_status accept(const six_link_state *next, const six_link_input *
     return SIX_LINK_OK;
 }
 
-six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
-    six_link_work *work)
+/* euler: forward Euler, explicit, order 1. */
+six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
 {
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -139,15 +140,15 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
     return accept(&work->next, input, state);
 }
 
-/* Rates first, then coordinates with the new rates; the modes implicit over modal_dt. */
-static six_link_status symplectic(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
-    six_link_real modal_dt, six_link_work *work)
+/* semi_implicit: rates first, then coordinates with the new rates, order 1. */
+six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
 {
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    status = accelerate(c, state, input, modal_terms(c, state, modal_dt, work), work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -155,34 +156,39 @@ static six_link_status symplectic(const six_link_constants *c, six_link_state *s
     return accept(&work->next, input, state);
 }
 
-six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
-    six_link_real dt, six_link_work *work)
-{
-    return symplectic(c, state, input, dt, 0, work);
-}
-
+/* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
 six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work)
 {
-    return symplectic(c, state, input, dt, dt, work);
-}
-
-/* The modes implicit over half a step, twice from the same state: their terms serve both. */
-six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
-    six_link_real dt, six_link_work *work)
-{
-    const six_link_real half = dt / 2, *m_eta;
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    m_eta = modal_terms(c, state, half, work);
-    status = accelerate(c, state, input, m_eta, work, 0, &work->output);
+    status = accelerate(c, state, input, modal_terms(c, state, dt, work), work, 0, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    leap(state, dt, dt, work->output.vdot, &work->next);
+    return accept(&work->next, input, state);
+}
+
+/* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
+six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
+{
+    const six_link_real half = dt / 2;
+    six_link_status status;
+    if (bad_step(c, state, input, dt, work)) {
+        return SIX_LINK_BAD_ARGUMENT;
+    }
+    /* Stage 1. */
+    status = accelerate(c, state, input, modal_terms(c, state, half, work), work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
     leap(state, half, half, work->output.vdot, &work->stage);
-    status = accelerate(c, &work->stage, input, m_eta, work, 0, &work->output);
+    /* Stage 2, the terms of the elastic forces as before. */
+    status = accelerate(c, &work->stage, input, work->m_eta, work, 0, &work->output);
     if (status != SIX_LINK_OK) {
         return status;
     }
@@ -190,25 +196,41 @@ six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_li
     return accept(&work->next, input, state);
 }
 
-six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input, six_link_real dt,
-    six_link_work *work)
+/* rk4: classical Runge-Kutta, four forward dynamics, order 4. */
+six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+    six_link_real dt, six_link_work *work)
 {
-    const six_link_real third = dt / 3, sixth = dt / 6, half = dt / 2;
-    const six_link_real reach[4] = { half, half, dt, 0 }, weight[4] = { sixth, third, third, sixth };
+    const six_link_real half = dt / 2, third = dt / 3, sixth = dt / 6;
     six_link_status status;
-    int stage;
     if (bad_step(c, state, input, dt, work)) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    work->stage = *state;
-    work->next = *state;
-    for (stage = 0; stage < 4; ++stage) {
-        status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
-        if (status != SIX_LINK_OK) {
-            return status;
-        }
-        advance(&work->next, weight[stage], work->stage.v, work->output.vdot, &work->next);
-        advance(state, reach[stage], work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 1. */
+    status = accelerate(c, state, input, modal_terms(c, state, 0, work), work, 0, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
     }
+    advance(state, sixth, state->v, work->output.vdot, &work->next);
+    advance(state, half, state->v, work->output.vdot, &work->stage);
+    /* Stage 2. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(&work->next, third, work->stage.v, work->output.vdot, &work->next);
+    advance(state, half, work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 3. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(&work->next, third, work->stage.v, work->output.vdot, &work->next);
+    advance(state, dt, work->stage.v, work->output.vdot, &work->stage);
+    /* Stage 4. */
+    status = accelerate(c, &work->stage, input, modal_terms(c, &work->stage, 0, work), work, 0, &work->output);
+    if (status != SIX_LINK_OK) {
+        return status;
+    }
+    advance(&work->next, sixth, work->stage.v, work->output.vdot, &work->next);
     return accept(&work->next, input, state);
 }

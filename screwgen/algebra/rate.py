@@ -74,7 +74,15 @@ def moving_rate(x: Expression, omega: Expression, rates: Mapping[str, Expression
             found.append(term.right)
         else:
             crossed.append((term.left, [term.right]))
-    return add(*others, *(product(left, add(*rights)) for left, rights in crossed)) if others or crossed else total
+    return add(*others, *(product(left, _sum(rights)) for left, rights in crossed)) if others or crossed else total
+
+
+def _sum(terms: list[Expression]) -> Expression:
+    """The sum of ``terms``, equal ones as a multiple."""
+    opened = [t for term in terms for t in (term.terms if isinstance(term, Sum) else (term,))]
+    distinct = [t for i, t in enumerate(opened) if t not in opened[:i]]
+    counts = [opened.count(t) for t in distinct]
+    return add(*(t if n == 1 else n * t for t, n in zip(distinct, counts, strict=True)))
 
 
 def acceleration(r: Expression, omega: Expression, rates: Mapping[str, Expression]) -> Expression:

@@ -69,9 +69,9 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     """The parameter slice of the blocks: constants by label, and the ``COLUMNS`` of modes and sprung joints."""
     tracer = Tracer()
     scope = Scope(key, tracer, {})
-    blocks = list(derived(key).values())
+    blocks = derived(key)
     for label in labels:
-        owner = next((b for b in blocks if any(s.name == label for s in b.bindings)), None)
+        owner = next((b for b in blocks.values() if any(s.name == label for s in b.bindings)), None)
         scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
     inputs = _parameters(scope, derived(key)["link"])
     for name in ("M_eta", "K") + (("D",) if key.damping else ()):

@@ -11,9 +11,9 @@ anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -31,25 +31,49 @@ from .link_rows import link_rows_block
 from .matrices import zeros
 from .signals import signal
 
+BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
+    "joint": joint_block,
+    "posture": posture_block,
+    "joint_motion": motion_block,
+    "link": LinkBlock,
+    "tip": tip_block,
+    "tip_motion": tip_motion_block,
+    "tip_pose": tip_pose_block,
+    "tip_body": tip_body_block,
+    "joint_rows": joint_rows_block,
+    "validity": validity_block,
+    "turning_link": partial(LinkBlock, turning=True),
+    "energy": energy_block,
+    "link_rows": link_rows_block,
+}
+"""The blocks of a link class by name."""
+OTHERS = ("turning_link", "energy", "link_rows")
+"""Blocks without constants of their own."""
+
+
+class Derived(Mapping):
+    """The blocks of a link class, each derived when it is first asked for."""
+
+    def __init__(self, key: LinkClass):
+        self.key = key
+        self._made: dict[str, Block] = {}
+
+    def __getitem__(self, name: str) -> Block:
+        if name not in self._made:
+            self._made[name] = BLOCKS[name](self.key)
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(BLOCKS)
+
+    def __len__(self) -> int:
+        return len(BLOCKS)
+
 
 @cache
-def derived(key: LinkClass) -> dict[str, Block]:
+def derived(key: LinkClass) -> Mapping[str, Block]:
     """The blocks of a link class; derived once, however many links share it."""
-    return {
-        "joint": joint_block(key),
-        "posture": posture_block(key),
-        "joint_motion": motion_block(key),
-        "link": LinkBlock(key),
-        "turning_link": LinkBlock(key, turning=True),
-        "tip": tip_block(key),
-        "tip_motion": tip_motion_block(key),
-        "tip_pose": tip_pose_block(key),
-        "tip_body": tip_body_block(key),
-        "joint_rows": joint_rows_block(key),
-        "link_rows": link_rows_block(key),
-        "energy": energy_block(key),
-        "validity": validity_block(key),
-    }
+    return Derived(key)
 
 
 @cache
@@ -60,7 +84,7 @@ def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
     prepared, stored and multiplied once.
     """
     tracer, first, out = Tracer(), {}, {}
-    for block in derived(key).values():
+    for block in (derived(key)[name] for name in BLOCKS if name not in OTHERS):
         given = {n: s for n, s in block.inputs.items() if s.binding <= Binding.PARAMETER}
         inputs = {n: [tracer.input(symbol.name, 1)[0] for symbol in block.values[n].flat] for n in given}
         names = [n for n, step in block.steps.items() if step.signal.binding <= Binding.PARAMETER]

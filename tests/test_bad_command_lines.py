@@ -53,7 +53,7 @@ LINES = {
     f"simulate ella.toml --duration 1 --step 1e-3 -o {'x' * 300}.npz": "File name too long",
     f"{RUN} --plot run.jpg": "run.jpg: has an unknown suffix",
     f"{RUN} --plot none/run.png": "its folder does not exist",
-    f"{RUN} --integrator heun": "known: euler",
+    f"{RUN} --integrator heun": "choose euler",
     f"{RUN} --form lagrange": "--form: there is no 'lagrange'",
     f"{RUN} --controller pid:gains.toml": "there is no controller 'pid'",
     f"{RUN} --controller pd": "names no file",

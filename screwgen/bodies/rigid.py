@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, zeros
+from ..algebra.expression import Expression, zeros
 from ..ir.block import Block
 from .contract import Moments6
 from .moments import Moments
@@ -16,7 +16,8 @@ class Rigid:
 
     def __init__(self, b: Block):
         self.b = b
-        self.rhoA = Symbol("rhoA", (1, 1), r"\rho_i A_i")
+        density = np.array([[sp.Symbol("rhoA", real=True)]], dtype=object)
+        self.rhoA = b.field("rhoA", density, r"\rho_i A_i")
 
     def declare(self, start: Expression) -> None:
         """Nothing varies along a rigid link."""

@@ -1,4 +1,4 @@
-"""What a caller gives: numbers, arrays, names and parameter values, checked alike by all functions of the package."""
+"""Checks of a caller's arguments: numbers, arrays, names and parameter values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a user can do wrong, or mechanics forbids: errors whose text is one clear line."""
+"""The errors that users see, each with a text of one line."""
 
 
 class ScrewgenError(Exception):

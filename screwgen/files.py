@@ -1,4 +1,4 @@
-"""Opening files of others: what is read must be a regular file, what is created must not exist yet."""
+"""Safe file access: a file that is read must be regular, a file that is created must not exist yet."""
 
 from __future__ import annotations
 

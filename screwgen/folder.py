@@ -1,4 +1,4 @@
-"""Writing a folder as a whole: beside its place first, then by one exchange of names; only our own files are replaced.
+"""Atomic writing of a folder: built beside its place, then exchanged; only screwgen's own files are replaced.
 
 The new folder is `.DIR-new-…` beside DIR until it is whole. Linux exchanges the two names at once, so DIR is the old
 folder or the new one at every moment. Elsewhere DIR is renamed to `.DIR-old-…` for the time of a second renaming; a

@@ -1,4 +1,4 @@
-"""From a robot to everything: the compiler's stages in one place.
+"""The model of a robot: the front door to all stages of the compiler.
 
 robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedule -> NumPy, CasADi, C, LaTeX
 """

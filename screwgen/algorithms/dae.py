@@ -1,4 +1,4 @@
-"""The phases of the DAE form: twists are state, the joints hold by projection, M_sys can be assembled.
+"""The phases of the DAE form: twists as states, projection onto the joint constraints, assembly of M_sys.
 
 State of a link: unit quaternion and position of F_i, eta, twist, etadot, and the joint coordinates as
 memory.  ``qdot = A^+ (omega_i - R_rel^T omega_T)``; the rest is the block elimination of the joint form.

@@ -1,4 +1,4 @@
-"""The algorithms as lists of phases, and the functions that users call, in terms of them."""
+"""The algorithms as lists of phases, and the public functions built from them."""
 
 from __future__ import annotations
 

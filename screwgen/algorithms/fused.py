@@ -1,4 +1,4 @@
-"""Whole functions of a robot as single programs: the schedule inlined, zeros and constants folded."""
+"""Functions of the whole robot as single straight-line programs: phases inlined, zeros and constants folded."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Strain gauges at the bases of links: which there are, and the shapes' curvatures there."""
+"""Strain gauges at the bases of links: their list, and the curvatures of the mode shapes there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The derivatives of the joint form: mass matrix and slopes of the inverse dynamics, pair of links by pair.
+"""Derivatives of the joint form: the mass matrix and the partial derivatives of the inverse dynamics.
 
 ``d vdot / d x = -M^-1 d f / d x`` with ``f`` the inverse dynamics at held ``vdot``, and ``d vdot / d tau`` the
 first columns of ``M^-1``.  The phases (:mod:`.sensitivity`) give what a link answers to its own coordinates.

@@ -1,4 +1,4 @@
-"""A small matrix language over entries that are nodes or floats.
+"""Matrix operations on arrays whose entries are program nodes or floats.
 
 Spatial quantities are angular part first; ``Lambda`` stands for a symmetric 6 x 6, ``r`` for a point.
 Zeros and ones that are floats vanish from the program; symmetric results are computed once.

@@ -1,4 +1,4 @@
-"""The phases of the algorithms: what one link does on the way out to the tip or back to the base.
+"""The phases of the joint form's algorithms: the computations of one link in an outward or inward pass.
 
 Block elimination of M_sys, tip to base: with the next link's reaction written as ``w = Lambda delta_T + p``,
 every link folds it in, eliminates its modal accelerations, then its joint coordinates, and hands ``Lambda, p``

@@ -1,4 +1,4 @@
-"""Rows that act on a node's motion ``[omega; omegadot; a]``, and wrenches, taken from node to node."""
+"""Change of reference: rows that act on a motion ``[omega; omegadot; a]``, and wrenches, at another node."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Phases, algorithms, and the one way in which they are traced and run over the chain."""
+"""Phases and algorithms: how they are traced, and how they are run over the links."""
 
 from __future__ import annotations
 

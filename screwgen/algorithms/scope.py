@@ -1,4 +1,4 @@
-"""What a phase sees of its link: named signals of the link, of its two nodes, and of the call.
+"""The scope of a phase: named signals of the link, of its two nodes, and of the call.
 
 A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip of link i.  A phase of
 link i reads and writes signals whose names say where they live:

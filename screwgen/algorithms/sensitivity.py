@@ -1,4 +1,4 @@
-"""The phases of the derivatives: how a link's motion and loads answer to small changes at given accelerations.
+"""The phases of the derivatives: first-order changes of a link's motion and loads at given accelerations.
 
 The rows ``f(q, v, vdot) = 0`` of the inverse dynamics are differentiated with vdot held; then
 ``d vdot = -M^-1 df``.  What a body needs depends on its velocities only through omega, if the acceleration of

@@ -1,4 +1,4 @@
-"""The signals that the phases exchange: shape, unit, frame and meaning of each, said once.
+"""The signals that the phases exchange, with shape, unit, frame and meaning.
 
 Those of a node stand between a link and the links that it carries. Those of the store are kept by a link from one phase
 to the next. All others are inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates and

@@ -1,4 +1,4 @@
-"""An algorithm specialised to the places of a chain: what is known is folded in, what nobody reads falls away.
+"""Specialisation of an algorithm to the links of a chain: known inputs folded in, unused outputs removed.
 
 The base is at rest, the last tip carries nothing, a joint hands zeros up where it is free to turn: such entries are
 numbers, and every phase of every link is evaluated with them.  Links at equal places share one program.

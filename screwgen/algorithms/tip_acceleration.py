@@ -1,4 +1,4 @@
-"""What an accelerometer at the last tip feels, and its partial derivatives, in one program."""
+"""The proper acceleration of the last tip, and its partial derivatives, in one program."""
 
 from __future__ import annotations
 

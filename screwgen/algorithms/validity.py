@@ -1,4 +1,4 @@
-"""The phase that measures how far the links are from the limits of the model."""
+"""The phase that computes the validity measures of a link."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rigid link: no modes, and all its mass in the bodies that sit on it."""
+"""The rigid link: no modes; its mass is that of the bodies mounted on it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a rotation vector is exponentiated with: its squared angle, Stumpff functions of it, and a square."""
+"""The steps of a rotation's exponential: squared angle, Stumpff functions of it, squared skew matrix."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tip block: where the next joint sits, how fast it moves, and the bodies fixed there."""
+"""The tip block: pose, twist and acceleration of the tip section, and the bodies fixed there."""
 
 from __future__ import annotations
 

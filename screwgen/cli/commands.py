@@ -1,4 +1,4 @@
-"""What the commands do. Arguments come as the user wrote them; errors go up as ScrewgenError."""
+"""The work of the commands. Arguments arrive as the user typed them; errors are raised as ScrewgenError."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a user sees while and after work is done: progress on a terminal's stderr, file names on stdout."""
+"""Output for the user: progress on a terminal's stderr, file names on stdout."""
 
 from __future__ import annotations
 

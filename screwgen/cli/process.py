@@ -1,4 +1,4 @@
-"""The process of a command: its signals and streams, and how it ends: a status, and one line for what went wrong."""
+"""The process of a command: its signals, streams and exit status, and the one-line error message."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A time step as data: what it evaluates, and how the accelerations found there move the state.
+"""A time step as data: its stages, and how their accelerations advance the state.
 
 The NumPy and CasADi steps, the generated C of both forms and its batch are all made from a :class:`Method`.
 """

@@ -1,4 +1,4 @@
-"""Blocks: mathematics with meaning.
+"""Blocks: named steps of matrix equations, with unit, frame and meaning.
 
 A :class:`Block` is a list of named steps.  Each step is *one* matrix expression over the block's
 inputs and earlier steps; its components, its LaTeX and its code all come from that expression.

@@ -1,4 +1,4 @@
-"""Derivatives of what a tracer has recorded, recorded by the same tracer: forward mode, zeros propagated."""
+"""Forward-mode differentiation of traced operations, recorded by the same tracer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From a block's sympy components to nodes of a program."""
+"""Lowering: from a block's sympy components to the nodes of a program."""
 
 from __future__ import annotations
 

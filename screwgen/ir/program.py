@@ -1,4 +1,4 @@
-"""Programs: mathematics without meaning.
+"""Programs: straight-line scalar operations, made by tracing.
 
 A :class:`Program` is a list of scalar operations in which every value is assigned once.  It is made
 by *tracing*: ordinary Python functions run on arrays of :class:`Node`, and every operation is

@@ -1,4 +1,4 @@
-"""Programs run again: on values of any algebra, into another tracer, or with some inputs bound to numbers."""
+"""Evaluation of programs: on values of any algebra, into another tracer, or with some inputs bound to numbers."""
 
 from __future__ import annotations
 

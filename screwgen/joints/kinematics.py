@@ -1,4 +1,4 @@
-"""How a joint moves its link: relative pose and motion subspace, from the screws of the joint.
+"""Joint kinematics: relative pose and motion subspace, from the screws of the joint.
 
 A joint is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
 and the link's frame at the joint point. What else the algorithms need of a joint follows from these.

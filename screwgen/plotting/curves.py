@@ -1,4 +1,4 @@
-"""Curves over time: thinned without losing peaks, in units that suit them, on scales that no transient spoils."""
+"""Curves over time: thinned without losing peaks, in suitable units, on scales that ignore short transients."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The look of every figure: colours, type and lines, canvases, grids without gaps, and the same bytes every time."""
+"""The style of all figures: colours, type and lines, canvases, grids, and reproducible files."""
 
 from __future__ import annotations
 

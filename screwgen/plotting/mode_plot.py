@@ -1,4 +1,4 @@
-"""Mode shapes of an arm in its posture as a picture: a view in space per mode, the arm at rest behind it.
+"""The figure of an arm's mode shapes: one spatial view per mode, with the arm at rest behind it.
 
 Links with torsion modes carry cross-sections, which turn as the sections do.
 """

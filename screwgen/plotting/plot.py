@@ -1,4 +1,4 @@
-"""A run at a glance: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
+"""The figure of a run: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The structure of M_sys as a picture: its blocks in the paper's order, the entries coloured by what they are."""
+"""The figure of M_sys: its blocks in the paper's order, the nonzero entries coloured by kind."""
 
 from __future__ import annotations
 

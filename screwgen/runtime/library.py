@@ -1,4 +1,4 @@
-"""Shared libraries of generated C: compiled once, kept by content in a folder of the user's, and loaded.
+"""Shared libraries of generated C: compiled once, cached by content in a folder of the user, and loaded.
 
 The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so
 that one which was cut short is known without loading it; it is built aside and renamed, so that processes which build

@@ -1,4 +1,4 @@
-"""Long work in parts, so that it can report, be stored and be interrupted in between."""
+"""Long computations in parts, so that they can report, store and be interrupted in between."""
 
 import time
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Time steps of the DAE form on SE(3): poses move by the exponential, every step ends on the joints.
+"""Time steps of the DAE form on SE(3): poses move by the exponential map, every step ends with a projection.
 
 The state is that of the assembled system, ``x = [poses; eta; twists; etadot; q]``; the accelerations come
 from the same block elimination as the joint form's.

@@ -1,4 +1,4 @@
-"""What acts on an arm during a run: torques and wrenches from functions, constants or nothing."""
+"""The inputs of a run: torques and wrenches from functions, constants or nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Time steps of the joint form: the accelerations that a method is made of, and the stepper that applies it.
+"""Time steps of the joint form: the accelerations that a method needs, and the stepper that applies it.
 
 The torques and external wrenches are held over a step.
 """

@@ -1,4 +1,4 @@
-"""The loop of a run in the generated C: many steps a call, or one where Python gives the torques."""
+"""The loop of a run in the generated C: many steps per call, or one where Python computes the torques."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a motion looks like: poses and twists of the links, displacement fields, the tip's deformation, spectra.
+"""Quantities derived from a motion: link poses and twists, displacement fields, tip deformation, spectra.
 
 Every function takes the coordinates of N samples, as a run holds them: `q`, `v` (N, nq).
 """

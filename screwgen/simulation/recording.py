@@ -1,4 +1,4 @@
-"""What a run keeps while it grows: a table with a row per sample, and a file that a stopped run leaves behind.
+"""Recording of a run: a table with a row per sample, and a file that can be read if the run stops.
 
 The file of a run that is stored to `run.npz` is `run.part.npy` until it ends: a NumPy array with the fields of `Run`
 that `numpy.load` reads at any moment, also while the run goes on and after it was killed. That of `run.csv` is

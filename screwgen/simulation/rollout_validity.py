@@ -1,4 +1,4 @@
-"""Rollouts and the limits of the model: all samples are looked at for bending, some for the loads."""
+"""Validity of rollouts: all samples are checked for deflection and slope, some for the loads."""
 
 from __future__ import annotations
 

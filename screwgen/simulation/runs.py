@@ -1,4 +1,4 @@
-"""Runs: what a simulation leaves behind, and how it comes to rest in files that are whole or not there."""
+"""Runs: the result of a simulation, and its files, which appear whole or not at all."""
 
 from __future__ import annotations
 

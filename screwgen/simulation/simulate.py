@@ -1,4 +1,4 @@
-"""Simulation: steps of a form of the equations by a method, sampled into a run."""
+"""Simulation: time steps of the joint or DAE form, sampled into a run."""
 
 from __future__ import annotations
 

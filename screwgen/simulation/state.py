@@ -1,4 +1,4 @@
-"""State files: where a run starts, what is evaluated. JSON in, arrays out, or one line that says what is wrong."""
+"""State files in JSON: a robot's state and inputs at an instant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether a motion or a posture stays inside the first-order model, and what to say where it does not.
+"""Validity of a motion or posture: measures, bounds of the first-order model, and warnings.
 
 Four measures of every link are watched (`derive.validity`). Each bound is the value at which what the model leaves out
 costs about 1 % of a uniform clamped link's tip deflection or lowest frequency:

@@ -1,4 +1,4 @@
-"""What a robot states that is legal and seldom meant."""
+"""Warnings on robots that are legal but probably not what the user meant."""
 
 from .robot import Robot
 

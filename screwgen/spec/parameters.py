@@ -1,4 +1,4 @@
-"""The runtime parameters of a robot, exactly what its file states, and the names of its coordinates."""
+"""The runtime parameters of a robot (the numbers that its file states), and the names of its coordinates."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What mechanics asks of numbers that belong together: axes of one joint, inertia of one body."""
+"""Physical consistency of related numbers: the axes of one joint, the inertia of one body."""
 
 import math
 from collections.abc import Hashable, Sequence

@@ -1,4 +1,4 @@
-"""Checks of single values: each takes what a file or a caller states, and returns it clean or refuses it.
+"""Checks of single values: each returns the validated value or raises an error.
 
 A check never coerces silently: a string or a boolean is no number, a fraction is no count. `at` is the path
 of the value below the field that is being checked, so that the message can point at one entry of an array.

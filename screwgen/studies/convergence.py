@@ -1,4 +1,4 @@
-"""Whether a model's modes suffice: how far one more mode in each direction would move its natural frequencies.
+"""Modal convergence: how far one more mode in each direction would change the natural frequencies.
 
 The spaces of a basis are nested: its shapes of one count are sums of those of a larger count. So one model with one
 more mode in every direction tells of each direction alone too, by Ritz's method in the space where the others stay.

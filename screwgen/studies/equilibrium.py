@@ -1,4 +1,4 @@
-"""Where an arm rests under gravity: held at joint angles, or under given torques; and whether it stays there."""
+"""Equilibria of an arm under gravity, at given joint angles or torques, and their stability."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An arm at rest: the balance of its forces, and the search for a posture in which they vanish."""
+"""Statics: the balance of forces of an arm at rest, and the search for an equilibrium posture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where every parameter of the robot file enters the programs of its link."""
+"""The parameters of the robot file as inputs of the links' programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The topology of an arm: which link sits on which."""
+"""The topology of an arm: the parent of each link."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The batch of the C back end: the forward dynamics over lanes, one scenario in each."""
+"""The batch of the C back end: forward dynamics on vector lanes, one scenario per lane."""
 
 from __future__ import annotations
 

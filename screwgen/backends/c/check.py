@@ -1,4 +1,4 @@
-"""The self-check of the generated C: what it allows, and whether float will do at all."""
+"""The self-check of the generated C: its tolerances, and whether single precision suffices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs as C statements that read like a person wrote them.
+"""Programs as readable C statements.
 
 Named values keep their names; a value that is used once is written where it is used; every section says
 what it computes.  The grouping of the program is kept, so C and the judge round alike.

@@ -1,4 +1,4 @@
-"""The structs of the generated C: what they hold, with unit, frame and meaning of every field."""
+"""The structs of the generated C: their members, with unit, frame and meaning."""
 
 from __future__ import annotations
 

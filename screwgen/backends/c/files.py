@@ -1,4 +1,4 @@
-"""The names of the generated C's files; templates of the same names make them."""
+"""The files of the generated C and the templates that they are made from."""
 
 from .batch import FILES as BATCH
 from .derivatives import FILES as DERIVATIVES

@@ -1,4 +1,4 @@
-"""The chain in C: one function per phase and class of links, and how each finds its arrays."""
+"""The modular layout in C: one function per phase and link class, and how it addresses its arrays."""
 
 from __future__ import annotations
 

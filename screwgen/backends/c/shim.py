@@ -1,4 +1,4 @@
-"""What stands between the generated C and callers in other languages: one memory, energies, the loop of a run."""
+"""The C interface for callers in other languages: one memory block, energies, the loop of a run."""
 
 from __future__ import annotations
 

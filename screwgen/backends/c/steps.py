@@ -1,4 +1,4 @@
-"""The integrators as the C templates print them: operations, and the names of the lengths that occur in them."""
+"""The integrators as the C templates print them: operations, and named step lengths."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exact first derivatives by CasADi: of the dynamics with all that can be measured, and of the statics."""
+"""Exact first derivatives by CasADi: of the dynamics with its measurable outputs, and of the statics."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a document is made of, whatever it is printed with: sections of text, formulas, steps and tables.
+"""The content of a document, independent of its format: sections of text, formulas, steps and tables.
 
 Text is a small markup: ``$...$`` is a formula, backquotes are code, the rest is plain.
 """

@@ -1,4 +1,4 @@
-"""Fitting formulas to a page: how wide a formula is, and where it is broken.
+"""The layout of formulas: their width, and where they are broken.
 
 A formula is a list of rows, a row a list of cells that are aligned right, left, right, left ...
 """

@@ -1,4 +1,4 @@
-"""How entries are written: ``S_0_x`` as the paper would, sums and products of entries as a person would."""
+"""The LaTeX of scalar entries: names such as ``S_0_x`` in the paper's notation, sums and products."""
 
 from __future__ import annotations
 

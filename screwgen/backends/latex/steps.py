@@ -1,4 +1,4 @@
-"""A step as a document shows it: its name, what it means, the equation, and its components where they help."""
+"""A step in a document: its name, its meaning, the equation, and its components where they help."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a reader sees of an expression: zeros, ones and formalities of the derivation left out."""
+"""Expressions simplified for display: zeros, ones and formal factors of the derivation left out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The NumPy back end: every program as a Python function on doubles. It judges the others."""
+"""The NumPy back end: every program as a Python function on doubles. It is the reference implementation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs as Python functions on floats: the judge of the other back ends."""
+"""Programs as Python functions on floats: the reference implementation for the other back ends."""
 
 from __future__ import annotations
 

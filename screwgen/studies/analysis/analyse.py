@@ -1,4 +1,4 @@
-"""Well-posedness, computed: the assembled system, its blocks, the spectrum and the steps that integrators bear.
+"""The analysis: the assembled system, its blocks, its spectrum, and the integrators' stable step sizes.
 
 What Section 6 of the paper argues for, (Msys_diff), (2T) and (DAESOL), is evaluated at a set of states; (stability)
 is set beside step limits from the real spectrum.

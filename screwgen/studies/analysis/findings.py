@@ -1,4 +1,4 @@
-"""What an analysis finds: the numbers, state by state, and their JSON."""
+"""The results of an analysis: the numbers, state by state, and their JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether the assembled system has one solution: rank and condition of M_sys, and what its blocks are made of.
+"""Regularity of the assembled system: rank and condition number of M_sys, and the structure of its blocks.
 
 The paper shows M_sys invertible from a positive definite differential-modal block, (Msys_diff), and rows of the joints
 that are independent of it. Both can fail: the block is only semidefinite where a link has no inertia about its own

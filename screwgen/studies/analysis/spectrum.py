@@ -1,4 +1,4 @@
-"""Small motions about a state: the Jacobian of the dynamics, and what one step of a method makes of them.
+"""Linearised motion about a state: the Jacobian of the dynamics, and a method's amplification matrix.
 
 Everything is linearised at the state as it is, rates included. Where the state is no equilibrium these are frozen
 coefficients: they describe what happens near it, for as long as the motion stays near it.

@@ -1,4 +1,4 @@
-"""How long a step each integrator bears: its own amplification matrix against the motion that it should follow.
+"""The longest stable step of each integrator: its amplification matrix against the exact motion.
 
 A step map has an eigenvalue `μ` for every motion `exp(λ h)` of the linearised arm, recognised by its eigenvector. An
 oscillation that does not grow by itself grows under the method where `log|μ| > TOLERANCE |log μ|`, by a share of its

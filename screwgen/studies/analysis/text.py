@@ -1,4 +1,4 @@
-"""The report of an analysis, for a terminal: what matters most comes first."""
+"""The report of an analysis for a terminal, the most important results first."""
 
 from __future__ import annotations
 

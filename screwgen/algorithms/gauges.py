@@ -25,7 +25,7 @@ class Gauge:
 
 
 def gauges(chain: Chain) -> list[Gauge]:
-    """A gauge for every link and direction with bending modes, link by link, y before z."""
+    """One gauge per link and direction with bending modes, link by link, y before z."""
     out = []
     for i, key in enumerate(chain.keys):
         for direction in ("bending_y", "bending_z"):

@@ -106,7 +106,7 @@ def tip_rotation(s: Scope) -> Array:
 
 
 def turning(s: Scope) -> Turning:
-    """The columns ``phi_k = J_l Psi_k`` of the tip section's rotation, two time derivatives, and the relative motion."""
+    """The rotation's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
     r = s.key.modes
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
@@ -247,7 +247,7 @@ def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Arr
 
 
 def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:
-    """Derivative of ``[omega; omegadot; a]`` of the tip section with eta: (9, r), F_i components; ``z`` is the motion."""
+    """Derivative of the tip section's ``[omega; omegadot; a]``, which is ``z``, with eta: (9, r), F_i components."""
     psi = t.phidot + cross_columns(link.omega, t.phi)
     rate = t.phiddot + cross_columns(link.omegadot, t.phi) + cross_columns(link.omega, t.phidot)
     moved = cross_columns(link.omegadot, Phi) + cross_columns(link.omega, cross_columns(link.omega, Phi))

@@ -92,7 +92,7 @@ CALL = {
     "R": Signal((3, 3), "-", INERTIAL, "rotation of F_i, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the origin of F_i"),
     "tip_twist": Signal((6,), TWIST, INERTIAL, "angular velocity of the tip section and velocity of the tip point"),
-    "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial acceleration and force"),
+    "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),

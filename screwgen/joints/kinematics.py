@@ -1,7 +1,7 @@
 """Joint kinematics: relative pose and motion subspace, from the screws of the joint.
 
 A joint is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
-and the link's frame at the joint point. What else the algorithms need of a joint follows from these.
+and the link's frame at the joint point. All other joint quantities follow from these.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def subspace(motion: Kinematics) -> Expression:
 
 
 def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> Expression:
-    """The displacement of a product, in the axes before it."""
+    """The displacement of a product of exponentials, in the axes before its first screw."""
     total: Expression = zeros(3)
     for turn, shift in zip(reversed(turns), reversed(shifts), strict=True):
         total = add(shift, turn @ total)
@@ -68,7 +68,7 @@ def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> 
 
 
 def _turned_back(turns: Sequence[Expression], column: Expression) -> Expression:
-    """A column in the axes behind all ``turns``."""
+    """A column in the axes after all rotations in ``turns``."""
     return reduce(lambda x, turn: turn.T @ x, turns, column)
 
 

@@ -58,7 +58,7 @@ class _Run(ctypes.Structure):
 
 
 def _compiled(model: Model, method: Method) -> Compiled:
-    """The model in C with a method, which the model keeps."""
+    """The compiled model with a method, cached by the model."""
     return model.once(_key(method), lambda: model.compile(methods=added(method)))
 
 
@@ -67,7 +67,7 @@ def _key(method: Method) -> tuple:
 
 
 def added(method: Method) -> tuple[Method, ...]:
-    """What the C needs beside the built-in methods."""
+    """The methods that are not built in."""
     return () if method in METHODS.values() else (method,)
 
 
@@ -82,7 +82,7 @@ def instance(model: Model, p: np.ndarray, method: Method) -> Compiled:
 
 
 def available(model: Model, method: Method) -> bool:
-    """Whether the model can be had in C with a method; says so where the compiler that is there fails."""
+    """Whether the model can be compiled with a method; warns if there is a compiler and it fails."""
     try:
         if not model.made(_key(method)) and not has_compiler():
             return False
@@ -124,7 +124,7 @@ class Loop:
         self.plan.pd = ctypes.addressof(self._law)
 
     def _sweep(self, task: Task) -> None:
-        """All in C, as many steps a call as take about a slice of time."""
+        """Run entirely in C, with as many steps per call as take about one slice of time."""
         for k, count in slices(task.steps + 1):
             self._call(k, count)
             self.table.filled(task.rows(k + count))
@@ -132,7 +132,7 @@ class Loop:
                 task.progress(min(k + count, task.steps), task.steps)
 
     def _ask(self, task: Task) -> None:
-        """Step by step, torques or wrenches from Python."""
+        """Run step by step, with torques or wrenches from Python."""
         c, often = self.compiled, max(1, task.steps // 200)
         for k in range(task.steps + 1):
             with at_time(task.time(k)):
@@ -153,7 +153,7 @@ class Loop:
             self._fail(k + done, status.value)
 
     def _fail(self, k: int, status: int) -> None:
-        """Say why step k failed: NumPy's step from the same state knows."""
+        """Raise the error of step k, which is repeated by the NumPy stepper to find the reason."""
         c, task, p = self.compiled, self.task, self.table.p
         q, v = c.q.copy(), c.v.copy()
         with at_time(task.time(k)):

@@ -99,7 +99,7 @@ def simulate(
         diverged = not isinstance(error, ModelLeftError)
         raise
     finally:
-        if not diverged:  # a method that diverges says nothing about the model
+        if not diverged:  # if the method diverges, the measures say nothing about the model
             table.watch.validity().warn()
 
 
@@ -117,7 +117,7 @@ def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator
 
 
 def _method(integrator: str | Method | None) -> Method:
-    """What steps the joint form."""
+    """The method that steps the joint form."""
     return method_of(JointStepper.default if integrator is None else integrator)
 
 
@@ -198,6 +198,6 @@ def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:
-    """Refuse a singular start; NumPy's dynamics knows the joint."""
+    """Refuse a singular start; the NumPy dynamics names the joint."""
     with at_time(0.0):
         model.numpy(p).forward_dynamics(q, v, *given(0.0, q, v))

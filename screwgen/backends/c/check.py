@@ -17,9 +17,9 @@ LOOSEST = 1e-2
 
 
 def content(chain: Chain, cases: list[Case]) -> dict:
-    """``tolerance`` of each precision as C writes it, and ``lost``: what float may lose where that is too much.
+    """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
-    Raises :class:`UsageError` where not even double will do.
+    Raises :class:`UsageError` if double precision does not suffice.
     """
     needed = {name: _needed(chain, cases, *usual) for name, usual in USUAL.items()}
     if needed["double"] > LOOSEST:
@@ -30,10 +30,10 @@ def content(chain: Chain, cases: list[Case]) -> dict:
 
 
 def _needed(chain: Chain, cases: list[Case], least: float, bits: int) -> float:
-    """The usual tolerance, or some of the rounding error of the cases at that precision."""
+    """The usual tolerance, or a multiple of the rounding error of the cases at that precision if it is larger."""
     return max(least, MARGIN * max(rounding_error(chain, case, bits) for case in cases))
 
 
 def percent(part: float) -> str:
-    """A part in words."""
+    """A fraction as a text."""
     return f"{100 * part:.0f} %" if part < 1 else "100 % or more"

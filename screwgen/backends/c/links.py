@@ -20,15 +20,15 @@ WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
 READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "position", "wrench", "motion")}
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
-WITHIN = {"motion": "wrench"}  # asked for only with the other
-WATCHED = frozenset({"motion"})  # what only the watch of the model's limits asks for
+WITHIN = {"motion": "wrench"}  # output: the output that it requires
+WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
 
 @dataclass(frozen=True)
 class Run:
-    """An algorithm that is a C function of its own, and the signals for which it is called."""
+    """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
     comment: str
@@ -40,9 +40,9 @@ class Run:
     zero: frozenset[str] = frozenset()
     """Signals that are zero in this run."""
     parts: tuple[tuple[str, int], ...] = ()
-    """The C functions that the phases are shared out to, and how many each takes; none: one of the run's name."""
+    """The C functions that the phases are divided among, and their numbers of phases; none: one of the run's name."""
     parts_if_sprung: tuple[tuple[str, int], ...] = ()
-    """The same where joints are sprung, if that makes a difference."""
+    """The same for robots with sprung joints, if it differs."""
 
 
 def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
@@ -66,7 +66,7 @@ RUNS: dict[str, Run] = {
     ),
     "projection": _run(
         alg.PROJECTION,
-        "The state of the DAE form taken back onto the joints.",
+        "The state of the DAE form, projected onto the joint constraints.",
         "new_q new_quaternion new_position new_twist",
     ),
     "placement": _run(
@@ -75,11 +75,11 @@ RUNS: dict[str, Run] = {
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
     "inverse": _run(
-        alg.INVERSE, "Joint form: the forces and joint wrenches that accelerations need.", "force force_eta wrench"
+        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_eta wrench"
     ),
     "inertia": Run(
         alg.INVERSE,
-        "Joint form at rest, without weight and springs: the posture, and the forces that accelerations need.",
+        "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "force_eta"}),
         False,
         zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
@@ -124,7 +124,7 @@ class Links:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
-        """The phases of a run, link by link, specialised to their places, without what only ``unread`` asks for."""
+        """The phases of a run, link by link, specialised to the links, without the results in ``unread``."""
         r = RUNS[run]
         if run not in self._phases:
             self._phases[run] = specialised_phases(self.chain, r.algorithm, self.baked, r.zero)
@@ -133,7 +133,7 @@ class Links:
         return self._passages[run, unread]
 
     def phases(self, run: str) -> list[dict]:
-        """The phases of a run, each with its functions and which of them every link calls."""
+        """The phases of a run, each with its functions and the function of every link."""
         out = []
         for number, phase in enumerate(RUNS[run].algorithm):
             way = sorted((p for p in self.passages(run) if p.phase == number), key=lambda p: p.link)
@@ -151,7 +151,7 @@ class Links:
         return out
 
     def parts(self, run: str) -> list[dict]:
-        """The C functions of a run: name, comment, phases, and whether they start from a base that falls."""
+        """The C functions of a run: name, comment, phases, and whether they set the acceleration of the base."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out = []
         shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
@@ -206,7 +206,7 @@ def _wrapped(arguments: list[str], width: int = 100) -> str:
 
 @dataclass
 class Places:
-    """How a phase's function addresses its signals, and the arguments that this needs."""
+    """The C expressions of the signals in a phase's function, and its parameters."""
 
     links: Links
     passage: Passage
@@ -222,7 +222,7 @@ class Places:
         return self.passage.program
 
     def place(self, name: str, k: int) -> str | None:
-        """The C expression of entry k of a signal; None for what is not kept."""
+        """The C expression of entry k of a signal; None if it is not stored."""
         if name in self.program.outputs and (name, k) not in self.passage.wanted:
             return None
         where, _, what = name.partition(".")
@@ -241,16 +241,16 @@ class Places:
 
     @property
     def _alone(self) -> str:
-        """What tells the compiler that nothing else reaches the memory of a parameter."""
+        """The qualifier of a parameter whose memory is not accessed otherwise."""
         return "restrict " if RUNS[self.run].apart else ""
 
     def names(self) -> set[str]:
-        """The names that the function's parameters and file take."""
+        """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
         return signals | {"c", "link", "base", "tip", "place", "M", "H", "W", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
-        """Parameters of the function and what a call passes for them."""
+        """Parameters of the function and the arguments of a call."""
         real, out, alone = f"{self.links.prefix}_real", [], self._alone
         reads = [n for n, size in self.program.inputs.items() if size]
         writes = [n for n, v in self.program.outputs.items() if v]
@@ -319,7 +319,7 @@ def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
 
 
 def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
-    """Row indices and column starts of M_sys by columns, and where each link's entries go: places and offsets."""
+    """Row indices and column starts of M_sys by columns, and the places of each link's entries with their offsets."""
     entries: list[tuple[int, int]] = []
     offsets = []
     for i in range(links.chain.n):

@@ -53,7 +53,7 @@ ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "
 """Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
 
 ROUNDS = 4
-"""In which the modes of an arm at rest settle, in ``<robot>_gravity``."""
+"""Iterations of the modes' equilibrium in ``<robot>_gravity``."""
 
 STATES = 3
 MASK_BITS = 32
@@ -82,7 +82,7 @@ class CProject:
         self.links.joint_form = self.layout == "modular"
 
     def _layout(self, asked: str) -> str:
-        """``fused`` or ``modular``; ``auto`` takes what is faster."""
+        """``fused`` or ``modular``; ``auto`` chooses the faster one."""
         passages = self.links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
@@ -111,7 +111,7 @@ class CProject:
 
     @cached_property
     def context(self) -> dict:
-        """What the templates see."""
+        """The templates' context."""
         chain, robot = self.chain, self.chain.robot
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
@@ -212,7 +212,7 @@ class CProject:
         return batch.content(self.chain, self.name, self.baked is not None, constants, states, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
-        """Failures are gathered and looked at once: an early return would cost more than its comparison."""
+        """The statement of a failed guard: failures are collected, because early returns cost more than comparisons."""
         if self.masked:
             return f"bad |= (unsigned long)({test}) << {link};"
         return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
@@ -224,7 +224,7 @@ class CProject:
 
     @cached_property
     def operations(self) -> dict[str, int]:
-        """What one call of the forward dynamics runs."""
+        """The number of operations of one call of the forward dynamics."""
         if self.layout == "fused":
             whole = self.fused
             asked = {name: values for name, values in whole.outputs.items() if name != "motion"}
@@ -335,7 +335,7 @@ class CProject:
 
     @cached_property
     def check(self) -> dict[str, object]:
-        """What the self-check allows, and what float loses where that is too much: see :mod:`.check`."""
+        """The tolerances of the self-check, and the error of float if it is too large: see :mod:`.check`."""
         return check.content(self.chain, self._cases)
 
     @cached_property
@@ -345,5 +345,5 @@ class CProject:
 
     @property
     def reference(self) -> list[dict[str, list[str]]]:
-        """States with their results, computed with many digits: the same on every machine."""
+        """States with their results, computed with 40 digits: the same on every machine."""
         return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]

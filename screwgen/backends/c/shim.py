@@ -46,13 +46,13 @@ def _parameter_place(p) -> str:
 
 
 def _labels(project: CProject) -> list[tuple[str, ...]]:
-    """The constants that `<robot>_prepare` leaves for every link."""
+    """The constants that `<robot>_prepare` computes for every link."""
     algorithms = tuple(run.algorithm for run in RUNS.values())
     return [constant_labels(key, algorithms) for key in project.chain.keys]
 
 
 def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
-    """Link and label of the constants that the energy reads and `<robot>_prepare` does not leave."""
+    """Link and label of the constants that the energy reads and `<robot>_prepare` does not compute."""
     known, found = _labels(project), []
     for node in live([v for values in energy.outputs.values() for v in values]):
         if node.op == "input":

@@ -26,10 +26,10 @@ RATES = {
     "etadot": "etaddot",
     "q": "qdot",
 }
-"""Under which name the rate of each part of the state is found."""
+"""The name of the signal with the rate of each part of the state."""
 
 PLACED = {"quaternion": "new_quaternion", "position": "new_position", "twist": "new_twist"}
-"""Under which name forward kinematics leaves a part of the state."""
+"""The name of the signal with each part of the state after forward kinematics."""
 
 Entries = dict[tuple[int, int], Value]
 

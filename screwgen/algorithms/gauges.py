@@ -19,7 +19,7 @@ class Gauge:
     direction: str
     """``bending_y`` or ``bending_z``."""
     first: int
-    """Place of the direction's first mode among all modal coordinates."""
+    """Index of the direction's first mode among all modal coordinates."""
     curvatures: tuple[float, ...]
     """Second derivatives of the mode shapes at s = 0, dimensionless."""
 

@@ -11,7 +11,7 @@ LINK = "F_i"
 TIP = "parent's tip frame"
 MIXED = "rad/s^2, m/s^2, N*m"
 SUBSPACE = {3: r"\mathbf{A}_i", 6: r"\mathbf{S}_i"}
-"""How the motion subspace is written: of a joint that only turns, its angular part, the axes."""
+"""The LaTeX of the motion subspace; for a revolute joint it is the angular part, the axes."""
 
 
 def joint_rows_block(key: LinkClass) -> Block:

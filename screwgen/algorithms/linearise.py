@@ -28,7 +28,7 @@ PAIRS = (
     "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
     "E R_T R_rel r_T udot_T omega_s omega_i omega_J r_B r_J v_J"
 ).split()
-"""What the phases leave in a link's store for the pairs of links."""
+"""The signals of a link's store that the blocks of two links need."""
 
 Section = Callable[[str], AbstractContextManager]
 

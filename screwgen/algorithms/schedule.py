@@ -17,9 +17,9 @@ from .scope import Layout, Scope, derived
 
 OUTWARD, INWARD = +1, -1
 COLUMNS = {"eta": ("M_eta", "K", "D"), "q": ("M_q", "K_q", "D_q")}
-"""Inertia, stiffness and damping of a link's own modal coordinates, and of its joint's where that is sprung."""
+"""Inertia, stiffness and damping of a link's modal coordinates, and of its joint coordinates if the joint is sprung."""
 FEW, MANY = 3, 12
-"""With fewer modes than FEW the r x r factor is always the smaller, with more than MANY never."""
+"""With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
 
 @dataclass(frozen=True)

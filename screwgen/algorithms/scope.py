@@ -122,7 +122,7 @@ class Scope:
     tracer: Tracer
     layouts: dict[str, Layout]
     way: str = ""
-    """How modal accelerations are eliminated, see :mod:`.modal_elimination`."""
+    """The method by which modal accelerations are eliminated, see :mod:`.modal_elimination`."""
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
     fresh: dict[str, Array] = field(default_factory=dict)

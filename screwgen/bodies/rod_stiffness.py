@@ -16,7 +16,7 @@ SECTION = (
     ("EIy", (1, 1), "E_iI_{y_i}", "N*m^2", "-", "bending stiffness for displacement in z"),
     ("GJ", (1, 1), "G_iJ_i", "N*m^2", "-", "torsion stiffness"),
 )
-"""What the section states for each direction."""
+"""The stiffness parameters of a section for each direction."""
 
 MEASURED = (
     ("x", "natural frequencies of the axial modes"),
@@ -24,7 +24,7 @@ MEASURED = (
     ("z", "natural frequencies of the modes in z, clamped-free"),
     ("t", "natural frequencies of the torsion modes"),
 )
-"""What measurement states for each direction: subscript and meaning."""
+"""The measured frequencies of each direction: subscript and meaning."""
 
 
 class RodStiffness:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from .program import Node, Program, Tracer, Value
 
 KEPT = "kept"
-"""The input by which pieces read what earlier ones have left; ``kept:20`` is the output of entries 20, 21, …"""
+"""The input by which pieces read the values of earlier ones; ``kept:20`` is the output of entries 20, 21, …"""
 
 
 def split(program: Program, pieces: int) -> tuple[list[Program], int]:

@@ -24,7 +24,7 @@ class Kinematics:
     rotation: Expression
     """(3, 3): components in F_i to components in the mount's axes."""
     displacement: Expression
-    """(3, 1), m: the joint point of the link from that of the mount, in the mount's axes."""
+    """(3, 1), m: the joint point of the link relative to that of the mount, in the mount's axes."""
     angular: Expression
     """(3, m): the motion subspace's angular part, the axes, in F_i."""
     linear: Expression

@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from ..model import Model
 
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
-"""Without contraction a machine with wider registers gives the same numbers."""
+"""Without contraction the results do not depend on the width of the registers."""
 
 OK, NONFINITE, SINGULAR = range(3)
 """The statuses of a scenario."""
 
 BLOCK = 16
-"""As many scenarios as any register has lanes: a thread's share is a multiple."""
+"""The largest number of lanes of any register; a thread's share of the scenarios is a multiple of it."""
 
 
 class _Batch(ctypes.Structure):

@@ -30,16 +30,16 @@ from ..spec.load import one_line
 
 FLAGS = ("-std=c99", "-fPIC", "-shared")
 PROGRAMS = ("main.c", "check.c")
-"""Sources that are no part of a library."""
+"""Sources that are not part of a library."""
 
 MAX_ENTRIES = 256
-"""Beyond so many the entries that were not used for longest are deleted."""
+"""The largest number of entries; beyond it the least recently used are deleted."""
 
 ABANDONED = 24 * 3600.0
-"""A folder in which nothing was built for so many seconds belongs to a process that was killed."""
+"""The age in seconds at which a build folder is taken for that of a killed process."""
 
 ROOT = 0
-"""The system's user, who can do anything anyway."""
+"""The system's user, who is trusted."""
 
 DIGEST = hashlib.sha256().digest_size
 

@@ -15,10 +15,10 @@ from ..errors import UsageError
 from ..topology.chain import Chain
 
 FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy", "measures")
-"""What the library says about its memory: its size, and where these are, in bytes."""
+"""The library's memory layout: its size, and the offsets of these members, in bytes."""
 
 CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
-"""What memoryviews say to values that are no arrays of their shape and number type."""
+"""The errors of memoryviews for values that are not arrays of their shape and number type."""
 
 Array = np.ndarray
 

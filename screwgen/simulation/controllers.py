@@ -31,8 +31,8 @@ KEYS = (*UNITS, "duration", "waypoints", "gravity")
 class Holding:
     """The joint torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
-    They are computed for the model's nominal parameters, with the modes at equilibrium, so encoders are the only sensors
-    needed.
+    They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
+    are encoders.
     """
 
     TOLERANCE, STEPS = 1e-12, 30

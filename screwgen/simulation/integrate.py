@@ -22,7 +22,7 @@ DEFAULT = "modal_midpoint"
 """The integrator to take where none is asked for."""
 
 LIMIT = 1e9
-"""A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
+"""A coordinate or rate beyond this (m, rad, per second) means that the method diverges."""
 
 
 class Stepper(Protocol):
@@ -105,7 +105,7 @@ class Dynamics:
         return self.M, self.force(q, v, 0.0, self.K, self.D)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
-        """`vdot` (nq,) with the forces of modes and joints implicit, `h` after `q, v`; all else evaluated at `there`."""
+        """`vdot` (nq,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
         force = self.force(q, v, h, self.K, self.D)
         return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
 

@@ -27,7 +27,7 @@ LEFT = 16
 """``SHIM_LEFT`` of the library."""
 
 RUNAWAY = 1e4
-"""A state with a number beyond this (rad, m, per second) is that of a method that diverges, not of a posture."""
+"""A state with a number beyond this (rad, m, per second) means that the method diverges, not that it is singular."""
 
 
 class _PD(ctypes.Structure):

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 MAX_BYTES = 4 * 2**30
 WATCH = 8
-"""Steps after which, at the latest, a run is looked at for the limits of the model."""
+"""The largest number of steps between two evaluations of the validity measures."""
 AGE = 0.25
 """Samples wait this long, in seconds, to be stored together."""
 

@@ -44,7 +44,7 @@ class Rollout:
     fault: np.ndarray
     links: tuple[str, ...]
     validity: Validity
-    """The largest measures of the model's limits: bending at all samples, the loads at some, the fastest among them."""
+    """The largest validity measures: deflection and slope of all samples, loads of some, the fastest included."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape

@@ -47,7 +47,7 @@ class Run:
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
     validity: Validity | None = None
-    """How far the motion went from the limits of the model; files do not hold it."""
+    """The validity measures of the motion; files do not store them."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]

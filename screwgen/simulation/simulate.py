@@ -33,7 +33,7 @@ FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "d
 
 BACKENDS = ("c", "numpy")
 RELATIVE_SLACK = 1e-9
-"""A duration this close to a multiple of the step is one."""
+"""The relative tolerance within which a duration counts as a multiple of the step."""
 
 Wrenches = Callable[[float, np.ndarray, np.ndarray], Any]
 

@@ -26,7 +26,7 @@ from ..errors import DivergedError
 FAR = 1.0
 """Deflection over length at which a run ends."""
 JUMP = 2.0
-"""Deflection over length that no motion reaches between two looks: then its steps do not hold it."""
+"""Deflection over length that no motion reaches between two evaluations: beyond it the integration is unstable."""
 MOST_PIECES = 64
 
 
@@ -43,18 +43,18 @@ class Measure(NamedTuple):
 
     meaning: str
     missing: str
-    """What the model leaves out."""
+    """The effect that the model neglects."""
     off: str
-    """What is wrong by `error`."""
+    """The quantity whose relative error is `error`."""
     error: Callable[[float], float]
     """The relative error to expect at a value."""
     pieces: Callable[[float], float]
-    """How many welded pieces keep within the bounds at a value so many times its bound."""
+    """The number of rigidly connected pieces that are within the bounds, from the value over its bound."""
 
 
 TENSION = 2 / math.pi**2 * BOUND["rotation"] / BOUND["axial_load"]
-"""Of a link cut into k pieces the first bears the pull of the others, `rhoA Omega^2 l^2 / 2`: as an axial load this is
-`2 rotation / (pi^2 k^2)`."""
+"""The first of k pieces of a rotating link carries the centrifugal force of the others, `rhoA Omega^2 l^2 / 2`. As an
+axial load this is `2 rotation / (pi^2 k^2)`."""
 STIFFENING = 1.193 / 12.362
 """Relative rise of the squared lowest frequency of a clamped beam with rotation: Southwell's coefficient."""
 
@@ -89,7 +89,7 @@ KINDS: dict[str, Measure] = {
     ),
 }
 BOUNDS = np.array([BOUND[name] for name in MEASURES])
-"""(4,): the bounds, in the order of `derive.validity.MEASURES`."""
+"""(4,): the bounds, in the order of `bodies.validity.MEASURES`."""
 
 
 @dataclass(frozen=True)

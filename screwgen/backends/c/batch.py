@@ -16,7 +16,7 @@ FILES = ("lanes.h", "batch.h", "batch.c")
 """The files that a batch adds, without the robot's name; their templates have the same names."""
 
 LANE_BYTES = 64
-"""The widest vector register that the generated C makes use of."""
+"""The widest vector register that the generated C uses, in bytes."""
 
 
 PIECE = 4000

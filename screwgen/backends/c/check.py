@@ -7,13 +7,13 @@ from ...topology.chain import Chain
 from ..numpy.reference import Case, rounding_error
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
-"""What results may be off by, relative to the largest of their kind, and the bits of each precision."""
+"""The usual tolerance, relative to the largest value of a kind, and the bits of each precision."""
 
 MARGIN = 5.0
-"""Compiled code orders and rounds its operations otherwise than the emulation of its precision."""
+"""The factor for compiled code, whose operations may be ordered and rounded otherwise than in the emulation."""
 
 LOOSEST = 1e-2
-"""A precision that needs more than this is of no use, and nothing is checked against more."""
+"""The largest tolerance: a precision that needs more is of no use for the robot."""
 
 
 def content(chain: Chain, cases: list[Case]) -> dict:

@@ -17,10 +17,10 @@ LIBRARY = (
     "dae.c",
     "reference.h",
 )
-"""The files of every library, behind ``<robot>_``."""
+"""The files of every library; their names begin with ``<robot>_``."""
 
 BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
-"""What stands beside the library, under these names."""
+"""The files besides the library, under these names."""
 
 
 def library(name: str, derivatives: bool, estimator: bool, batch: bool) -> dict[str, str]:

@@ -45,12 +45,12 @@ FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
 first-level cache of 32 KiB."""
 SHARED = 0.75
-"""Beyond, it writes functions where those that links share hold less than this part of what is run."""
+"""Beyond FUSED_BEST it writes modular code if the distinct functions have less than this fraction of all operations."""
 FUSED_MOST = 14_000
 """The largest function that is written: compilers need more than twice the time for twice the length."""
 
 ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
-"""Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
+"""Outputs of the forward dynamics that a caller may leave out, and the conditions that request them."""
 
 ROUNDS = 4
 """Iterations of the modes' equilibrium in ``<robot>_gravity``."""

@@ -10,7 +10,7 @@ from ...integrators.plan import Plan
 from .code import literal
 
 NAMES = dict(enumerate(("half", "third", "quarter", "fifth", "sixth", "seventh", "eighth"), 2))
-"""Of the lengths dt / n."""
+"""The names of the lengths dt / n."""
 
 
 class Steps(Plan):

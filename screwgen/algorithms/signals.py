@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
-CARRIER, NEXT = "axes of the F_i that carries the node", "F_i of the next link"
+CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
 MODAL, MIXED = "m (torsion: rad)", "see the joint's rows"
 
@@ -42,7 +42,7 @@ NODE = {
     "delta": Signal((6,), ACCELERATION, CARRIER, "part of the acceleration due to joints and modes"),
     "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
     "Lambda": Signal((21,), INERTIA, CARRIER, "articulated inertia of the links carried, upper triangle"),
-    "p": Signal((6,), WRENCH, CARRIER, "their bias force; in inverse dynamics the whole wrench on them"),
+    "p": Signal((6,), WRENCH, CARRIER, "their bias force, or in inverse dynamics the wrench on them"),
     "omega_T": Signal((3,), "rad/s", TIP, "angular velocity of the tip section"),
     "v_T": Signal((3,), "m/s", TIP, "velocity of the tip point"),
     "b": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),

@@ -140,7 +140,7 @@ class Writer:
             self._pending[node.id] = (text, precedence)
             return []
         name = self._name(node)
-        lines = wrap(f"const {self.prefix}_real {name} = {text};")
+        lines = [f"const {self.prefix}_real {name} = {text};"]
         if node.id in self._guards:
             lines.append(self._guard(node, name))
         return lines + self._early_outputs(node, name)
@@ -148,9 +148,8 @@ class Writer:
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""
         names, both = (self._name(sine), self._name(cosine)), self._free("turn")
-        lines = wrap(
-            f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({self._operand(sine.args[0], 0)});"
-        )
+        angle = self._operand(sine.args[0], 0)
+        lines = [f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({angle});"]
         lines.append(f"const {self.prefix}_real {names[0]} = {both}.sine, {names[1]} = {both}.cosine;")
         return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
 
@@ -255,30 +254,6 @@ def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:
             found.setdefault(node.args[0].id, {})[node.op] = node
     both = [(x["sin"], x["cos"]) for x in found.values() if len(x) == 2]
     return {node.id: pair for pair in both for node in pair}
-
-
-def wrap(line: str, width: int = 110) -> list[str]:
-    """A long assignment over several lines, broken at operators outside the innermost parentheses."""
-    out, indent = [], ""
-    while len(indent + line) > width:
-        cut = _break(line, width - len(indent))
-        if cut is None:
-            break
-        out.append(indent + line[:cut].rstrip())
-        line, indent = line[cut:].lstrip(), "    "
-    return [*out, indent + line]
-
-
-def _break(line: str, width: int) -> int | None:
-    """The best place to break: the shallowest operator, the later the better."""
-    depth, best = 0, None
-    for i, ch in enumerate(line[:width]):
-        depth += (ch == "(") - (ch == ")")
-        if ch == " " and i + 2 < len(line) and line[i + 1] in "+-*" and line[i + 2] == " " and i > 24:
-            cost = (depth, line[i + 1] == "*")
-            if best is None or cost <= best[0]:
-                best = (cost, i)
-    return None if best is None else best[1]
 
 
 def sizes(programs: Iterable[Program]) -> int:

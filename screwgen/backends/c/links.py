@@ -74,9 +74,7 @@ RUNS: dict[str, Run] = {
         "Poses and twists of the DAE form from coordinates and rates.",
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
-    "inverse": _run(
-        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_eta wrench"
-    ),
+    "inverse": _run(alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_eta wrench"),
     "inertia": Run(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
@@ -175,7 +173,7 @@ class Links:
         writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
-        signature = _wrapped(arguments)
+        signature = ", ".join(arguments or ["void"])
         key = (phase, signature, tuple(lines))
         if key not in self.functions:
             link = self.chain.robot.links[passage.link].name
@@ -191,17 +189,6 @@ class Links:
             out = f"{name}_{number}"
         self.names.add(out)
         return out
-
-
-def _wrapped(arguments: list[str], width: int = 100) -> str:
-    """A parameter list over several lines."""
-    lines, line = [], ""
-    for argument in arguments or ["void"]:
-        if line and len(line) + len(argument) > width:
-            lines.append(line)
-            line = ""
-        line += f"{', ' if line else ''}{argument}"
-    return ",\n    ".join([*lines, line])
 
 
 @dataclass

@@ -20,9 +20,9 @@ from ...spec.parameters import coordinate_names, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
-from ..templates import render
 from . import batch, check, derivatives, estimator, files, steps
 from .code import Writer, literal, sizes, trimmed, with_unused
+from .columns import rendered
 from .fields import (
     Field,
     body_count,
@@ -97,7 +97,7 @@ class CProject:
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
         sources = self.library | {file: file for file in files.BESIDE}
-        return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
+        return {file: rendered(template, **self.context) for file, template in sources.items()}
 
     @property
     def library(self) -> dict[str, str]:
@@ -107,7 +107,7 @@ class CProject:
     def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
         places = [line.partition(" = ")[0] for line in self.defaults]
-        return render(f"c/{template}.jinja", **self.context, places=places)
+        return rendered(template, **self.context, places=places)
 
     @cached_property
     def context(self) -> dict:

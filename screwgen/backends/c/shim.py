@@ -10,8 +10,8 @@ from ...ir.program import Program, live
 from ...ir.split import split
 from ...spec.parameters import parameters
 from ...topology.parameters import label
-from ..templates import render
 from .code import Writer, trimmed, with_unused
+from .columns import rendered
 from .derivatives import PIECE, PieceWriter, piece_place
 from .fields import parameter_member
 from .links import RUNS
@@ -38,7 +38,7 @@ def shims(project: CProject) -> dict[str, str]:
         kept=kept,
         width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
     )
-    return {name: render(f"c/{name}.jinja", **project.context, **values) for name in names}
+    return {name: rendered(name, **project.context, **values) for name in names}
 
 
 def _parameter_place(p) -> str:

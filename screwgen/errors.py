@@ -18,7 +18,7 @@ class PrecisionWarning(UserWarning):
 
 
 class StoppedError(ScrewgenError):
-    """Work that somebody interrupted; the text says what is left of it."""
+    """Work that was interrupted; the text names the results that remain."""
 
 
 class DivergedError(ScrewgenError):

@@ -7,7 +7,7 @@ import stat
 from typing import BinaryIO
 
 HANDED = ("/dev/stdin", "/dev/fd/")
-"""Names of what this process was given open, such as a pipe of the shell."""
+"""Names of files that are already open in this process, such as a pipe of the shell."""
 
 
 class NotRegularError(OSError):

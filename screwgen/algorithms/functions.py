@@ -107,7 +107,7 @@ class Functions:
         return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
-        """``vdot``, the joint wrenches, and what :meth:`measures` needs of the motion, link by link."""
+        """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
         links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
@@ -119,7 +119,7 @@ class Functions:
         return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
 
     def measures_at_rest(self, q, w_ext) -> list:
-        """The measures where the posture is held."""
+        """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nq
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))

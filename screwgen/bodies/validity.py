@@ -31,8 +31,8 @@ TIP_LOAD = sp.pi**2 / 4
 """``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
 PLANES = {"bending_y": ("EIz", "E_iI_{z_i}"), "bending_z": ("EIy", "E_iI_{y_i}")}
 BOUNDS = {"deflection": 0.1, "slope": 0.35, "axial_load": 0.02, "rotation": 0.2}
-"""The steps that measure, in the order of all back ends, each with the value at which what the model leaves out costs
-about 1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
+"""The steps of the measures, in the order of all back ends, each with its bound: the value at which the error is about
+1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
 moment) or of the lowest frequency (``sqrt(1 - axial_load)``, ``sqrt(1 + 1.193 rotation / 12.362)``)."""
 MEASURES = tuple(BOUNDS)
 LINK = "F_i"

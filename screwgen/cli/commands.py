@@ -22,7 +22,7 @@ from .output import bar, busy, load_robot, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
-    """Refuse what is not in `known`."""
+    """Refuse names that are not in `known`."""
     if given not in known:
         raise UsageError(f"{option}: there is no '{one_line(given)}'; choose {' or '.join(known)}")
 
@@ -113,7 +113,7 @@ def run_simulate(
 
 @contextmanager
 def _stoppable() -> Iterator[None]:
-    """An interruption that says what is left becomes an error with that text."""
+    """An interruption whose text names the remaining results becomes an error with that text."""
     try:
         yield
     except KeyboardInterrupt as stop:

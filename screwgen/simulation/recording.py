@@ -140,7 +140,7 @@ class Recorder:
         self.table.filled(row + 1)
 
     def check(self) -> None:
-        """Raise SingularError where a joint wrench is no number."""
+        """Raise SingularError if a joint wrench is not finite."""
         if not np.isfinite(self.table.rows[:, self.table.places["wrench"]]).all():
             raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")
 

@@ -209,7 +209,7 @@ def _common(lengths: Mapping[str, int], what: str) -> int:
 
 
 def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
-    """How many steps there are; ``leads`` are the axes (batch, steps) of the inputs, none where one is held."""
+    """The number of steps; ``leads`` are the axes (batch, steps) of the inputs, empty for held ones."""
     lengths = {name: lead[-1] for name, lead in leads.items() if lead}
     if steps is None:
         if not lengths:

@@ -174,7 +174,7 @@ def stepper(
 
 
 def step_count(duration: float, step: float) -> int:
-    """How many steps reach `duration`, the last one shorter where it is no multiple; raises UsageError."""
+    """The number of steps to `duration`, the last one shorter if it is no multiple; raises UsageError."""
     duration, step = seconds(duration, "the duration"), seconds(step, "the step")
     if duration > MAX_STEPS * step:
         raise UsageError(f"duration / step is over {MAX_STEPS:g} steps; take a shorter duration or a longer step")

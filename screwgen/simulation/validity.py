@@ -153,7 +153,7 @@ class Validity:
     values: np.ndarray
     """(n, 4): deflection, slope, axial_load, rotation; over a motion the largest, with its sign."""
     first: np.ndarray | None = None
-    """(n, 4): when each was first seen past its bound, s; NaN where never. None in a state."""
+    """(n, 4): when each was first seen past its bound, s; NaN if never. None in a state."""
     at: np.ndarray | None = None
     """(n, 4): when each was largest, s."""
 

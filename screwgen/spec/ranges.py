@@ -12,7 +12,7 @@ from .values import Path, array, non_negative, number, numbers, positive, refuse
 
 
 class Range(NamedTuple):
-    """The sizes of a quantity that is > 0, or >= 0, or of any sign; 0 is allowed where the first check lets it pass."""
+    """The sizes of a quantity that is > 0, or >= 0, or of any sign; 0 is allowed if the first check accepts it."""
 
     sign: Callable[..., float]
     low: float

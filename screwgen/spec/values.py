@@ -95,7 +95,7 @@ def boolean(value: Any) -> bool:
 
 
 def array(value: Any, what: str, *, at: Path = ()) -> list | tuple:
-    """An array, called `what` in the message; NumPy arrays are taken as the lists they stand for."""
+    """An array, called `what` in the message; NumPy arrays are accepted as lists."""
     value = value.tolist() if hasattr(value, "tolist") else value
     if not isinstance(value, list | tuple):
         raise refuse(f"is {shown(value)}; it must be {what}", at)

@@ -35,7 +35,7 @@ class Convergence(NamedTuple):
     """(count,) by direction, with one more mode in that one."""
 
     def short(self, k: int) -> str | None:
-        """The direction in which one more mode would move frequency `k` most; None where none would move it."""
+        """The direction in which one more mode changes frequency `k` most; None if none changes it."""
         direction = min(self.alone, key=lambda d: self.alone[d][k], default=None)
         return direction if direction and self.alone[direction][k] < -NOTHING else None
 

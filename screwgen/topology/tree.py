@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 BASE = -1
-"""The number of what carries the first links."""
+"""The parent of links on the base."""
 
 
 @dataclass(frozen=True)

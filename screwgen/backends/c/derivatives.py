@@ -24,7 +24,7 @@ LIMIT = 45_000
 """Above so many operations gcc -O2 takes more than ten seconds."""
 
 COORDINATES = 32
-"""With more coordinates the limit is exceeded whatever the robot: said at once."""
+"""With more coordinates every robot exceeds the limit, so it is refused at once."""
 
 
 UNROLLED = 16

@@ -35,7 +35,7 @@ def linearisation(chain: Chain) -> ca.Function:
 
 
 def along(f: ca.SX, q: ca.SX, direction: ca.SX) -> ca.SX:
-    """The derivative of f along a direction of q; nothing moves where there is no q."""
+    """The derivative of f along a direction of q; zero without q."""
     return ca.jtimes(f, q, direction) if q.numel() else ca.SX.zeros(*f.shape)
 
 

@@ -140,7 +140,7 @@ _MATHEMATICS = re.compile(
 
 
 def words(meaning: str) -> str:
-    """The words of a signal with what is mathematics in them marked as such."""
+    """The words of a signal, with their mathematics marked."""
     return _MATHEMATICS.sub(_marked, meaning)
 
 

@@ -79,7 +79,7 @@ class Scalars:
         return [first if sign == "+" else f"-{first}", *texts[1:]]
 
     def _ordered(self, terms: tuple[sp.Expr, ...]) -> list[sp.Expr]:
-        """Constants before the state, then by the rank of what they hold; a positive term comes first."""
+        """Constants before the state, then by the rank of their symbols; a positive term comes first."""
         ordered = sorted(terms, key=self._term_key)
         first = next((i for i, t in enumerate(ordered) if not _is_negative(t)), 0)
         return [ordered[first], *ordered[:first], *ordered[first + 1 :]]

@@ -200,7 +200,7 @@ def null_direction(link: str, direction: np.ndarray, names: list[str]) -> str:
 
 
 def rank_M_star(model: Model, i: int) -> int:
-    """The rank of `M*_i`, (27), the undeformed inertia of link `i` with what sits at its base."""
+    """The rank of `M*_i`, (27), the undeformed inertia of link `i` with its base bodies."""
     block, places = model.blocks(i)["link"], model.chain.parameter_labels[i]
     given = {
         name: np.array([model.parameter_values[places[symbol.name]] for symbol in block.values[name].flat], object)

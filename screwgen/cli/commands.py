@@ -207,15 +207,15 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
 
     Raises SingularError: NumPy's dynamics, which knows the joint, comes first.
     """
-    judge = model.numpy()
-    judge.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    reference = model.numpy()
+    reference.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
     vdot, wrench = EVALUATIONS[backend, form](model, s)
     if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
         raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
     valid = model.validity(s.q, s.v, s.tau, s.w_ext)
     valid.warn()
-    R, position = judge.tip_pose(s.q)
-    kinetic, potential = judge.energy(s.q, s.v)
+    R, position = reference.tip_pose(s.q)
+    kinetic, potential = reference.energy(s.q, s.v)
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6)) + 0.0).tolist(),

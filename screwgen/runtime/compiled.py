@@ -88,7 +88,7 @@ class Compiled(Memory):
         cache: bool | str | os.PathLike = False,
         methods: Sequence[Method] = (),
     ):
-        self._said = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
+        self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
         options = {"derivatives": derivatives, "methods": methods}
@@ -99,7 +99,7 @@ class Compiled(Memory):
         self.prepare(None)
 
     def __reduce__(self) -> tuple[Callable, tuple]:
-        return _compiled_anew, (self.model, self._said, self.p)
+        return _compiled_anew, (self.model, self._arguments, self.p)
 
     def fresh(self, p: Given = None) -> Compiled:
         """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""

@@ -80,7 +80,7 @@ def cache_folder() -> Path | None:
 
 def compiler_command(compiler: str | None = None) -> list[str]:
     """The compiler and its leading arguments; raises ScrewgenError where there is none."""
-    text, command = _named(compiler)
+    text, command = _compiler_and_name(compiler)
     if not command or shutil.which(command[0]) is None:
         raise ScrewgenError(f"no C compiler '{text}'; install gcc or name one in the environment variable CC")
     return command
@@ -88,12 +88,12 @@ def compiler_command(compiler: str | None = None) -> list[str]:
 
 def has_compiler() -> bool:
     """Whether there is a C compiler; raises ScrewgenError where CC is no command at all."""
-    command = _named(None)[1]
+    command = _compiler_and_name(None)[1]
     return bool(command) and shutil.which(command[0]) is not None
 
 
-def _named(compiler: str | None) -> tuple[str, list[str]]:
-    """The compiler's command as a list, and as a text."""
+def _compiler_and_name(compiler: str | None) -> tuple[str, list[str]]:
+    """The compiler's command as a text, and as a list."""
     text = compiler or os.environ.get("CC") or "cc"
     try:
         return text, shlex.split(text)
@@ -114,14 +114,14 @@ def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], fl
 
 
 def _run(command: list[str], folder: Path) -> None:
-    done = _called(command, folder)
+    done = _run_compiler(command, folder)
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
         said = next((line for line in lines if "error" in line), lines[0])
         raise ScrewgenError(f"{command[0]} failed on the generated C: {said}")
 
 
-def _called(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+def _run_compiler(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
     """Run the compiler; its output may be in any encoding. Raises ScrewgenError if it cannot be started."""
     said = {"capture_output": True, "text": True, "errors": "replace", "stdin": subprocess.DEVNULL}
     try:
@@ -145,7 +145,7 @@ def _key(files: Mapping[str, str], flags: tuple[str, ...], command: Sequence[str
 def _identity(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ...]:
     """A text that identifies the compiler, its version, its target and the meaning of flags such as -march=native."""
     asked = ([*command, "--version"], [*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
-    return (*command, *(_called(line).stdout for line in asked))
+    return (*command, *(_run_compiler(line).stdout for line in asked))
 
 
 def _trusted(folder: Path) -> bool:

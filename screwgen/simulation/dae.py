@@ -150,7 +150,7 @@ class DaeStepper:
 
     def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), DaeDynamics(model, p)
-        self.judge, self.n_joints = model.numpy(p), model.n_joints
+        self.reference, self.n_joints = model.numpy(p), model.n_joints
         self.place = Evaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -161,7 +161,7 @@ class DaeStepper:
         """The state ``dt`` later, projected."""
         new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
         if not (np.abs(new) < LIMIT).all():
-            self.judge.dae_rates(x, tau, w_ext)
+            self.reference.dae_rates(x, tau, w_ext)
             raise DivergedError(f"the integrator '{self.method}' diverged; take a smaller step")
         return new
 

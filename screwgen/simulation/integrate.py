@@ -156,7 +156,7 @@ class JointStepper:
 
     def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
-        self.judge = model.numpy(p)
+        self.reference = model.numpy(p)
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
@@ -164,7 +164,7 @@ class JointStepper:
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
         new = JointState(*self.method.step(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
-            self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
+            self.reference.forward_dynamics(state.q, state.v, tau, w_ext)
             raise diverged(self.method)
         return new
 

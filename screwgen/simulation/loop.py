@@ -113,7 +113,7 @@ class Loop:
         if type(task.law) is PD and task.law.plain and not task.given.wrenches_vary:
             self._take_law(task.law)
         asked = self.plan.pd is None and (task.given.torques_vary or task.given.wrenches_vary)
-        (self._ask if asked else self._sweep)(task)
+        (self._step_by_step if asked else self._in_slices)(task)
 
     def _take_law(self, law: PD) -> None:
         """Run a PD law in the C; the arrays must live as long as the run."""
@@ -123,7 +123,7 @@ class Loop:
         self._law = _PD(*(None if a is None else a.ctypes.data for a in self._arrays), law.duration if path else 0.0)
         self.plan.pd = ctypes.addressof(self._law)
 
-    def _sweep(self, task: Task) -> None:
+    def _in_slices(self, task: Task) -> None:
         """Run entirely in C, with as many steps per call as take about one slice of time."""
         for k, count in slices(task.steps + 1):
             self._call(k, count)
@@ -131,7 +131,7 @@ class Loop:
             if task.progress:
                 task.progress(min(k + count, task.steps), task.steps)
 
-    def _ask(self, task: Task) -> None:
+    def _step_by_step(self, task: Task) -> None:
         """Run step by step, with torques or wrenches from Python."""
         c, often = self.compiled, max(1, task.steps // 200)
         for k in range(task.steps + 1):

@@ -155,8 +155,8 @@ class Links:
         shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
-            falling = not out and any("base.alpha_0" in p.program.inputs for p in first)
-            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "falling": falling})
+            accelerating = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating})
         return out
 
     def function(self, passage: Passage, run: str, phase: str) -> Function:
@@ -227,7 +227,7 @@ class Places:
         return f"{name}[{k}]"
 
     @property
-    def _alone(self) -> str:
+    def _restrict(self) -> str:
         """The qualifier of a parameter whose memory is not accessed otherwise."""
         return "restrict " if RUNS[self.run].apart else ""
 
@@ -238,7 +238,7 @@ class Places:
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
-        real, out, alone = f"{self.links.prefix}_real", [], self._alone
+        real, out, alone = f"{self.links.prefix}_real", [], self._restrict
         reads = [n for n, size in self.program.inputs.items() if size]
         writes = [n for n, v in self.program.outputs.items() if v]
         out += self._structs(reads, writes)
@@ -260,7 +260,7 @@ class Places:
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
         prefix, out = self.links.prefix, []
         if any(n.startswith("c.") for n in reads):
-            out.append((f"const {prefix}_link_constants *{self._alone}c", "&c->links[i]"))
+            out.append((f"const {prefix}_link_constants *{self._restrict}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", "&chain->nodes[i]"),
@@ -268,7 +268,7 @@ class Places:
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
-                out.append((f"{const}{prefix}_{type_} *{self._alone}{'link' if where == 'w' else where}", value))
+                out.append((f"{const}{prefix}_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
         return out
 
     def _address(self, member: str, name: str, optional=True) -> str:

@@ -165,7 +165,7 @@ class CProject:
             "m_column": rows(m_column),
             "m_place": rows(m_place),
             "m_offset": m_offset,
-            "falling": any(a["falling"] for a in self._algorithms),
+            "accelerating": any(a["accelerating"] for a in self._algorithms),
             "cases": self.reference,
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,

@@ -1,4 +1,4 @@
-"""Robot files: TOML in, `Robot` out, and back. Every failure to load is one line that names the file."""
+"""Reading and writing robot files (TOML). Every failure to load is one line that names the file."""
 
 import json
 import os

@@ -132,7 +132,7 @@ def _entry(display: str, signals: list[Signal]) -> Entry:
 
 
 def _shape(shapes: list[tuple[int, int]], name: str) -> str:
-    """The shape, with a letter where links differ."""
+    """The shape, with a letter for dimensions in which links differ."""
     letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
     sizes = [{s[d] for s in shapes} for d in (0, 1)]
     rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)

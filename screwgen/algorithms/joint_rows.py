@@ -70,7 +70,7 @@ def joint_rows_block(key: LinkClass) -> Block:
         unit="-",
         frame=LINK,
         equation="43",
-        meaning="projector onto what the joint blocks",
+        meaning="projector onto the directions that the joint constrains",
     )
     free = identity(size) - N
     if key.armature:
@@ -114,7 +114,7 @@ def joint_rows_block(key: LinkClass) -> Block:
         r"\mathbf{H}_{p,i}",
         unit=MIXED,
         equation="61",
-        meaning="what the velocities, springs and dampers leave in the joint's rows",
+        meaning="bias of the joint's rows, springs and dampers included",
     )
     b.step(
         "joint_W",

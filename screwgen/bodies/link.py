@@ -208,7 +208,7 @@ class LinkBlock(Block):
             r"\mathbf{M}_{D\phi,i}",
             unit="kg, kg*m",
             equation="85",
-            meaning="modal force that the twist's rate needs",
+            meaning="inertial coupling of the modal rows with the twist's rate",
             numbered=(0,),
         )
 

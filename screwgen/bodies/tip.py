@@ -269,7 +269,7 @@ def tip_body_block(key: LinkClass) -> Block:
         r"\mathbf{h}_{T\tau}",
         unit="N*m",
         frame=TIP,
-        meaning="moment that the bodies' velocities and weight need",
+        meaning="bias moment of the tip bodies, weight included",
     )
     b.step(
         "h_T_F",
@@ -277,6 +277,6 @@ def tip_body_block(key: LinkClass) -> Block:
         r"\mathbf{h}_{TF}",
         unit="N",
         frame=TIP,
-        meaning="force that the bodies' velocities and weight need",
+        meaning="bias force of the tip bodies, weight included",
     )
     return b

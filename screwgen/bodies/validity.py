@@ -108,7 +108,7 @@ def _compliance(b: Block, key: LinkClass, length: Symbol, rhoA: Symbol) -> Expre
     ratio = b.step("EI_ratio", stiff[0] @ Inverse(stiff[1]), "r_i", unit="-", meaning="bending stiffness, y over z")
     one = number(1)
     square = (one - ratio) @ (one - ratio)
-    gap = b.step("EI_gap", square, "(1-r_i)^2", unit="-", meaning="how far the planes differ")
+    gap = b.step("EI_gap", square, "(1-r_i)^2", unit="-", meaning="relative difference of EIy and EIz, squared")
     larger = sp.Rational(1, 2) * (one + ratio + Root(gap))
     return b.step("compliance", larger @ Inverse(stiff[0]), "c_i", unit="1/(N*m^2)", meaning="1/EI of the softer plane")
 
@@ -125,5 +125,5 @@ def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: S
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length
     factor = 4 * sp.pi**2 / sp.Float(float(key.shapes(direction).stiffness[0]))
     return b.step(
-        f"{name}_first", factor * (own @ first @ first), display, unit="N*m^2", meaning="stiffness that f_1 amounts to"
+        f"{name}_first", factor * (own @ first @ first), display, unit="N*m^2", meaning="stiffness equivalent to f_1"
     )

@@ -56,7 +56,7 @@ SYSTEM: tuple[Named, ...] = (
     (r"\mathbf{r}_B", "joint point", "m", "3", "F_i", PARAMETER),
     (r"\mathbf{r}_m", "joint point from the parent's tip point", "m", "3", "parent's tip", PARAMETER),
     (r"\boldsymbol{\beta}_i", "joint's rate of the twist due to velocities", "rad/s^2, m/s^2", "6", "F_i", STATE),
-    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6", "F_i", STATE),
+    (r"\mathbf{P}_i", "projector onto the directions that the joint constrains", "-", "6 × 6", "F_i", STATE),
     (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
     (r"\mathbf{M}_T", "inertia of the bodies at the tip", "kg, kg*m, kg*m^2", "6 × 6", "tip", PARAMETER),
     (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),

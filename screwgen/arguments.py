@@ -1,4 +1,4 @@
-"""What a caller gives: numbers, arrays, names and parameter values, checked alike by all functions of the package."""
+"""Checks of a caller's arguments: numbers, arrays, names and parameter values."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LONGEST_LIST = 8
 
 
 def real_numbers(values: Any) -> np.ndarray | None:
-    """`values` as an array of doubles; None where they are no real numbers, or do not make an array."""
+    """`values` as an array of doubles; None if they are no real numbers or no array."""
     try:
         out = np.asarray(values)
         if out.dtype.kind == "O" and not all(isinstance(x, Real) for x in out.flat):
@@ -42,7 +42,7 @@ def fits(shape: tuple[int, ...], wanted: tuple[int, ...]) -> bool:
 
 
 def array(values: Any, name: str, shape: tuple[int, ...], finite: bool = True) -> np.ndarray:
-    """`values` as an array of doubles of `shape`, zeros where they are None; a new one.
+    """`values` as a new array of doubles of `shape`; None is zeros.
 
     Raises UsageError, which begins with `name`, where they are no numbers, not as many, in another layout, or, if
     they have to be, not finite.
@@ -96,7 +96,7 @@ def suggestion(name: str, known: Sequence[str]) -> str:
 
 
 def nearest(name: str, known: Sequence[str]) -> str:
-    """`did you mean '<the most similar name>'?`; nothing where none is similar."""
+    """`did you mean '<the most similar name>'?`; empty if none is similar."""
     lowered = {k.lower(): k for k in known}
     near = get_close_matches(name.lower(), lowered, 1)
     return f"did you mean '{lowered[near[0]]}'?" if near else ""
@@ -164,7 +164,7 @@ def _title(rows: np.ndarray, row: int) -> str:
 
 
 def _must_be_positive(robot: Robot, x: Parameter) -> bool:
-    """Whether 0 is too little: of a length, a mass per length, and what the modes of a direction rest on."""
+    """Whether the value must be positive: a length, a mass per length, a parameter of a direction with modes."""
     if x.field in POSITIVE or x.field.startswith("frequencies."):
         return True
     if x.link is None:

@@ -1,4 +1,4 @@
-"""What a user can do wrong, or mechanics forbids: errors whose text is one clear line."""
+"""The errors that users see, each with a text of one line."""
 
 
 class ScrewgenError(Exception):
@@ -18,7 +18,7 @@ class PrecisionWarning(UserWarning):
 
 
 class StoppedError(ScrewgenError):
-    """Work that somebody interrupted; the text says what is left of it."""
+    """Work that was interrupted; the text names the results that remain."""
 
 
 class DivergedError(ScrewgenError):

@@ -1,4 +1,4 @@
-"""Opening files of others: what is read must be a regular file, what is created must not exist yet."""
+"""Safe file access: a file that is read must be regular, a file that is created must not exist yet."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import stat
 from typing import BinaryIO
 
 HANDED = ("/dev/stdin", "/dev/fd/")
-"""Names of what this process was given open, such as a pipe of the shell."""
+"""Names of files that are already open in this process, such as a pipe of the shell."""
 
 
 class NotRegularError(OSError):

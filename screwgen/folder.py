@@ -1,4 +1,4 @@
-"""Writing a folder as a whole: beside its place first, then by one exchange of names; only our own files are replaced.
+"""Atomic writing of a folder: built beside its place, then exchanged; only screwgen's own files are replaced.
 
 The new folder is `.DIR-new-…` beside DIR until it is whole. Linux exchanges the two names at once, so DIR is the old
 folder or the new one at every moment. Elsewhere DIR is renamed to `.DIR-old-…` for the time of a second renaming; a
@@ -143,7 +143,7 @@ def _fill(folder: Path, tree: Mapping[str, bytes]) -> None:
 
 
 def _swap(staged: Path, target: Path, aside: Path) -> None:
-    """Put the staged folder in the target's place; what was there is then `staged`, or `aside`."""
+    """Put the staged folder in the target's place; the previous folder is then `staged`, or `aside`."""
     if not os.path.lexists(target):
         os.rename(staged, target)
         return
@@ -155,7 +155,7 @@ def _swap(staged: Path, target: Path, aside: Path) -> None:
 
 
 def _exchange(a: Path, b: Path) -> None:
-    """Exchange two names at once; raises OSError where the system or its file system cannot."""
+    """Exchange two names at once; raises OSError if the system or its file system cannot."""
     if sys.platform != "linux":
         raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
     rename = getattr(ctypes.CDLL(None, use_errno=True), "renameat2", None)
@@ -166,7 +166,7 @@ def _exchange(a: Path, b: Path) -> None:
 
 
 def _recover(target: Path) -> None:
-    """Bring back the folder that a killed process left between two renamings; remove what others never finished."""
+    """Restore the folder that a killed process left between two renamings; remove unfinished folders."""
     for role in ("old", "new"):
         left = list(target.parent.glob(f".{glob.escape(target.name)}-{role}-{'?' * 8}"))
         if left and role == "old" and not os.path.lexists(target):

@@ -1,4 +1,4 @@
-"""From a robot to everything: the compiler's stages in one place.
+"""The model of a robot: the front door to all stages of the compiler.
 
 robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedule -> NumPy, CasADi, C, LaTeX
 """
@@ -81,7 +81,7 @@ class Model:
         return self.chain.n_joints
 
     def blocks(self, link: int) -> dict[str, Block]:
-        """The derived blocks of a link by name: those of its class, and what plug-ins add."""
+        """The derived blocks of a link by name: those of its class and those of plug-ins."""
         key = self.chain.keys[link]
         more = (blocks for p in self._plugins for blocks in (p.blocks(key), p.common()))
         return merged("block", derived(key), *more)
@@ -189,7 +189,7 @@ class Model:
         return Validity(self._link_names, self.numpy(parameters).validity(q, v, tau, w_ext))
 
     def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
-        """The same where the posture ``q`` (nq,) is held against gravity and ``w_ext`` (n, 6)."""
+        """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
         return Validity(self._link_names, self.numpy(parameters).validity_at_rest(q, w_ext))
 
     @property

@@ -1,4 +1,4 @@
-"""Plug-ins: packages that add to the product, and that it never imports by name.
+"""Plug-ins: packages that extend screwgen and are found by their entry points.
 
 A plug-in is an object of :class:`Plugin`, declared as an entry point of the group ``screwgen.plugins``::
 

@@ -347,4 +347,4 @@ BUILDERS: dict[type[Expression], Callable[..., Expression]] = {
     Inverse: inverse,
     Integral: integral,
 }
-"""What builds a node from its fields, where that simplifies; other nodes are made as they are."""
+"""The functions that build and simplify nodes from their fields; other nodes are built by their constructors."""

@@ -32,7 +32,7 @@ from .expression import (
 TRANSPOSED = r"^{\top}"
 
 HEAD = re.compile(r"(\\(?:mathbf|boldsymbol|dot|ddot)\{(?:[^{}]|\{[^{}]*\})*\}|[A-Za-z])(.*)", re.DOTALL)
-"""The letter of a symbol with what decorates it, and its scripts."""
+"""The letter of a symbol with its accents, and its scripts."""
 
 
 def latex(e: Expression) -> str:
@@ -43,7 +43,7 @@ def latex(e: Expression) -> str:
 
 
 def terms(e: Expression) -> list[str]:
-    """The LaTeX of the terms of a sum, each with its sign: where a long line may be broken."""
+    """The LaTeX of the terms of a sum, each with its sign, between which a long line may be broken."""
     first, *rest = e.terms if isinstance(e, Sum) else (e,)
     return [latex(first)] + [f"{'-' if negative else '+'} {_term(t)}" for negative, t in map(_signed, rest)]
 

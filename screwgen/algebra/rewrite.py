@@ -37,7 +37,7 @@ Terms = dict[Monomial, sp.Expr]
 
 
 def substitute(e: Expression, values: Mapping[str, Expression]) -> Expression:
-    """``e`` with the named symbols replaced; ValueError where a value has another shape than its symbol."""
+    """``e`` with the named symbols replaced; ValueError if a value has another shape than its symbol."""
     if not isinstance(e, Symbol):
         return e.map(lambda x: substitute(x, values))
     value = values.get(e.name, e)
@@ -128,7 +128,7 @@ def _ordered(monomial: Monomial, rank: Rank) -> tuple[int, Monomial]:
 
 
 def _word(monomial: Monomial, shape: Shape) -> Expression:
-    """The product of the factors, from the right where a column is built up."""
+    """The product of the factors, from the right if the last is a column."""
     if not monomial:
         return number(1) if shape == (1, 1) else identity(shape[0])
     out = monomial[-1]

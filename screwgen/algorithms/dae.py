@@ -1,7 +1,8 @@
-"""The phases of the DAE form: twists are state, the joints hold by projection, M_sys can be assembled.
+"""The phases of the DAE form: twists as states, projection onto the joint constraints, assembly of M_sys.
 
-State of a link: unit quaternion and position of F_i, eta, twist, etadot, and the joint coordinates as
-memory.  ``qdot = A^+ (omega_i - R_rel^T omega_T)``; the rest is the block elimination of the joint form.
+The state of a link is the unit quaternion and position of F_i, eta, the twist and etadot. The joint coordinates are
+redundant; the motion subspace is evaluated at them, and the projection starts from them. Joint rates follow from the
+twists, ``qdot = A^+ (omega_i - R_rel^T omega_T)`` for revolute joints; the rest is the joint form's elimination.
 """
 
 from __future__ import annotations
@@ -31,13 +32,13 @@ def dae_kinematics(s: Scope) -> None:
 
 
 def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
-    """What the tip's velocity follows from."""
+    """The inputs from which the block ``tip_motion`` computes the tip's velocity."""
     eta, etadot = s.read("eta"), s.read("etadot")
     return {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
 
 
 def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: str) -> Array:
-    """The link's twist at the joint point against its parent's, in F_i axes; ``omega``, ``v``: of the parent's tip."""
+    """The joint's relative twist in F_i axes; ``omega`` and ``v`` are the names of the parent's tip twist."""
     omega_P = s.read(f"base.{omega}")
     turning = twist[:3] - mx.multiply(R.T, omega_P)
     if not s.key.slides:
@@ -47,15 +48,15 @@ def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: s
 
 
 def _joint_from_tip(s: Scope, q: Array) -> Array:
-    """The joint point from the parent's tip point, in F_i axes."""
+    """The joint point relative to the parent's tip point, in F_i axes."""
     return mx.multiply(s.kept("R_rel").T, joint_offset(s, q))
 
 
 def pseudo_inverse(s: Scope, q: Array) -> Array:
     """``S^+ = (S^T S)^-1 S^T`` of the motion subspace at the joint point; a singular posture fails the guard.
 
-    The product of two twists is that of their components in rad/s and m/s. A joint that only turns has three columns:
-    the linear part of its subspace is zero.
+    Twists are multiplied by their components in rad/s and m/s. A revolute joint has rows of three, because the linear
+    part of its motion subspace is zero.
     """
     S = motion_subspace(s, q)
     L, inverse = mx.factorise(mx.congruence(S, mx.identity(S.shape[0])), s.tracer, s.tracer.epsilon() * 64.0)
@@ -64,14 +65,14 @@ def pseudo_inverse(s: Scope, q: Array) -> Array:
 
 
 def motion_subspace(s: Scope, q: Array) -> Array:
-    """The subspace at the joint point in F_i axes: its angular part, and the linear one below where there is one."""
+    """The motion subspace at the joint point in F_i axes: the angular part, then the linear part if there is one."""
     if not s.key.slides:
         return s.lower("posture", {"q": q}, "A")[0]
     return np.vstack(s.lower("posture", {"q": q}, "A", "T"))
 
 
 def twist_rates(s: Scope) -> None:
-    """The rate of the link's twist in its own frame; the free fall that the elimination left out is added."""
+    """The rate of the link's twist in F_i components; the elimination's accelerations are less free fall."""
     R = quaternion_matrix(s.read("quaternion"))
     fall = mx.multiply(R.T, s.read("gravity"))
     alpha, twist = s.read("alpha"), s.read("twist")
@@ -227,7 +228,7 @@ LINK_ROWS = (
 
 
 def joint_rows(s: Scope) -> None:
-    """Base to tip: the completed rows of the joint, (accconst4) with what the motors supply."""
+    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance."""
     twist, q = s.read("twist"), s.read("q")
     parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     (R,) = s.lower("posture", {"q": q}, "R_rel")
@@ -255,7 +256,7 @@ def joint_rows(s: Scope) -> None:
 
 
 def _free_terms(s: Scope, twist: Array) -> None:
-    """Store inertia and bias of the link, of its tip section and of the bodies there, weight included."""
+    """Store inertia and bias force of the link, of its tip section and of the tip bodies, weight included."""
     g = mx.multiply(quaternion_matrix(s.read("quaternion")).T, s.read("gravity"))
     state = {"omega": twist[:3], "v": twist[3:], "g": g}
     state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}

@@ -26,10 +26,10 @@ RATES = {
     "etadot": "etaddot",
     "q": "qdot",
 }
-"""Under which name the rate of each part of the state is found."""
+"""The name of the signal with the rate of each part of the state."""
 
 PLACED = {"quaternion": "new_quaternion", "position": "new_position", "twist": "new_twist"}
-"""Under which name forward kinematics leaves a part of the state."""
+"""The name of the signal with each part of the state after forward kinematics."""
 
 Entries = dict[tuple[int, int], Value]
 
@@ -60,7 +60,7 @@ class DaeFunctions(Functions):
     """The functions of the DAE form, on values of any algebra."""
 
     def unpack(self, x: Sequence[Value]) -> list[dict[str, list]]:
-        """The state as one mapping per link."""
+        """The state, split into one mapping per link."""
         c, o = self.chain, self.chain.eta_offset
         at_eta, at_twist = 7 * c.n, 7 * c.n + c.n_modes
         at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_modes
@@ -83,7 +83,7 @@ class DaeFunctions(Functions):
         return [*gather("quaternion", "position"), *gather("eta"), *gather("twist"), *gather("etadot"), *gather("q")]
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
-        """The state with what its own inertias and forces are, the joints' rates taken from the twists."""
+        """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
         if self.chain.sprung and self.given is None:
             found, _ = self._run(kinematics, state)
             state = [dict(x) | {"qdot": link["qdot"]} for x, link in zip(state, found, strict=True)]
@@ -93,7 +93,7 @@ class DaeFunctions(Functions):
         return [{"gravity": list(self.gravity)}] * self.chain.n
 
     def place(self, q: Sequence, v: Sequence) -> list:
-        """The state on the joints: x from coordinates and rates."""
+        """A state that satisfies the joint constraints: x from coordinates and rates."""
         links, _ = self._run(PLACEMENT, self._state(q, v))
         return self.pack(links, PLACED)
 
@@ -102,7 +102,7 @@ class DaeFunctions(Functions):
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
     def joint_rates(self, x: Sequence) -> list:
-        """The joints' rates that the twists show."""
+        """The joint rates that follow from the twists."""
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         return [rate for link in links for rate in link["qdot"]]
 
@@ -127,7 +127,7 @@ class DaeFunctions(Functions):
         return self._state_rates(x, [a | b for a, b in zip(links, given, strict=True)])
 
     def project(self, x: Sequence) -> list:
-        """The state taken back onto the joints."""
+        """The state projected onto the joint constraints."""
         links, _ = self._run(PROJECTION, self.unpack(x))
         return self.pack(links, PLACED | {"q": "new_q"})
 
@@ -138,7 +138,7 @@ class DaeFunctions(Functions):
         return self._stacked(links)
 
     def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:
-        """The blocks of all links in their places."""
+        """The blocks of all links, each at its rows and columns."""
         M: Entries = {}
         for i, link in enumerate(links):
             for name, (row, col, _, cols) in block_places(self.chain, i).items():

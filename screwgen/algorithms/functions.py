@@ -1,4 +1,4 @@
-"""The algorithms as lists of phases, and the functions that users call, in terms of them."""
+"""The algorithms as lists of phases, and the public functions built from them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
-    """The n + 1 nodes with what is known beforehand: a base at rest in a field of gravity; tips that carry nothing."""
+    """The n + 1 nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
     out[0] |= {"alpha_0": [0.0] * 3 + [-g for g in gravity]}
@@ -51,11 +51,11 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
 
 
 class Functions:
-    """The functions of a robot over an ``apply``: the same for numbers, casadi.SX and nodes of a program.
+    """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``gravity`` three entries.  ``given``, where it is set, holds inertia and force of the last
-    ``chain.n_given`` coordinates instead of ``M`` and ``K x + D xdot``: an integrator decides what they are.
+    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia and force of the last
+    ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None
@@ -107,7 +107,7 @@ class Functions:
         return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
-        """``vdot``, the joint wrenches, and what :meth:`measures` needs of the motion, link by link."""
+        """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
         links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
@@ -119,27 +119,27 @@ class Functions:
         return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
 
     def measures_at_rest(self, q, w_ext) -> list:
-        """The measures where the posture is held."""
+        """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nq
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
-        """All generalised forces that a motion needs."""
+        """Inverse dynamics: the generalised forces of a given motion."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta")
 
     def statics(self, q, w_ext) -> tuple[list, list]:
-        """The generalised forces that rest needs, and the joint wrenches there, link by link."""
+        """The generalised forces that hold the robot at rest, and the joint wrenches, link by link."""
         rest = [0.0] * self.chain.nq
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
     def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
-        """What every link answers to small changes at given accelerations; see :mod:`.linearise`."""
+        """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
 
@@ -156,7 +156,7 @@ class Functions:
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:
-    """What the measures read of a motion, four numbers per link: zero for links that cannot bend."""
+    """The inputs of the measures from a motion, four numbers per link; zero for links without bending modes."""
     return [x for link in links for x in link.get("motion", [0.0] * 4)]
 
 

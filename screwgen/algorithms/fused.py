@@ -1,4 +1,4 @@
-"""Whole functions of a robot as single programs: the schedule inlined, zeros and constants folded."""
+"""Functions of the whole robot as single straight-line programs: phases inlined, zeros and constants folded."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def fuse(
 
 
 def _namer(chain: Chain, i: int) -> Callable[[str], str]:
-    """Labels and titles say which link they belong to."""
+    """A function that adds the link to labels and titles."""
     link = chain.robot.links[i].name
 
     def rename(text: str) -> str:
@@ -77,7 +77,7 @@ def prepared(
     evaluate: Callable[[int, Program, Mapping], Mapping[str, list]],
     algorithms: Sequence[Algorithm] = EVERYTHING,
 ) -> list[dict]:
-    """The constants of every link from the parameter vector ``p``, under the names by which the phases read them.
+    """The constants of every link from the parameter vector ``p``, by the names that the phases use.
 
     ``evaluate(link, program, inputs)`` runs a preparation on values of any algebra; ``algorithms`` are those that the
     constants are for.
@@ -91,7 +91,7 @@ def prepared(
 
 
 def exact(chain: Chain) -> tuple[list, list[dict[str, list]]]:
-    """The parameters and the constants of every link in mpmath, at the digits of the surrounding context."""
+    """The parameters and the constants of every link in mpmath, at the precision of the surrounding context."""
     p = [mpmath.mpf(x.value) for x in parameters(chain.robot)]
     return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0])
 
@@ -112,7 +112,7 @@ def precise(op: str, x):
 
 
 def _stumpff(order: int, x):
-    """The Stumpff series: at this many digits good for any turn that a section can make."""
+    """The Stumpff series; at this precision it is accurate for every admissible rotation of a section."""
     term = 1 / mpmath.factorial(order)
     total, j = term, 0
     while abs(term) > mpmath.eps * abs(total):
@@ -135,7 +135,7 @@ def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Seque
 
 
 def _watched(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
-    """The same, with what the measures of validity need of the motion."""
+    """The same, with the quantities of the motion that the validity measures need."""
     if "m_eta" in x:
         f.given = (x["m_eta"], x["f_eta"])
     vdot, wrench, motion = f.watched_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
@@ -150,8 +150,8 @@ def forward_dynamics(chain: Chain, constants="parameters") -> Program:
 def modal_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench, motion)``: the forward dynamics of an integrator.
 
-    ``m_eta`` and ``f_eta`` are the inertia and the stress-and-damping force of every mode, before them those of every
-    joint coordinate where a joint is sprung; steps that take them implicitly give their own.
+    ``m_eta`` and ``f_eta`` are the inertia and the force of stress and damping of every mode. If a joint is sprung,
+    those of every joint coordinate precede them. Implicit steps give their own values.
     """
     return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _watched, constants)
 
@@ -188,7 +188,7 @@ def complete_dynamics(chain: Chain, constants="constants") -> Program:
 
 
 def modal_properties(chain: Chain, constants="parameters") -> Program:
-    """``() -> (M_eta, K, D)``: inertia, stiffness and damping of what :func:`modal_dynamics` is given."""
+    """``() -> (M_eta, K, D)``: inertia, stiffness and damping behind the inputs of :func:`modal_dynamics`."""
     return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
 
 
@@ -213,7 +213,7 @@ def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
 
 
 def bias(chain: Chain, constants="parameters") -> Program:
-    """``(q, v, w_ext) -> (h)``: what a motion without accelerations needs."""
+    """``(q, v, w_ext) -> (h)``: the bias force, which is the inverse dynamics without accelerations."""
     inputs = {"q": chain.nq, "v": chain.nq, "w_ext": 6 * chain.n}
 
     def body(f: Functions, x):
@@ -301,7 +301,7 @@ def dae_dynamics(chain: Chain, constants="parameters") -> Program:
 
 
 def joint_rates(chain: Chain, constants="parameters") -> Program:
-    """``(x) -> (qdot)``: the joints' rates that the twists of the DAE form show."""
+    """``(x) -> (qdot)``: the joint rates that follow from the twists of the DAE form."""
 
     def body(f: DaeFunctions, x):
         return {"qdot": f.joint_rates(x["x"])}
@@ -310,7 +310,7 @@ def joint_rates(chain: Chain, constants="parameters") -> Program:
 
 
 def projection(chain: Chain, constants="parameters") -> Program:
-    """``(x) -> (projected)``: the state taken back onto the joints."""
+    """``(x) -> (projected)``: the state projected onto the joint constraints."""
 
     def body(f: DaeFunctions, x):
         return {"projected": f.project(x["x"])}
@@ -319,7 +319,7 @@ def projection(chain: Chain, constants="parameters") -> Program:
 
 
 def placement(chain: Chain, constants="parameters") -> Program:
-    """``(q, v) -> (x)``: the state of the DAE form on the joints."""
+    """``(q, v) -> (x)``: the state of the DAE form from coordinates and rates."""
 
     def body(f: DaeFunctions, x):
         return {"x": f.place(x["q"], x["v"])}

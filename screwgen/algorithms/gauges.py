@@ -1,4 +1,4 @@
-"""Strain gauges at the bases of links: which there are, and the shapes' curvatures there."""
+"""Strain gauges at the bases of links: their list, and the curvatures of the mode shapes there."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ class Gauge:
     direction: str
     """``bending_y`` or ``bending_z``."""
     first: int
-    """Place of the direction's first mode among all modal coordinates."""
+    """Index of the direction's first mode among all modal coordinates."""
     curvatures: tuple[float, ...]
     """Second derivatives of the mode shapes at s = 0, dimensionless."""
 
 
 def gauges(chain: Chain) -> list[Gauge]:
-    """A gauge for every link and direction with bending modes, link by link, y before z."""
+    """One gauge per link and direction with bending modes, link by link, y before z."""
     out = []
     for i, key in enumerate(chain.keys):
         for direction in ("bending_y", "bending_z"):

@@ -11,15 +11,15 @@ LINK = "F_i"
 TIP = "parent's tip frame"
 MIXED = "rad/s^2, m/s^2, N*m"
 SUBSPACE = {3: r"\mathbf{A}_i", 6: r"\mathbf{S}_i"}
-"""How the motion subspace is written: of a joint that only turns, its angular part, the axes."""
+"""The LaTeX of the motion subspace; for a revolute joint it is the angular part, the axes."""
 
 
 def joint_rows_block(key: LinkClass) -> Block:
-    """The six completed rows of a joint: ``P`` (compatibility, differentiated once), and what the motors supply.
+    """The six completed rows of a joint: the projected acceleration constraint, and the balance of the motor torques.
 
     ``P (J_B Vdot_i - X Vdot_T - J_B beta) + S S^+ w - S^+T (tau - J_m qddot - b qdot - k q) = 0``
-    with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``: the projector (43) has rank 6 - m, the
-    motors' rows complete it.
+    with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``. The projector ``P`` (43) has rank 6 - m; the torque
+    balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
     m = key.joints
@@ -70,7 +70,7 @@ def joint_rows_block(key: LinkClass) -> Block:
         unit="-",
         frame=LINK,
         equation="43",
-        meaning="projector onto what the joint blocks",
+        meaning="projector onto the directions that the joint constrains",
     )
     free = identity(size) - N
     if key.armature:
@@ -114,7 +114,7 @@ def joint_rows_block(key: LinkClass) -> Block:
         r"\mathbf{H}_{p,i}",
         unit=MIXED,
         equation="61",
-        meaning="what the velocities, springs and dampers leave in the joint's rows",
+        meaning="bias of the joint's rows, springs and dampers included",
     )
     b.step(
         "joint_W",
@@ -138,7 +138,7 @@ def _column(a: Expression) -> Expression:
 
 
 def _passive(b: Block, key: LinkClass) -> Expression | None:
-    """``b qdot + k q``: what damper and spring need; nothing if there are none."""
+    """``b qdot + k q``: the generalised forces of damper and spring, or None without them."""
     total: Expression | None = None
     for present, name, state, display in (
         (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),

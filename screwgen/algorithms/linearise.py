@@ -1,9 +1,9 @@
-"""The derivatives of the joint form: mass matrix and slopes of the inverse dynamics, pair of links by pair.
+"""Derivatives of the joint form: the mass matrix and the partial derivatives of the inverse dynamics.
 
 ``d vdot / d x = -M^-1 d f / d x`` with ``f`` the inverse dynamics at held ``vdot``, and ``d vdot / d tau`` the
-first columns of ``M^-1``.  The phases (:mod:`.sensitivity`) give what a link answers to its own coordinates.
-Between links two things travel: outward the acceleration that a unit of ``vdot`` gives a node (columns), and
-inward the rows that act on a node's motion.
+first columns of ``M^-1``.  The phases (:mod:`.sensitivity`) give the derivatives of a link with its own coordinates.
+The blocks of two different links need two quantities at the nodes between them: outward the acceleration of a node
+per unit of ``vdot`` (columns), and inward the derivatives with a node's motion (rows).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ PAIRS = (
     "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
     "E R_T R_rel r_T udot_T omega_s omega_i omega_J r_B r_J v_J"
 ).split()
-"""What the phases leave in a link's store for the pairs of links."""
+"""The signals of a link's store that the blocks of two links need."""
 
 Section = Callable[[str], AbstractContextManager]
 
@@ -67,7 +67,7 @@ def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]
 
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:
-    """Where q holds the joint and the modal coordinates of a link."""
+    """The slices of q with the joint and the modal coordinates of a link."""
     m = chain.n_joints
     return slice(*chain.q_offset[i : i + 2]), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
 
@@ -103,7 +103,7 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's ancestors: virtual accelerations that they give it, on the wrench that it needs."""
+    """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
     given, owners = mx.zeros(6, 0), []
     for i, link in enumerate(links):
         q, eta = places(chain, i)
@@ -125,13 +125,13 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
 
 
 def _moved(r: Array, accelerations: Array) -> Array:
-    """Accelerations (6, k) of the origin as those of the point ``r``."""
+    """Accelerations (6, k) of the origin, converted to the point ``r``."""
     lever = mx.multiply(mx.hat(r), accelerations[:3])
     return np.vstack([accelerations[:3], accelerations[3:] - lever])
 
 
 def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's descendants, on the motion that its coordinates give its tip."""
+    """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates."""
     rows, owners = mx.zeros(0, 9), []
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
@@ -155,7 +155,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
-    its guards are part of it, so what both compute is computed once.
+    its guards are included, so common operations are computed once.
     """
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_given, "f_eta": chain.n_given}

@@ -14,8 +14,8 @@ LINK = "F_i"
 def link_rows_block(key: LinkClass) -> Block:
     """The six rows of a link and its modal rows, and its columns in the rows of the next joint.
 
-    ``M nudot + h - [J_B^T w_i; 0] + J_T^T (M_T (J_T nudot + b_T) + h_T + X^T w_{i+1}) = J_T^T w_ext``: the
-    next link's wrench and the bodies at the tip load the modes too.
+    ``M nudot + h - [J_B^T w_i; 0] + J_T^T (M_T (J_T nudot + b_T) + h_T + X^T w_{i+1}) = J_T^T w_ext``. The
+    wrench of the next joint and the tip bodies act on the modes too, through ``J_T``.
     """
     b = Block("link_rows", "Rows of the link")
     r = key.modes

@@ -1,7 +1,7 @@
-"""A small matrix language over entries that are nodes or floats.
+"""Matrix operations on arrays whose entries are program nodes or floats.
 
-Spatial quantities are angular part first; ``Lambda`` stands for a symmetric 6 x 6, ``r`` for a point.
-Zeros and ones that are floats vanish from the program; symmetric results are computed once.
+Spatial vectors have their angular part first. ``Lambda`` is a symmetric 6 x 6 matrix, ``r`` a point. Entries that are
+float zeros or ones cost no operation, and of a symmetric result only one triangle is computed.
 """
 
 from __future__ import annotations
@@ -106,8 +106,8 @@ def rotate(R: Array, Lambda: Array) -> Array:
 def turn(R: Array, A: Array) -> Array:
     """``R A R^T`` of a rotation and a symmetric 3 x 3.
 
-    Where all entries are computed: with ``A = a 1 + T + T^T``, ``T`` strictly upper but for two diagonal entries,
-    it is ``a 1 + X + X^T`` with ``X = R T R^T``.
+    If no entry is a float: with ``A = a 1 + T + T^T``, where ``T`` is strictly upper triangular but for two diagonal
+    entries, the result is ``a 1 + X + X^T`` with ``X = R T R^T``.
     """
     if not all(isinstance(x, Node) for x in (*A.flat, *R.flat)):
         return congruence(R.T, A)
@@ -135,7 +135,7 @@ def shift(r: Array, Lambda: Array) -> Array:
 
 
 def shift_wrench(r: Array, w: Array) -> Array:
-    """A wrench at the point ``r``, taken about the origin."""
+    """A wrench at the point ``r``, expressed about the origin."""
     return np.concatenate([w[:3] + cross(r, w[3:]), w[3:]])
 
 

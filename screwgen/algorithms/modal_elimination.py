@@ -1,9 +1,9 @@
 """Eliminating the modal accelerations of a link.
 
-The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) says how the
-modes move the tip section and ``Q`` is the inertia that it carries.  Two ways give the same result:
-factorise the r x r matrix, or take the tip's inertia through the modes' compliance: O(r), for many modes.
-Which of them a class of links uses is counted when its programs are traced (:func:`.schedule.trace`).
+The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) maps modal
+to tip accelerations and ``Q`` is the articulated inertia at the tip.  Two methods give the same result:
+to factorise the r x r matrix, or to combine the tip's inertia with the modes' compliance, which costs O(r).
+For each link class the one with fewer operations is taken when its programs are traced (:func:`.schedule.trace`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .scope import Scope
 
 FACTOR, COMPLIANCE = "factor", "compliance"
 WAYS = (FACTOR, COMPLIANCE)
-"""By the r x r factor, or through the modes' compliance."""
+"""The two methods: the r x r factor, or the modes' compliance."""
 
 
 Rows = tuple[Array, Array, Array, Array]
@@ -24,7 +24,7 @@ Rows = tuple[Array, Array, Array, Array]
 
 
 def eliminate_modes(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
-    """Fold the tip's reaction ``Lambda, p`` (F_i axes, tip point) in and eliminate etaddot."""
+    """Add the tip's reaction ``Lambda, p`` (F_i axes, tip point) to the link's equations and eliminate etaddot."""
     with s.step("modes: the tip load folded in, modal accelerations eliminated (83)"):
         if s.way == FACTOR:
             return _dense(s, own, Lambda, p)
@@ -32,14 +32,14 @@ def eliminate_modes(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array
 
 
 def modal_accelerations(s: Scope, delta: Array) -> Array:
-    """etaddot from what the joints add to the acceleration of F_i."""
+    """etaddot from ``delta``, the part of F_i's acceleration that joint and modal accelerations cause."""
     if s.way == FACTOR:
         return -mx.backward(s.kept("modes_L"), s.kept("modes_w") + mx.multiply(s.kept("modes_W"), delta))
     return _compliant_accelerations(s, delta)
 
 
 def _tip_shapes(s: Scope) -> Array:
-    """``[J_l Psi_c; Phi_c]``: how every mode turns and moves the tip section."""
+    """``[J_l Psi_c; Phi_c]``: rotation and displacement of the tip section per unit of each mode."""
     return s.name("Theta", np.vstack([mx.multiply(s.kept("J_l"), s.kept("Psi_c")), s.kept("Phi_c")]))
 
 
@@ -64,7 +64,7 @@ def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
 
 
 def _columns(r: Array, wrenches: Array) -> Array:
-    """Wrenches at the point ``r``, one per column, about the origin."""
+    """Wrenches at the point ``r``, one per column, expressed about the origin."""
     out = wrenches.copy()
     for k in range(wrenches.shape[1]):
         out[:, k] = mx.shift_wrench(r, wrenches[:, k])
@@ -104,7 +104,7 @@ def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Arr
 
 
 def _turned(s: Scope) -> Array:
-    """``blkdiag(J_l, I)``: the tip section's turn and displacement from the modes' slopes and displacements."""
+    """``blkdiag(J_l, I)``: the tip section's rotation and displacement from the modes' slopes and displacements."""
     G = mx.identity(6)
     G[:3, :3] = s.kept("J_l")
     return G
@@ -123,7 +123,7 @@ def _compliant_accelerations(s: Scope, delta: Array) -> Array:
 
 
 def _root(s: Scope, Y: Array) -> Array:
-    """``U`` with ``U U^T = Y``, by planes: a plane's slope and displacement couple, planes do not.
+    """``U`` with ``U U^T = Y``, plane by plane: slope and displacement couple within a plane, but planes do not couple.
 
     A plane with one mode has rank one; its second pivot is then zero in exact arithmetic and left out.
     """

@@ -1,13 +1,15 @@
-"""The phases of the algorithms: what one link does on the way out to the tip or back to the base.
+"""The phases of the joint form's algorithms: the computations of one link in an outward or inward pass.
 
-Block elimination of M_sys, tip to base: with the next link's reaction written as ``w = Lambda delta_T + p``,
-every link folds it in, eliminates its modal accelerations, then its joint coordinates, and hands ``Lambda, p``
-to its parent.  Base to tip follow the accelerations and the joint wrenches.
+Forward dynamics is a block elimination of M_sys from tip to base.  The reaction of the next link is written as
+``w = Lambda delta_T + p`` with the articulated inertia ``Lambda`` and the bias force ``p``.  Every link adds it to its
+equations, eliminates its modal accelerations, then its joint accelerations, and passes ``Lambda, p`` to its parent.
+The accelerations and the joint wrenches follow from base to tip.
 
-A point's acceleration is split in two: ``alpha_0``, what it would be if no joint and no mode accelerated (known on
-the way out), and ``delta``, what their accelerations add.  It is that of the material point in the inertial frame,
-so no velocity of a point enters, only the angular velocity.  Gravity enters as an acceleration ``-g`` of the base.
-Nodes are kept in the axes of the parent's F_i, at its tip point: a link turns what it hands up once.
+The acceleration of a point is split in two: ``alpha_0`` is its value while no joint and no mode accelerates, known
+after the outward pass; ``delta`` is the contribution of the joint and modal accelerations.  Accelerations are those of
+material points in the inertial frame, so they need angular velocities but no linear ones.  Gravity enters as an
+acceleration ``-g`` of the base.  Signals of a node are in the axes of the parent's F_i, at its tip point, so a link
+rotates its contribution only once.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ from .validity import axial_motion
 
 
 def kinematics(s: Scope) -> None:
-    """Base to tip: angular velocity, and acceleration at rest of joints and modes, from q, qdot, eta, etadot."""
+    """Base to tip: angular velocity and ``alpha_0`` of F_i and of the tip, from q, qdot, eta, etadot."""
     q, qdot = s.read("q"), s.read("qdot")
     omega_R = relative_posture(s)
     joint_motion(s, q, qdot, omega_R)
@@ -30,7 +32,7 @@ def kinematics(s: Scope) -> None:
 
 
 def relative_posture(s: Scope) -> Array:
-    """Store how the link stands to its parent; returns the angular velocity of the parent's tip in F_i axes."""
+    """Store the pose of F_i relative to its parent; returns the angular velocity of the parent's tip in F_i axes."""
     (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
     s.keep("R_rel", R_rel)
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
@@ -53,7 +55,7 @@ def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
-    """``alpha x r + omega x (omega x r)``: how the point ``r`` of a body accelerates against its origin."""
+    """``alpha x r + omega x (omega x r)``: acceleration of the point ``r`` of a body relative to its origin."""
     return mx.cross(alpha, r) + mx.cross(omega, mx.cross(omega, r))
 
 
@@ -77,7 +79,7 @@ def tip_motion(s: Scope) -> None:
 
 
 def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
-    """``M_V, M_D, h_V, h_eta`` of the link alone, the forces at ``alpha_0``."""
+    """``M_V, M_D, h_V, h_eta`` of the link alone; the bias forces include the inertial forces of ``alpha_0``."""
     alpha_0 = s.kept("alpha_0")
     state = {"omega": s.kept("omega"), "alpha": alpha_0[:3], "v": mx.zeros(3), "g": -alpha_0[3:]}
     state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
@@ -93,7 +95,7 @@ def tip_bodies(s: Scope) -> tuple[Array, Array, Array]:
 
 
 def tip_load(s: Scope) -> tuple[Array, Array]:
-    """``Lambda, p`` of all that the tip section carries, in F_i axes at the tip point."""
+    """``Lambda, p`` of the next links and the tip bodies together, in F_i axes at the tip point."""
     with s.step("tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46)"):
         m, S, I = tip_bodies(s)
         M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
@@ -104,13 +106,13 @@ def tip_load(s: Scope) -> tuple[Array, Array]:
 
 
 def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
-    """The wrench that rigid bodies need at an angular velocity and an acceleration of their reference point."""
+    """Newton-Euler wrench of rigid bodies at an angular velocity and an acceleration of their reference point."""
     turn = mx.cross(S, alpha[3:]) + mx.multiply(I, alpha[:3]) + mx.cross(omega, mx.multiply(I, omega))
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
 
 
 def eliminate(s: Scope) -> None:
-    """Tip to base: fold the tip's reaction in, eliminate modes and joint, hand the rest up."""
+    """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
     own = rows(s)
     if s.key.bends:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
@@ -125,7 +127,7 @@ def eliminate(s: Scope) -> None:
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
-    """Solve the joint's rows ``S^T w = tau - m_q qddot - f_q`` for qddot: ``f_q = b qdot + k q``, or as given."""
+    """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given."""
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
         U = s.name("U", mx.multiply(M, S))
@@ -142,7 +144,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
 
 
 def accelerate(s: Scope) -> None:
-    """Base to tip: qddot, etaddot, the joint wrench, and what they add to the acceleration of the tip."""
+    """Base to tip: qddot, etaddot, the joint wrench, and ``delta`` of the tip."""
     R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
         carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))))
@@ -175,7 +177,7 @@ def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
 
 
 def inverse_outward(s: Scope) -> None:
-    """Base to tip: what qddot and etaddot add to the accelerations."""
+    """Base to tip: ``delta``, the contribution of qddot and etaddot to the accelerations."""
     qddot, etaddot = s.read("qddot"), s.read("etaddot")
     carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta")))
     delta = carried + mx.multiply(s.kept("S"), qddot)
@@ -184,7 +186,7 @@ def inverse_outward(s: Scope) -> None:
 
 
 def inverse_inward(s: Scope) -> None:
-    """Tip to base: the wrenches that the accelerations need, and the generalised forces."""
+    """Tip to base: the joint wrenches of given accelerations, and the generalised forces."""
     qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
     m, S, I = tip_bodies(s)
@@ -222,7 +224,7 @@ def poses(s: Scope) -> None:
 
 
 def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
-    """``R_rel, R_T, r_T``: kept by an earlier phase, or computed."""
+    """``R_rel, R_T, r_T``, stored by an earlier phase or computed."""
     if "R_rel" in s.layouts:
         return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
     (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
@@ -298,15 +300,15 @@ def stiffness(s: Scope) -> Array:
 
 
 def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint's own coordinates: the armature, or what is given of a sprung joint."""
+    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint."""
     return s.read("m_q") if s.key.sprung else armature(s)
 
 
 def own_force(s: Scope) -> Array:
-    """What damper and spring of the joint need."""
+    """The generalised forces of the joint's damper and spring."""
     return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)
 
 
 def drive(s: Scope) -> Array:
-    """What motor, damper and spring give together."""
+    """The sum of the generalised forces of motor, damper and spring."""
     return s.read("tau") - own_force(s)

@@ -1,4 +1,4 @@
-"""Rows that act on a node's motion ``[omega; omegadot; a]``, and wrenches, taken from node to node."""
+"""Change of reference: rows that act on a motion ``[omega; omegadot; a]``, and wrenches, at another node."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from . import matrices as mx
 
 
 def to_parent(rows: Array, R: Array, omega, omega_J, omega_P, r_B: Array, r_J: Array, v_J: Array) -> Array:
-    """Rows (k, 9) that act on the motion of F_i, as rows on that of the parent's tip, in its components.
+    """Rows (k, 9) on the motion of F_i, converted to rows on the motion of the parent's tip, in tip-frame components.
 
-    The joint point is at ``r_J`` from the parent's tip and moves against it with ``v_J``, in its components.
+    ``r_J`` is the joint point relative to the parent's tip and ``v_J`` its relative velocity, both in that frame.
     """
     rows = offset(rows, omega, -r_B, mx.zeros(3))
     rows = np.hstack([rows[:, :3] + cross_rows(omega_J, rows[:, 3:6]), rows[:, 3:]])
@@ -19,14 +19,14 @@ def to_parent(rows: Array, R: Array, omega, omega_J, omega_P, r_B: Array, r_J: A
 
 
 def to_link(rows: Array, R_T: Array, r_T: Array, udot: Array, omega_s: Array, omega: Array) -> tuple[Array, Array]:
-    """Rows on the tip section's motion, in F_i axes: at the tip point, and as rows on the motion of F_i."""
+    """Rows on the tip section's motion in F_i axes: at the tip point, and converted to rows on the motion of F_i."""
     tip = rotated_rows(R_T, rows)
     moved = offset(tip, omega, r_T, udot)
     return tip, np.hstack([moved[:, :3] + cross_rows(omega_s, tip[:, 3:6]), moved[:, 3:]])
 
 
 def offset(rows: Array, omega: Array, r: Array, udot: Array) -> Array:
-    """Rows on the motion of the point ``r``, which moves with ``udot``, as rows on that of the origin."""
+    """Rows on the motion of the point ``r``, of relative velocity ``udot``, converted to rows on that of the origin."""
     a = rows[:, 6:]
     return np.hstack([rows[:, :3] + mx.multiply(a, swing(omega, r, udot)), rows[:, 3:6] + cross_rows(r, a), a])
 
@@ -40,7 +40,7 @@ def rotated_columns(R: Array, wrenches: Array) -> Array:
 
 
 def shifted(r: Array, wrenches: Array) -> Array:
-    """Wrenches at the point ``r``, one per column, about the origin."""
+    """Wrenches at the point ``r``, one per column, expressed about the origin."""
     return np.vstack([wrenches[:3] + mx.multiply(mx.hat(r), wrenches[3:]), wrenches[3:]])
 
 
@@ -60,6 +60,6 @@ def cross_rows(a: Array, rows: Array) -> Array:
 
 
 def swing(omega: Array, r: Array, udot: Array) -> Array:
-    """Change of ``omega x (omega x r) + 2 omega x udot`` with omega."""
+    """Derivative of ``omega x (omega x r) + 2 omega x udot`` with omega."""
     turned = mx.hat(mx.cross(omega, r) + 2.0 * udot)
     return -turned - mx.multiply(mx.hat(omega), mx.hat(r))

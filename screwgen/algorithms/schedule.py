@@ -1,4 +1,4 @@
-"""Phases, algorithms, and the one way in which they are traced and run over the chain."""
+"""Phases and algorithms: how they are traced, and how they are run over the links."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from .scope import Layout, Scope, derived
 
 OUTWARD, INWARD = +1, -1
 COLUMNS = {"eta": ("M_eta", "K", "D"), "q": ("M_q", "K_q", "D_q")}
-"""Inertia, stiffness and damping of a link's own modal coordinates, and of its joint's where that is sprung."""
+"""Inertia, stiffness and damping of a link's modal coordinates, and of its joint coordinates if the joint is sprung."""
 FEW, MANY = 3, 12
-"""With fewer modes than FEW the r x r factor is always the smaller, with more than MANY never."""
+"""With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
 
 @dataclass(frozen=True)
 class Phase:
-    """What every link does on one way along the chain: from base to tip, or from tip to base."""
+    """The computations of every link in one pass along the chain: from base to tip, or from tip to base."""
 
     work: Callable[[Scope], None]
     direction: int
@@ -46,7 +46,7 @@ Algorithm = tuple[Phase, ...]
 def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
     """The programs of a link class, one per phase of an algorithm; links of a class share them.
 
-    Of the ways to eliminate modes the one with the fewest operations is taken.
+    Of the methods to eliminate modes the one with the fewest operations is taken.
     """
     ways = WAYS if any(phase.eliminates for phase in algorithm) else (FACTOR,)
     ways = ways if FEW <= key.modes <= MANY else (FACTOR if key.modes < FEW else COMPLIANCE,)
@@ -99,7 +99,7 @@ def _parameters(scope: Scope, block) -> dict:
 
 
 def _prepared(scope: Scope, block, label: str) -> Value:
-    """One constant: its step and all that the step needs, recorded from the parameters."""
+    """One constant: its step and the steps that it depends on, recorded from the parameters."""
     symbol = next(s for s in block.bindings if s.name == label)
     for name, signal in block.inputs.items():
         if symbol in block.values[name].flat and signal.binding == Binding.PARAMETER:
@@ -128,9 +128,9 @@ def execute(
 ) -> list[dict[str, list]]:
     """Run an algorithm over the chain: the schedule of every back end.
 
-    ``links`` holds the call's inputs and constants of every link, ``nodes`` the n + 1 nodes with what is
-    known beforehand of base and tip; ``apply(link, phase, program, inputs)`` runs one program on values of
-    any algebra.  Returns, for every link, all signals that it has read or written.
+    ``links`` holds the inputs and constants of every link, ``nodes`` the n + 1 nodes with the known values of base
+    and tip; ``apply(link, phase, program, inputs)`` runs one program on values of any algebra.  Returns, for every
+    link, all signals that it has read or written.
     """
     stores = [dict(link) for link in links]
     for number, phase in enumerate(algorithm):
@@ -149,7 +149,7 @@ def execute(
 
 
 def _place(name: str, places: Mapping[str, dict]) -> tuple[dict, str]:
-    """Where a signal is kept, and under which name."""
+    """The mapping that holds a signal, and the signal's name there."""
     where, _, what = name.partition(".")
     return (places[where], what) if where in ("base", "tip") else (places[""], name)
 
@@ -160,7 +160,7 @@ def _fetch(name: str, places: Mapping[str, dict]) -> list:
 
 
 def _summed(before: Sequence, values: Sequence) -> list:
-    """What two links hand to the node that carries both."""
+    """The sum of two links' contributions to the node that carries both."""
     return [a + b for a, b in zip(before, values, strict=True)]
 
 

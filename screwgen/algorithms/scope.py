@@ -1,10 +1,10 @@
-"""What a phase sees of its link: named signals of the link, of its two nodes, and of the call.
+"""The scope of a phase: named signals of the link, of its two nodes, and of the call.
 
 A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip of link i.  A phase of
-link i reads and writes signals whose names say where they live:
+link i reads and writes signals. The prefix of a signal's name says where it is stored:
 
 ``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
-``w.*``                the link's own store, kept from one phase to the next
+``w.*``                the link's store, which later phases of the same link read
 ``c.*``                constants of the link, prepared from its parameters
 anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
 """
@@ -78,10 +78,10 @@ def derived(key: LinkClass) -> Mapping[str, Block]:
 
 @cache
 def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
-    """The constants of a class that equal one with another label whatever the parameters: its sign and label.
+    """The constants of a class that equal another one for all parameters, each with that one's sign and label.
 
-    A section that is the same about both axes, a mode shape that serves two directions: what follows from them is
-    prepared, stored and multiplied once.
+    Examples are a section that is the same about both axes, or a mode shape of two directions. Equal constants are
+    prepared and stored once, and their products are computed once.
     """
     tracer, first, out = Tracer(), {}, {}
     for block in (derived(key)[name] for name in BLOCKS if name not in OTHERS):
@@ -103,7 +103,7 @@ SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega",
 
 @dataclass
 class Layout:
-    """How an array of the link's store is kept: only entries that are computed take a place.
+    """The layout of an array in the link's store, which has places for computed entries only.
 
     ``entries`` holds, for every entry, a float, or the sign and place of a stored value, or the sign
     and label of a constant.
@@ -122,13 +122,13 @@ class Scope:
     tracer: Tracer
     layouts: dict[str, Layout]
     way: str = ""
-    """How modal accelerations are eliminated, see :mod:`.modal_elimination`."""
+    """The method by which modal accelerations are eliminated, see :mod:`.modal_elimination`."""
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
     fresh: dict[str, Array] = field(default_factory=dict)
 
     def read(self, name: str, *shape: int) -> Array:
-        """An input signal; ``shape`` where it has no type of its own in :mod:`.signals`."""
+        """An input signal; ``shape`` is needed if it has no type in :mod:`.signals`."""
         shape = shape or signal(name).size(self.key.joints, self.key.modes)
         size = int(np.prod(shape))
         if name not in self.inputs:
@@ -160,7 +160,7 @@ class Scope:
         return value if sign > 0 else -value
 
     def lower(self, block: str | Block, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
-        """Record a block, of the class by its name or any; columns come back flat, matrices as matrices."""
+        """Record a block (or the class's block of that name) and return outputs; columns are flat arrays."""
         owner = block if isinstance(block, Block) else derived(self.key)[block]
         values = lower(owner, inputs, outputs, self.tracer, self.constant)
         flat = [owner.signal(n).shape[1] == 1 and 1 not in owner.signal(n).numbered for n in outputs]
@@ -189,7 +189,7 @@ class Scope:
             self.outputs[f"w.{name}"] = stored
 
     def kept(self, name: str) -> Array:
-        """An array that this or an earlier phase stored, its structure included."""
+        """An array that this or an earlier phase stored, with its float entries."""
         if name in self.fresh:
             return self.fresh[name]
         layout = self.layouts[name]
@@ -205,5 +205,5 @@ class Scope:
         return value if sign > 0 else -value
 
     def program(self, name: str) -> Program:
-        """What was recorded, as a program."""
+        """The recorded operations as a program."""
         return self.tracer.program(name, {k: len(v) for k, v in self.inputs.items()}, self.outputs)

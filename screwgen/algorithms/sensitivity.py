@@ -1,13 +1,14 @@
-"""The phases of the derivatives: how a link's motion and loads answer to small changes at given accelerations.
+"""The phases of the derivatives: first-order changes of a link's motion and loads at given accelerations.
 
 The rows ``f(q, v, vdot) = 0`` of the inverse dynamics are differentiated with vdot held; then
-``d vdot = -M^-1 df``.  What a body needs depends on its velocities only through omega, if the acceleration of
-its origin is the inertial one, ``a = vdot + omega x v``.  So a node's motion is ``[omega; omegadot; a]``, nine
-numbers, and a change of it acts on all that the node carries through two matrices: ``Lambda``, the inertia, and
-``Gamma`` (6 x 3), the change with omega.  Both are handed from tip to base, whatever the number of links.
+``d vdot = -M^-1 df``.  The wrench of a body depends on velocities only through omega, if the acceleration of its
+origin is the inertial one, ``a = vdot + omega x v``.  The motion of a node is therefore ``[omega; omegadot; a]``, nine
+numbers.  A change of it acts on everything behind the node through two matrices: the inertia ``Lambda``, and
+``Gamma`` (6 x 3), the derivative with omega.  Both are accumulated from tip to base.
 
-With a body's turn varied by the angle sigma (in its own axes), ``d omega = sigmadot + omega x sigma``, and its
-rate follows; so joints and tip sections need the rates of their axes only, and no rotation is differentiated.
+If a body is turned by the small angle sigma (in its own axes), ``d omega = sigmadot + omega x sigma``, and
+``d omegadot`` is its rate.  So joints and tip sections need the rates of their axes only; no rotation matrix is
+differentiated.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ def tip_motion(s: Scope, link: Motion) -> Motion:
 
 
 def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
-    """The same in F_i components."""
+    """The tip section's motion in F_i components."""
     given = tip_state(s) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
     omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
@@ -105,7 +106,7 @@ def tip_rotation(s: Scope) -> Array:
 
 
 def turning(s: Scope) -> Turning:
-    """The turn's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
+    """The rotation's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
     r = s.key.modes
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
@@ -144,7 +145,7 @@ def _stumpff(s: Scope, t: dict[str, Array]) -> list:
 
 
 def turned_moment(s: Scope, moment: Array) -> Array:
-    """``d(phi_l . moment)/d eta_k`` for a moment that is held: (r, r), row l, column k."""
+    """``d(phi_l . moment)/d eta_k`` for a constant moment: (r, r), row l, column k."""
     if not s.key.section_rotation:
         return mx.zeros(s.key.modes, s.key.modes)
     names = ("theta", "x", "c2", "c3", "Psi_c")
@@ -164,7 +165,7 @@ def turned_moment(s: Scope, moment: Array) -> Array:
 
 @dataclass
 class Load:
-    """Wrench that a motion needs at a point, inertia, and change (6 x 3) with the angular velocity; F_i axes."""
+    """Wrench of a motion at a point, inertia, and derivative (6 x 3) with the angular velocity; F_i axes."""
 
     wrench: Array
     Lambda: Array
@@ -172,15 +173,15 @@ class Load:
 
 
 def answers(s: Scope) -> None:
-    """Tip to base: what a link and all that it carries need, and how that answers to small changes."""
+    """Tip to base: the wrench of a link and all that it carries, and its first-order changes."""
     joint_answers(s, link_answers(s))
 
 
 def link_answers(s: Scope) -> Load:
-    """Wrench at F_i, inertia and change with omega of a link and all that it carries.
+    """Wrench at F_i, inertia and derivative with omega, of a link and all that it carries.
 
-    Stored for the pairs of links: the changes of wrench and modal forces with eta and etadot, of the tip's
-    motion with them, and of the modal forces with the link's motion.
+    Stored for the blocks of two links: the derivatives of wrench, modal forces and tip motion with eta and etadot, and
+    those of the modal forces with the link's motion.
     """
     r = s.key.modes
     link = Motion(s.read("w.omega_i"), *np.split(s.read("w.acc_i"), 2))
@@ -230,7 +231,7 @@ def tip_load(s: Scope) -> Load:
 
 
 def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Wrench and modal force of the link alone; and their changes with omega, eta and etadot."""
+    """Wrench and modal force of the link alone, and their derivatives with omega, eta and etadot."""
     eta, etadot, etaddot = (s.read(name) for name in ("eta", "etadot", "etaddot"))
     state = {"omega": link.omega, "v": mx.zeros(3), "g": mx.zeros(3), "eta": eta, "etadot": etadot}
     I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
@@ -246,7 +247,7 @@ def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Arr
 
 
 def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:
-    """Change of ``[omega; omegadot; a]`` of the tip section with eta: (9, r), F_i components, ``z`` the motion."""
+    """Derivative of the tip section's ``[omega; omegadot; a]``, which is ``z``, with eta: (9, r), F_i components."""
     psi = t.phidot + cross_columns(link.omega, t.phi)
     rate = t.phiddot + cross_columns(link.omegadot, t.phi) + cross_columns(link.omega, t.phidot)
     moved = cross_columns(link.omegadot, Phi) + cross_columns(link.omega, cross_columns(link.omega, Phi))
@@ -254,7 +255,7 @@ def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:
 
 
 def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
-    """The same with etadot."""
+    """The derivative of the tip section's motion with etadot."""
     rate = 2.0 * t.phidot + cross_columns(link.omega - t.omega_s, t.phi)
     return np.vstack([t.phi, rate, 2.0 * cross_columns(link.omega, Phi)])
 
@@ -263,7 +264,7 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 
 def joint_answers(s: Scope, carried: Load) -> None:
-    """The joint's rows, their changes with the joint's coordinates, and what is handed to the parent."""
+    """The joint's rows, their derivatives with the joint's coordinates, and the load passed to the parent."""
     m, omega_P = s.key.joints, s.read("base.omega_T")
     q, qdot = s.read("q"), s.read("qdot")
     R, A = s.lower("posture", {"q": q}, "R_rel", "A")
@@ -300,8 +301,8 @@ def joint_answers(s: Scope, carried: Load) -> None:
 def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tuple[Array, Array]:
     """Change of ``[omega; omegadot; a]`` of F_i with q and with qdot, (9, m) each; ``joint.a`` is the joint point's.
 
-    With S_k a column of the motion subspace and V the twist, ``dV/dq_k = Sdot_k + ad_V S_k``, and its rate likewise;
-    seen from where the joint point is at rest.
+    With S_k a column of the motion subspace and V the twist, ``dV/dq_k = Sdot_k + ad_V S_k``, and its rate likewise.
+    The frame of reference is the one in which the joint point is at rest.
     """
     qdot, qddot = s.read("qdot"), s.read("qddot")
     Adot, Addot, Tdot, Tddot = subspace_rates(A, T, qdot, qddot)
@@ -334,7 +335,7 @@ def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array
 
 
 def _later(A: Array, T: Array, w: Array, l: int, k: int):
-    """``d(S_l . w)/d q_k``: screw k moves the columns before it."""
+    """``d(S_l . w)/d q_k``: the columns before screw k depend on its coordinate."""
     if k <= l:
         return 0.0
     moved = mx.cross(T[:, l], A[:, k]) + mx.cross(A[:, l], T[:, k])
@@ -342,6 +343,6 @@ def _later(A: Array, T: Array, w: Array, l: int, k: int):
 
 
 def _swung_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
-    """Change of the origin's acceleration relative to the joint point."""
+    """Derivative of the origin's acceleration relative to the joint point."""
     d = -mx.multiply(swing(omega, r_B, mx.zeros(3)), d_omega)
     return d + mx.multiply(mx.hat(r_B), d_rate)

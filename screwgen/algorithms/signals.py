@@ -1,9 +1,9 @@
-"""The signals that the phases exchange: shape, unit, frame and meaning of each, said once.
+"""The signals that the phases exchange, with shape, unit, frame and meaning.
 
-Those of a node stand between a link and the links that it carries. Those of the store are kept by a link from one phase
-to the next. All others are inputs and outputs of a call. In a shape, ``m`` stands for the joint coordinates and
-``r`` for the modes of a link. Angular parts come first. Accelerations are those of material points in the inertial
-frame, free fall taken off.
+The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
+phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates and
+``r`` the number of modes of a link. Angular parts come first. Accelerations are those of material points in the
+inertial frame, less free fall.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
-CARRIER = "axes of the F_i that carries the node"
+CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
 MODAL, MIXED = "m (torsion: rad)", "see the joint's rows"
 
@@ -25,7 +25,7 @@ class Signal(NamedTuple):
     meaning: str
 
     def size(self, joints: int, modes: int) -> tuple[int, ...]:
-        """The shape for a link of so many joint coordinates and modes."""
+        """The shape for given numbers of joint coordinates and modes."""
         return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
 
     @property
@@ -39,16 +39,16 @@ NODE = {
     "omega": Signal((3,), "rad/s", CARRIER, "angular velocity of the tip section"),
     "v": Signal((3,), "m/s", CARRIER, "velocity of the tip point"),
     "alpha_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
-    "delta": Signal((6,), ACCELERATION, CARRIER, "what the accelerations of joints and modes add"),
+    "delta": Signal((6,), ACCELERATION, CARRIER, "part of the acceleration due to joints and modes"),
     "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
-    "Lambda": Signal((21,), INERTIA, CARRIER, "inertia of what the tip carries, upper triangle row by row"),
-    "p": Signal((6,), WRENCH, CARRIER, "wrench that it needs while no joint and no mode accelerates"),
+    "Lambda": Signal((21,), INERTIA, CARRIER, "articulated inertia of the links carried, upper triangle"),
+    "p": Signal((6,), WRENCH, CARRIER, "their bias force, or in inverse dynamics the wrench on them"),
     "omega_T": Signal((3,), "rad/s", TIP, "angular velocity of the tip section"),
     "v_T": Signal((3,), "m/s", TIP, "velocity of the tip point"),
-    "b": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section that the velocities cause"),
+    "b": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "acc": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section"),
-    "f": Signal((6,), WRENCH, TIP, "wrench of what the tip carries"),
-    "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "change of that wrench with the angular velocity"),
+    "f": Signal((6,), WRENCH, TIP, "wrench on the links carried"),
+    "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of that wrench with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
     "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
@@ -56,8 +56,8 @@ NODE = {
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),
     "omega_m": Signal((3,), "rad/s", TIP, "angular velocity of the tip section before projection"),
     "v_m": Signal((3,), "m/s", TIP, "velocity of the tip point before projection"),
-    "X": Signal((6, 6), "-, m", "next F_i", "twist of the next joint point from that of the tip"),
-    "PX": Signal((6, 6), MIXED, "next F_i", "columns of this tip in the next joint's rows"),
+    "X": Signal((6, 6), "-, m", NEXT, "map from the twist of the tip to that of the next joint point"),
+    "PX": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the tip's twist rate"),
 }
 """Of a node: the tip section of a link, or the base."""
 
@@ -65,7 +65,7 @@ CALL = {
     "q": Signal(("m",), "rad", "-", "joint coordinates"),
     "qdot": Signal(("m",), "rad/s", "-", "joint rates"),
     "qddot": Signal(("m",), "rad/s^2", "-", "joint accelerations"),
-    "new_q": Signal(("m",), "rad", "-", "joint coordinates, corrected"),
+    "new_q": Signal(("m",), "rad", "-", "projected joint coordinates"),
     "tau": Signal(("m",), "N*m", "-", "joint torques"),
     "m_q": Signal(("m",), "kg*m^2", "-", "inertia of the joint coordinates"),
     "f_q": Signal(("m",), "N*m", "-", "force of springs and dampers of the joint"),
@@ -82,17 +82,17 @@ CALL = {
     "alpha": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),
     "Vdot": Signal((6,), ACCELERATION, F_I, "rate of the twist"),
     "twist": Signal((6,), TWIST, F_I, "angular velocity of F_i and velocity of its origin"),
-    "new_twist": Signal((6,), TWIST, F_I, "the twist on the joints"),
+    "new_twist": Signal((6,), TWIST, F_I, "projected twist"),
     "quaternion": Signal((4,), "-", INERTIAL, "rotation of F_i, quaternion (w, x, y, z)"),
-    "new_quaternion": Signal((4,), "-", INERTIAL, "rotation of F_i on the joints, unit quaternion"),
+    "new_quaternion": Signal((4,), "-", INERTIAL, "projected rotation of F_i, unit quaternion"),
     "quaternion_rate": Signal((4,), "1/s", INERTIAL, "rate of the quaternion"),
     "position": Signal((3,), "m", INERTIAL, "position of the origin of F_i"),
-    "new_position": Signal((3,), "m", INERTIAL, "position of the origin of F_i on the joints"),
+    "new_position": Signal((3,), "m", INERTIAL, "projected position of the origin of F_i"),
     "position_rate": Signal((3,), "m/s", INERTIAL, "rate of the position"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of F_i, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the origin of F_i"),
     "tip_twist": Signal((6,), TWIST, INERTIAL, "angular velocity of the tip section and velocity of the tip point"),
-    "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "turn about y and z, axial acceleration, own axial force"),
+    "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
@@ -111,71 +111,71 @@ CALL = {
     "eta_next": Signal(("r", 6), "-, 1/m", F_I, "modal rows, columns of the next joint's wrench"),
     "eta_H": Signal(("r",), "N", "-", "modal rows, bias"),
     "eta_W": Signal(("r",), "N", "-", "modal rows, external wrench"),
-    "next_V": Signal((6, 6), MIXED, "next F_i", "next joint's rows, columns of the twist rate"),
-    "next_eta": Signal((6, "r"), MIXED, "next F_i", "next joint's rows, columns of the modal accelerations"),
+    "next_V": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the twist rate"),
+    "next_eta": Signal((6, "r"), MIXED, NEXT, "next joint's rows, columns of the modal accelerations"),
 }
 """Of a call, for one link."""
 
 STORE = {
     "omega": Signal((3,), "rad/s", F_I, "angular velocity"),
     "alpha_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
-    "delta": Signal((6,), ACCELERATION, F_I, "what the accelerations of joints and modes add"),
+    "delta": Signal((6,), ACCELERATION, F_I, "part of the acceleration of F_i due to joints and modes"),
     "R_rel": Signal((3, 3), "-", "parent's tip frame", "rotation of F_i"),
     "R_P": Signal((3, 3), "-", "parent's F_i", "rotation of F_i"),
-    "lever": Signal((3,), "m", F_I, "origin of F_i from the parent's tip point"),
+    "lever": Signal((3,), "m", F_I, "from the parent's tip point to the origin of F_i"),
     "S": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
-    "r_T": Signal((3,), "m", F_I, "tip point"),
+    "r_T": Signal((3,), "m", F_I, "position of the tip point"),
     "R_T": Signal((3, 3), "-", F_I, "rotation of the tip frame"),
-    "J_l": Signal((3, 3), "-", F_I, "left Jacobian of the tip section's turn"),
-    "Psi_c": Signal((3, "r"), "1/m", F_I, "turn of the tip section by each mode"),
-    "Phi_c": Signal((3, "r"), "-", F_I, "displacement of the tip point by each mode"),
-    "own_axial": Signal(("r+7",), "kg, N", F_I, "row of the axial force that moves the link"),
+    "J_l": Signal((3, 3), "-", F_I, "left Jacobian of the tip section's rotation vector"),
+    "Psi_c": Signal((3, "r"), "1/m", F_I, "rotation of the tip section per unit of each mode"),
+    "Phi_c": Signal((3, "r"), "-", F_I, "displacement of the tip point per unit of each mode"),
+    "own_axial": Signal(("r+7",), "kg, N", F_I, "factors of (delta, etaddot, 1) in the link's own axial force"),
     "twist": Signal((6,), TWIST, F_I, "angular velocity of F_i and velocity of its origin"),
-    "modes_L": Signal(("r", "r"), "-", "-", "unit lower factor of the modes' inertia"),
-    "modes_W": Signal(("r", 6), "1/m", F_I, "modal accelerations by those of F_i"),
-    "modes_w": Signal(("r",), "m/s^2", "-", "modal accelerations by the forces"),
-    "reach": Signal((6, 6), "-, m", F_I, "acceleration of the tip by that of F_i, the modes left to give way"),
-    "carried": Signal((6, 6), INERTIA, F_I, "inertia of what the tip carries, the modes left to give way"),
-    "p_carried": Signal((6,), WRENCH, F_I, "its bias"),
-    "h_phi": Signal(("r",), "N", "-", "bias of the modal rows"),
-    "M_D": Signal((6, "r"), "kg*m, kg", F_I, "wrench that modal accelerations need"),
-    "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor of the joint's inertia"),
-    "joint_W": Signal(("m", 6), "-, 1/m", F_I, "joint accelerations by those of F_i"),
-    "joint_w": Signal(("m",), "rad/s^2", "-", "joint accelerations by the torques"),
-    "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and what it carries"),
-    "p_i": Signal((6,), WRENCH, F_I, "its bias"),
+    "modes_L": Signal(("r", "r"), "-", "-", "unit lower factor L of the modal inertia"),
+    "modes_W": Signal(("r", 6), "1/m", F_I, "factor W in etaddot = -L^-T (w + W delta)"),
+    "modes_w": Signal(("r",), "m/s^2", "-", "term w in etaddot = -L^-T (w + W delta)"),
+    "reach": Signal((6, 6), "-, m", F_I, "acceleration of the unloaded tip per unit of delta"),
+    "carried": Signal((6, 6), INERTIA, F_I, "inertia of the tip load in series with the modes' compliance"),
+    "p_carried": Signal((6,), WRENCH, F_I, "bias force of the same"),
+    "h_phi": Signal(("r",), "N", "-", "bias force of the modal rows"),
+    "M_D": Signal((6, "r"), "kg*m, kg", F_I, "inertial coupling of twist and modal rows"),
+    "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor L of the joint's inertia"),
+    "joint_W": Signal(("m", 6), "-, 1/m", F_I, "factor W in qddot = L^-T (w - W delta), delta of the parent"),
+    "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
+    "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and all that it carries"),
+    "p_i": Signal((6,), WRENCH, F_I, "bias force of the same"),
     "M_V": Signal((6, 6), INERTIA, F_I, "inertia in the twist rows"),
     "M_T": Signal((6, 6), INERTIA, TIP, "inertia of the bodies at the tip"),
-    "h_V": Signal((6,), WRENCH, F_I, "bias of the twist rows"),
-    "h_T": Signal((6,), WRENCH, TIP, "bias of the bodies at the tip"),
+    "h_V": Signal((6,), WRENCH, F_I, "bias force of the twist rows"),
+    "h_T": Signal((6,), WRENCH, TIP, "bias force of the bodies at the tip"),
     "h_eta": Signal(("r",), "N", "-", "gyroscopic force and weight on the modes"),
-    "b_T": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section that the velocities cause"),
+    "b_T": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "omega_i": Signal((3,), "rad/s", F_I, "angular velocity"),
     "acc_i": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),
     "a_J": Signal((3,), "m/s^2", F_I, "acceleration of the joint point"),
     "omega_J": Signal((3,), "rad/s", F_I, "angular velocity relative to the parent's tip"),
     "omega_s": Signal((3,), "rad/s", F_I, "angular velocity of the tip section relative to F_i"),
     "udot_T": Signal((3,), "m/s", F_I, "velocity of the tip point relative to F_i"),
-    "r_B": Signal((3,), "m", F_I, "joint point"),
-    "r_J": Signal((3,), "m", "parent's tip frame", "joint point from the parent's tip point"),
+    "r_B": Signal((3,), "m", F_I, "position of the joint point"),
+    "r_J": Signal((3,), "m", "parent's tip frame", "joint point relative to the parent's tip point"),
     "v_J": Signal((3,), "m/s", "parent's tip frame", "velocity of the joint point relative to the parent's tip"),
     "axes": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
-    "E": Signal((6, "r"), "1/m, -", F_I, "motion of the tip section by each mode"),
-    "u_q": Signal((9, "m"), "-", F_I, "change of the motion of F_i with the joint coordinates"),
-    "u_qdot": Signal((9, "m"), "-", F_I, "change of the motion of F_i with the joint rates"),
-    "tip_eta": Signal((9, "r"), "-", F_I, "change of the tip's motion with the modes"),
-    "tip_etadot": Signal((9, "r"), "-", F_I, "change of the tip's motion with the modal rates"),
-    "rows_q": Signal(("m", 9), "-", F_I, "change of the joint's forces with the motion of F_i"),
-    "rows_eta": Signal(("r", 9), "-", F_I, "change of the modal forces with the motion of F_i"),
-    "F_q": Signal((6, "m"), WRENCH, F_I, "change of the wrench with the joint coordinates"),
-    "F_qdot": Signal((6, "m"), WRENCH, F_I, "change of the wrench with the joint rates"),
-    "F_eta": Signal((6, "r"), WRENCH, F_I, "change of the wrench with the modes"),
-    "F_etadot": Signal((6, "r"), WRENCH, F_I, "change of the wrench with the modal rates"),
-    "f_q": Signal(("m", "m"), "N*m", "-", "change of the joint's forces with its coordinates"),
-    "f_qdot": Signal(("m", "m"), "N*m*s", "-", "change of the joint's forces with its rates"),
-    "f_eta": Signal(("r", "r"), "N/m", "-", "change of the modal forces with the modes"),
-    "f_etadot": Signal(("r", "r"), "N*s/m", "-", "change of the modal forces with the modal rates"),
-    "M_eta_eta": Signal(("r", "r"), "kg", "-", "inertia that the tip's load adds to the modes"),
+    "E": Signal((6, "r"), "1/m, -", F_I, "motion of the tip section per unit of each mode"),
+    "u_q": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint coordinates"),
+    "u_qdot": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
+    "tip_eta": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modes"),
+    "tip_etadot": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modal rates"),
+    "rows_q": Signal(("m", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
+    "rows_eta": Signal(("r", 9), "-", F_I, "derivative of the modal forces with the motion of F_i"),
+    "F_q": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),
+    "F_qdot": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint rates"),
+    "F_eta": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modes"),
+    "F_etadot": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modal rates"),
+    "f_q": Signal(("m", "m"), "N*m", "-", "derivative of the joint's forces with its coordinates"),
+    "f_qdot": Signal(("m", "m"), "N*m*s", "-", "derivative of the joint's forces with its rates"),
+    "f_eta": Signal(("r", "r"), "N/m", "-", "derivative of the modal forces with the modes"),
+    "f_etadot": Signal(("r", "r"), "N*s/m", "-", "derivative of the modal forces with the modal rates"),
+    "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
 }
 """Of a link's own store."""
 

@@ -1,7 +1,8 @@
-"""An algorithm specialised to the places of a chain: what is known is folded in, what nobody reads falls away.
+"""Specialisation of an algorithm to the links of a chain: known inputs folded in, unused outputs removed.
 
-The base is at rest, the last tip carries nothing, a joint hands zeros up where it is free to turn: such entries are
-numbers, and every phase of every link is evaluated with them.  Links at equal places share one program.
+Some inputs of a phase are known numbers: the base is at rest, the last tip carries no load, and a joint transmits no
+torque about a free axis.  Every phase of every link is specialised to them.  Links with equal known inputs share one
+program.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from .schedule import Algorithm, execute, trace
 
 
 class Unknown:
-    """An entry that only the call knows."""
+    """An entry whose value is not known before the call."""
 
     def __neg__(self) -> Unknown:
         return self
@@ -36,7 +37,7 @@ Known = tuple[tuple[str, tuple[float | None, ...]], ...]
 
 @dataclass(frozen=True)
 class Passage:
-    """One phase of one link: its program with only the outputs that somebody reads, and which entries these are."""
+    """One phase of one link: its program, reduced to the outputs that are used, and the list of these entries."""
 
     phase: int
     link: int
@@ -54,7 +55,7 @@ def specialised_phases(
     constants: Sequence[Mapping[str, list]] | None,
     zero: frozenset[str] = frozenset(),
 ) -> Applied:
-    """Every phase of every link with what is known of its inputs folded in.
+    """Every phase of every link, specialised to the known entries of its inputs.
 
     ``constants`` are the links' numbers (``c.*``) where they are baked in; ``zero`` the signals that are zero.
     """
@@ -75,7 +76,7 @@ def specialised_phases(
 
 
 def _inputs(chain: Chain, algorithm: Algorithm, constants, zero: frozenset[str]) -> list[dict[str, list]]:
-    """The signals of every link that no phase makes."""
+    """The signals of every link that no phase computes."""
     out = []
     for i, key in enumerate(chain.keys):
         sizes = {n: size for p in trace(key, algorithm) for n, size in p.inputs.items()}
@@ -95,14 +96,14 @@ def _entry(value) -> Entry:
 
 
 def _structural(value) -> bool:
-    """Whether an entry is handed on as a number: zeros and ones repeat from link to link, sums of masses do not."""
+    """Whether an entry is passed on as a number: zeros and ones recur from link to link, sums of masses do not."""
     return not isinstance(value, Node) and abs(value) in (0.0, 1.0)
 
 
 def passages(chain: Chain, run: Applied, results: Iterable[str]) -> list[Passage]:
-    """The phases with only what is read: later, or by the caller.
+    """The phases, reduced to the outputs that a later phase or the caller uses.
 
-    ``results`` are the signals that a caller reads: of every link, or, of a node (``tip.*``), that of the last tip.
+    ``results`` are the signals that a caller reads: of every link, or, for a node (``tip.*``), of the last tip.
     """
     results = frozenset(results)
     read: set[tuple[str, str, int, int]] = set()
@@ -128,7 +129,7 @@ def _result(chain: Chain, results: frozenset[str], name: str, i: int) -> bool:
 
 
 def _place(chain: Chain, name: str, i: int) -> tuple[str, str, int]:
-    """Where a signal of link i lives: its store, or a node."""
+    """The place of a signal of link i: its store, or a node."""
     where, _, what = name.partition(".")
     if where in ("base", "tip"):
         return "node", what, chain.tree.tip(i) if where == "tip" else chain.tree.base(i)

@@ -1,4 +1,4 @@
-"""What an accelerometer at the last tip feels, and its partial derivatives, in one program."""
+"""The proper acceleration of the last tip, and its partial derivatives, in one program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOTION: Algorithm = (Phase(sy.motion, OUTWARD),)
 
 
 class Accelerometer(Functions):
-    """The functions of a robot with the motion of its last tip."""
+    """The functions of a robot, with the acceleration of its last tip."""
 
     def tip_acceleration(self, q, v, vdot) -> list[Value]:
         """The proper acceleration (3) of the last tip point, inertial minus free fall, in tip-frame components."""

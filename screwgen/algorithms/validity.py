@@ -1,4 +1,4 @@
-"""The phase that measures how far the links are from the limits of the model."""
+"""The phase that computes the validity measures of a link."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from .scope import Scope
 
 
 def axial_motion(s: Scope, omega: Array, a_x: Value, own: Value) -> None:
-    """What :func:`measure` reads of a motion, all in F_i.
+    """The inputs of :func:`measure` from a motion, all in F_i.
 
-    Turn about y and z, axial acceleration against free fall, and the axial force that moves the link and its base
-    bodies.
+    Angular velocity about y and z, axial acceleration relative to free fall, and the axial force that accelerates the
+    link and its base bodies.
     """
     s.write("motion", np.array([omega[1], omega[2], a_x, own], dtype=object))
 

@@ -1,4 +1,4 @@
-"""The templates: the one place that knows Jinja.
+"""Rendering of the templates; the only module that uses Jinja.
 
 A template is a skeleton, loops and names and no arithmetic.  A name that a template uses and nobody
 gives is an error; the rendered text is a function of template and values alone.

@@ -1,4 +1,4 @@
-"""Bases: the shapes in which a link bends, stretches and twists.
+"""Bases: mode shapes of bending, stretching and torsion.
 
 A basis is data: functions psi on s in [0, 1], orthonormal there, with diagonal stiffness, closed-form
 integrals, tip value and tip slope, all dimensionless. It has shapes of two orders: 2 for bending, where curvature

@@ -1,8 +1,8 @@
 """The contract of a link's body: the flexible-body invariants that the equations of a link are written in.
 
-The equations (:mod:`.link`) know a body by its moments of mass, its modal momenta, inertia and stiffness, and by the
-integrals of products of its fields. A provider declares the parameters that these follow from and states them as steps
-of the link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.rigid.Rigid` has no modes.
+The equations (:mod:`.link`) are written in a body's moments of mass, its modal momenta, inertia and stiffness, and the
+integrals of products of its fields. A body declares the parameters of these invariants and states them as steps of the
+link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.rigid.Rigid` has no modes.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Moments6 = tuple[Expression, Expression, Expression]
 
 
 class RigidMoments(Protocol):
-    """A rigid body on a link. It is part of the key of a derivation, so it is hashable and compares by value."""
+    """A rigid body on a link. It is part of the link class, so it must be hashable and compare by value."""
 
     def moments(self, b: Block) -> Moments6:
         """About the joint point, in F_i axes; parameters and steps may be declared in the block."""
@@ -39,11 +39,11 @@ class Body(Protocol):
         ...
 
     def moments(self) -> Moments6:
-        """The undeformed body's own, about the origin of F_i."""
+        """The moments of the undeformed body about the origin of F_i."""
         ...
 
     def spin(self) -> Expression:
-        """(3, 3), kg·m²: the sections' own inertia about the centreline."""
+        """(3, 3), kg·m²: the rotary inertia of the sections about the centreline."""
         ...
 
     def modal(self) -> None:

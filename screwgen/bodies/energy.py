@@ -11,10 +11,10 @@ from .link import LinkBlock
 
 
 def energy_block(key: LinkClass) -> Block:
-    """Kinetic energy of a link with its base bodies, its stress energy, and what gravity needs.
+    """Kinetic energy of a link with its base bodies, its strain energy, and its mass moments for gravity.
 
     ``kinetic = 1/2 ∫ rho A |v + omega x rho + udot|^2 dξ + 1/2 ∫ rho I_p (n^T nu)^2 dξ``,
-    ``stress = 1/2 eta^T K eta``; the weight's potential is ``-g . (m r + R S)``.
+    ``stress = 1/2 eta^T K eta``; the gravitational potential is ``-g . (m r + R S)``.
     """
     b = LinkBlock(key)
     b.name, b.title = "energy", "Energy"

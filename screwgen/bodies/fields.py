@@ -45,7 +45,7 @@ class Fields(Moments):
         return self._matrix(1, lambda d: 0 if d in AXIS else None, self.phi)
 
     def rotation(self) -> np.ndarray:
-        """Ψ(c), 3 x r: the turn of the tip section, [torsion angle, -u_z', u_y']."""
+        """Ψ(c), 3 x r: the rotation of the tip section, [torsion angle, -u_z', u_y']."""
         out = np.full((3, self.key.modes), sp.S.Zero, dtype=object)
         for k, (d, i) in enumerate(self.key.directions):
             if d == "torsion":
@@ -102,6 +102,6 @@ class Fields(Moments):
 
 
 def _number(value) -> sp.Expr:
-    """A basis constant: exact where it is a whole number, else the nearest double."""
+    """A basis constant: exact if it is a whole number, else the nearest double."""
     value = float(value)
     return sp.Integer(int(value)) if value == int(value) else sp.Float(value)

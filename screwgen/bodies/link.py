@@ -17,13 +17,13 @@ from .rod import Rod
 class LinkBlock(Block):
     """The block of one link class, written down in the order of the derivation.
 
-    Field: an element at ξ sits at ``rho = r_b + Phi eta``; its velocity is ``v + omega x rho + udot``
+    An element at ξ has the position ``rho = r_b + Phi eta``; its velocity is ``v + omega x rho + udot``
     with ``udot = Phi etadot``, its acceleration ``vdot + omegadot x rho + Phi etaddot + a_0 + Omega rho
-    + omega x udot + omega x udot``.  Inertia, weight and stress, paired with the element's own virtual
-    velocity ``N nu`` with ``N = [-hat(rho), I, Phi]`` and integrated over the link, give the rows.
+    + omega x udot + omega x udot``.  The rows are the virtual power of inertia, weight and stress, with the
+    virtual velocity ``N nu``, ``N = [-hat(rho), I, Phi]``, integrated over the link.
 
-    With ``turning`` the bias is that of a link with an angular acceleration ``alpha``, which is an input: ``Omega`` is
-    then ``hat(alpha) + hat(omega)^2``, and what ``M_V`` and ``M_D`` would add for ``alpha`` need not be formed.
+    With ``turning`` the bias force includes a given angular acceleration ``alpha``, an input: ``Omega`` is then
+    ``hat(alpha) + hat(omega)^2``. This is cheaper than the products of ``M_V`` and ``M_D`` with ``alpha``.
     """
 
     def __init__(self, key: LinkClass, turning: bool = False):
@@ -108,7 +108,7 @@ class LinkBlock(Block):
         self.body.modal()
 
     def _base_bodies(self) -> tuple[Expression, Expression, Expression]:
-        """Base bodies about the origin of F_i: moved there from the joint point where the two differ."""
+        """Moments of the base bodies about the origin of F_i, shifted from the joint point if the two differ."""
         m, S, J, _ = lumped(self, self.key, "base", "B")
         if self.key.body is not None:
             m, S, J = (add(*pair) for pair in zip((m, S, J), self.key.body.moments(self), strict=True))
@@ -208,7 +208,7 @@ class LinkBlock(Block):
             r"\mathbf{M}_{D\phi,i}",
             unit="kg, kg*m",
             equation="85",
-            meaning="modal force that the twist's rate needs",
+            meaning="inertial coupling of the modal rows with the twist's rate",
             numbered=(0,),
         )
 
@@ -280,7 +280,7 @@ class LinkBlock(Block):
             self._modal_force()
 
     def _turn_operator(self):
-        """What takes a place to the acceleration that the link's turning gives it."""
+        """The operator from a position to its acceleration by the link's rotation."""
         if not self.turning:
             return self.step(
                 "Omega",
@@ -303,7 +303,7 @@ class LinkBlock(Block):
         )
 
     def _spun_up(self):
-        """The wrench that the spin inertia of the sections needs for ``alpha``."""
+        """The inertial wrench of the sections' rotary inertia at ``alpha``."""
         if not (self.key.spin and self.turning):
             return zeros(6)
         return stack(unit(0) @ (self.body.I_s @ self.entries(self.alpha)[0]), zeros(3))
@@ -317,7 +317,7 @@ class LinkBlock(Block):
         self.step("h_phi", h_eta + f, r"\mathbf{h}_{\phi,i}", unit="N", equation="88", meaning="bias of the modal rows")
 
     def _spin_bias(self, which: str):
-        """``rho I_p ∫(n^T nu) dξ (omega x e_x)``: of the link's own turn (I_s) or of its torsion (sigma_t)."""
+        """``rho I_p ∫(n^T nu) dξ (omega x e_x)``, for the link's rotation (I_s) or its torsion (sigma_t)."""
         omega_x = self.entries(self.omega)[0]
         axis = hat(self.omega) @ unit(0)
         if not self.key.spin or (which == "sigma_t" and not self.key.counts[3]):

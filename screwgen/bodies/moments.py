@@ -1,9 +1,9 @@
 """Integrals over a body by named moments.
 
-The field of a body depends on the place through *generators*: coordinates of the undeformed body, mode shapes, and more
-coarsely the position ``rho`` and the elastic velocity ``udot`` of an element, which are themselves sums of generators.
-An integrand is a polynomial in these. The integral of each monomial is either a *moment* that a block has named
-(``∫ρA ρ dξ = S``), or is expanded into finer ones, down to those that the body states in closed form.
+The fields of a body depend on the place through *generators*: the coordinates of the undeformed body and the mode
+shapes. Coarser generators, the position ``rho`` and the elastic velocity ``udot`` of an element, are sums of these. An
+integrand is a polynomial in generators. The integral of each monomial is a *moment* that a block has named
+(``∫ρA ρ dξ = S``), or it is expanded in finer generators, down to integrals that the body states in closed form.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Moments:
         return value if weight is None else sp.Symbol(weight, real=True) * value
 
     def _fine(self, monomial: list[sp.Symbol]) -> sp.Expr:
-        """The integral of a product of the finest generators; a rigid body states all that it needs."""
+        """The integral of a product of the finest generators; a rigid body names all of its moments."""
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
 
 

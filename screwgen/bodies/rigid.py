@@ -1,4 +1,4 @@
-"""The rigid link: no modes, and all its mass in the bodies that sit on it."""
+"""The rigid link: no modes; its mass is that of the bodies mounted on it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .moments import Moments
 
 
 class Rigid:
-    """A link without a section. Its integrals are the moments that the link's block names."""
+    """A link without a section. Its integrals are the moments that the link's block has named."""
 
     def __init__(self, b: Block):
         self.b = b
@@ -20,17 +20,17 @@ class Rigid:
         self.rhoA = b.field("rhoA", density, r"\rho_i A_i")
 
     def declare(self, start: Expression) -> None:
-        """Nothing varies along a rigid link."""
+        """There are no fields along a rigid link."""
         self.fields = Moments(self.b.values["rho"].flat)
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
         self.sigma, self.sigma_t, self.K, self.D = zeros(3, 0), zeros(1, 0), zeros(0), zeros(0)
 
     def moments(self) -> Moments6:
-        """The link alone has no mass."""
+        """Zero: the link itself has no mass."""
         return zeros(1), zeros(3), zeros(3, 3)
 
     def spin(self) -> Expression:
-        """The link alone has no inertia."""
+        """Zero: the link itself has no inertia."""
         return zeros(3, 3)
 
     def modal(self) -> None:

@@ -61,7 +61,7 @@ class Rod(RodStiffness):
         return self.I_s @ (unit(0) @ unit(0).T)
 
     def modal(self) -> None:
-        """Momentum, lever, product, inertia and stiffness of the modes; named for the integrals to come."""
+        """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment
         self.sigma = self.b.step(
             "sigma",
@@ -112,7 +112,8 @@ class Rod(RodStiffness):
     def _products_of_shapes(self) -> None:
         """``∫ρA φ_k φ_m`` of modes in different directions.
 
-        Axial against bending is a full matrix; y against z is diagonal where both draw on the same functions.
+        The products of axial and bending modes are a full matrix. Those of y and z are diagonal if both directions use
+        the same functions.
         """
         groups = {d: [k for k in self._translational() if self.key.directions[k][0] == d] for d in AXIS}
         self._product("Gamma_xy", groups["axial"], groups["bending_y"])

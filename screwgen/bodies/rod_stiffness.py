@@ -16,7 +16,7 @@ SECTION = (
     ("EIy", (1, 1), "E_iI_{y_i}", "N*m^2", "-", "bending stiffness for displacement in z"),
     ("GJ", (1, 1), "G_iJ_i", "N*m^2", "-", "torsion stiffness"),
 )
-"""What the section states for each direction."""
+"""The stiffness parameters of a section for each direction."""
 
 MEASURED = (
     ("x", "natural frequencies of the axial modes"),
@@ -24,11 +24,11 @@ MEASURED = (
     ("z", "natural frequencies of the modes in z, clamped-free"),
     ("t", "natural frequencies of the torsion modes"),
 )
-"""What measurement states for each direction: subscript and meaning."""
+"""The measured frequencies of each direction: subscript and meaning."""
 
 
 class RodStiffness:
-    """The part of a rod that knows K and D, both diagonal and kept as columns."""
+    """The stiffness K and damping D of a rod, both diagonal and stored as columns."""
 
     b: Block
     key: LinkClass
@@ -70,10 +70,10 @@ class RodStiffness:
         return self._column("M_eta", full, r"\mathbf{m}_{\eta}", "kg", "inertia of each mode (torsion: kg*m^2)")
 
     def _measured_stiffness(self, full: Symbol, inertia: Symbol) -> Symbol:
-        """The paper's wavenumber identification, ``β_n² = 2π f_n sqrt(ρA/EI)``, for each mode by itself.
+        """Stiffness by the paper's wavenumber identification, ``β_n² = 2π f_n sqrt(ρA/EI)``, mode by mode.
 
-        With ``EI β_n⁴ l`` the stiffness of a clamped-free mode and ``ρA l`` its inertia, it says
-        ``K_kk = M_kk (2π f_k)²``: neither the length nor the wavenumber is needed.
+        A clamped-free mode has the stiffness ``EI β_n⁴ l`` and the inertia ``ρA l``, so
+        ``K_kk = M_kk (2π f_k)²``. Neither length nor wavenumber is needed.
         """
         f_n = self.b.step(
             "f_n",

@@ -1,4 +1,4 @@
-"""What a rotation vector is exponentiated with: its squared angle, Stumpff functions of it, and a square."""
+"""The steps of a rotation's exponential: squared angle, Stumpff functions of it, squared skew matrix."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ def angle_steps(
 ) -> tuple[Symbol, Symbol, Symbol, Symbol, Symbol]:
     """The steps ``x = theta . theta``, ``c1``, ``c2``, ``c3`` (the Stumpff functions at x) and ``theta_hat2``.
 
-    ``x`` is how the squared angle is written, ``index`` that of the rotation vector, ``what`` the body that turns.
+    ``x`` is the LaTeX of the squared angle, ``index`` the index of the rotation vector, ``what`` the rotated body.
     ``exp(hat(theta)) = I + c1 hat(theta) + c2 theta_hat2``; the left Jacobian is ``I + c2 hat(theta) + c3 theta_hat2``,
     the right one has ``-c2``.
     """

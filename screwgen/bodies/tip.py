@@ -1,4 +1,4 @@
-"""The tip block: where the next joint sits, how fast it moves, and the bodies fixed there."""
+"""The tip block: pose, twist and acceleration of the tip section, and the bodies fixed there."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TIP = "tip frame"
 
 
 def tip_block(key: LinkClass) -> Block:
-    """Pose, twist and acceleration bias of the tip section, (46) and (accconst1b), its slope included.
+    """Pose, twist and bias acceleration of the tip section, with its slope, (46) and (accconst1b).
 
     ``V_T = J_T nu`` and ``Vdot_T = J_T nudot + b_T`` with ``J_T = blkdiag(R_T, R_T)^T
     [[I, 0, J_l Psi_c], [-hat(r_T), I, Phi_c]]``.
@@ -62,7 +62,7 @@ def tip_block(key: LinkClass) -> Block:
 
 
 def tip_motion_block(key: LinkClass) -> Block:
-    """The tip section's motion from that of F_i while no mode accelerates, (accconst1b); all in F_i axes.
+    """The tip section's motion from that of F_i without modal accelerations, (accconst1b); all in F_i axes.
 
     Accelerations are those of material points in the inertial frame.
     """
@@ -269,7 +269,7 @@ def tip_body_block(key: LinkClass) -> Block:
         r"\mathbf{h}_{T\tau}",
         unit="N*m",
         frame=TIP,
-        meaning="moment that the bodies' velocities and weight need",
+        meaning="bias moment of the tip bodies, weight included",
     )
     b.step(
         "h_T_F",
@@ -277,6 +277,6 @@ def tip_body_block(key: LinkClass) -> Block:
         r"\mathbf{h}_{TF}",
         unit="N",
         frame=TIP,
-        meaning="force that the bodies' velocities and weight need",
+        meaning="bias force of the tip bodies, weight included",
     )
     return b

@@ -1,19 +1,19 @@
 """The validity block: how far a link is from the limits of the first-order model.
 
-The model has small deflections, no foreshortening, hence no centrifugal stiffening and no P-delta effect. Four
-numbers say what that costs a slender link clamped at its base, each of them a load over the load at which the link
-would give way or stiffen by its own size.
+The model assumes small deflections and neglects foreshortening, hence centrifugal stiffening and the P-delta effect.
+Four numbers measure the neglected effects for a slender link clamped at its base. Each is a load over the load at
+which the link would buckle, or stiffen by its own size.
 
 ``deflection``  transverse displacement of the tip over the length
-``slope``       turn of the tip section across the centreline, rad
+``slope``       rotation of the tip section about the transverse axes, rad
 ``axial_load``  axial force over the buckling load, compression positive: ``4 l^2 N / (pi^2 EI)`` of the force at the
                 tip and ``q l^3 / (7.837 EI)`` of the link's own mass, ``q = rhoA a_x``
-``rotation``    ``Omega^2 rhoA l^4 / EI`` of the turn across the centreline
+``rotation``    ``Omega^2 rhoA l^4 / EI`` of the angular velocity about the transverse axes
 
-EI is the smaller one of the planes that have modes; where frequencies are stated, that of the uniform beam with the
-first of them. The force at the tip is what is left of the joint's axial force when the link and its base bodies have
-taken theirs. Approximations: the link's own axial load is taken for uniform, apart from ``rotation``; the axis is that
-of the straight link; the next links are a mass at the tip.
+EI is the smaller of the planes that have modes. If frequencies are stated, it is that of the uniform beam with the
+first of them. The force at the tip is the joint's axial force less the inertial force of the link and its base bodies.
+Approximations: the link's own axial load is uniform, apart from ``rotation``; the axis is that of the straight link;
+the next links are a mass at the tip.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ TIP_LOAD = sp.pi**2 / 4
 """``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
 PLANES = {"bending_y": ("EIz", "E_iI_{z_i}"), "bending_z": ("EIy", "E_iI_{y_i}")}
 BOUNDS = {"deflection": 0.1, "slope": 0.35, "axial_load": 0.02, "rotation": 0.2}
-"""The steps that measure, in the order of all back ends, each with the value at which what the model leaves out costs
-about 1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
+"""The steps of the measures, in the order of all back ends, each with its bound: the value at which the error is about
+1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
 moment) or of the lowest frequency (``sqrt(1 - axial_load)``, ``sqrt(1 + 1.193 rotation / 12.362)``)."""
 MEASURES = tuple(BOUNDS)
 LINK = "F_i"
@@ -49,7 +49,7 @@ def validity_block(key: LinkClass) -> Block:
 
 
 def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
-    """What the modes do to the tip section: displacement over length, and slope."""
+    """Displacement over length and slope of the tip section."""
     eta = b.input("eta", (key.modes, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
     fields = Fields(key, b.values["length"].item(), 0)
     for name, rows, field, display, unit, meaning in (
@@ -72,7 +72,7 @@ def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
 
 
 def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
-    """Axial load over buckling load, and the square of the turn over that of the lowest frequency's size."""
+    """Axial load over buckling load, and the dimensionless square of the angular velocity."""
     rhoA = b.parameter("rhoA", (1, 1), r"\rho_iA_i", "kg/m", "-", "mass per length")
     omega = b.input("omega_t", (2, 1), r"\boldsymbol{\omega}_\perp", "rad/s", LINK, "angular velocity about y and z")
     a_x = b.input("a_x", (1, 1), "a_x", "m/s^2", LINK, "axial acceleration of F_i against free fall")
@@ -108,7 +108,7 @@ def _compliance(b: Block, key: LinkClass, length: Symbol, rhoA: Symbol) -> Expre
     ratio = b.step("EI_ratio", stiff[0] @ Inverse(stiff[1]), "r_i", unit="-", meaning="bending stiffness, y over z")
     one = number(1)
     square = (one - ratio) @ (one - ratio)
-    gap = b.step("EI_gap", square, "(1-r_i)^2", unit="-", meaning="how far the planes differ")
+    gap = b.step("EI_gap", square, "(1-r_i)^2", unit="-", meaning="relative difference of EIy and EIz, squared")
     larger = sp.Rational(1, 2) * (one + ratio + Root(gap))
     return b.step("compliance", larger @ Inverse(stiff[0]), "c_i", unit="1/(N*m^2)", meaning="1/EI of the softer plane")
 
@@ -125,5 +125,5 @@ def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: S
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length
     factor = 4 * sp.pi**2 / sp.Float(float(key.shapes(direction).stiffness[0]))
     return b.step(
-        f"{name}_first", factor * (own @ first @ first), display, unit="N*m^2", meaning="stiffness that f_1 amounts to"
+        f"{name}_first", factor * (own @ first @ first), display, unit="N*m^2", meaning="stiffness equivalent to f_1"
     )

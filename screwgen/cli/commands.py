@@ -1,4 +1,4 @@
-"""What the commands do. Arguments come as the user wrote them; errors go up as ScrewgenError."""
+"""The work of the commands. Arguments arrive as the user typed them; errors are raised as ScrewgenError."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .output import bar, busy, load_robot, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
-    """Refuse what is not in `known`."""
+    """Refuse names that are not in `known`."""
     if given not in known:
         raise UsageError(f"{option}: there is no '{one_line(given)}'; choose {' or '.join(known)}")
 
@@ -113,7 +113,7 @@ def run_simulate(
 
 @contextmanager
 def _stoppable() -> Iterator[None]:
-    """An interruption that says what is left becomes an error with that text."""
+    """An interruption whose text names the remaining results becomes an error with that text."""
     try:
         yield
     except KeyboardInterrupt as stop:
@@ -207,15 +207,15 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
 
     Raises SingularError: NumPy's dynamics, which knows the joint, comes first.
     """
-    judge = model.numpy()
-    judge.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    reference = model.numpy()
+    reference.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
     vdot, wrench = EVALUATIONS[backend, form](model, s)
     if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
         raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
     valid = model.validity(s.q, s.v, s.tau, s.w_ext)
     valid.warn()
-    R, position = judge.tip_pose(s.q)
-    kinetic, potential = judge.energy(s.q, s.v)
+    R, position = reference.tip_pose(s.q)
+    kinetic, potential = reference.energy(s.q, s.v)
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6)) + 0.0).tolist(),

@@ -65,7 +65,7 @@ def modes_record(found: ModeShapes, more: Convergence) -> dict:
 
 
 def modes_table(found: ModeShapes, more: Convergence) -> list[str]:
-    """A line for each frequency: Hz, its change by one more mode per direction in %, where that mode is wanted most."""
+    """One line per frequency: Hz, its change by one more mode per direction in %, the direction that needs it most."""
     lines = [f"{0:<12g} Hz" for _ in range(found.rigid)]
     for k, f in enumerate(found.frequencies):
         lines.append(f"{f:<12.6g} Hz {percent(more.total[k]):>14}   {more.short(k) or ''}".rstrip())
@@ -98,7 +98,7 @@ def sprung_joints(model: Model) -> list[str]:
 def run_equilibrium(
     robot: str, state: str | None, q: str | None, tau: str | None, hold: bool | str, json: bool
 ) -> None:
-    """Print where the arm rests, as a report or as JSON."""
+    """Print the equilibrium, as a report or as JSON."""
     from ..studies.equilibrium import equilibrium
 
     model = derive(load_robot(robot))
@@ -167,7 +167,7 @@ def heads(count: int) -> str:
 
 
 def row(values: np.ndarray, size: float = 0.0) -> str:
-    """Three numbers side by side; what is nothing beside the largest, or beside `size`, is zero."""
+    """Three numbers side by side; those negligible relative to the largest, or to `size`, are zero."""
     size = max(size, float(np.max(np.abs(values))))
     return "".join(f"{tidy(x, size):>12}" for x in values)
 

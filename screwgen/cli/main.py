@@ -1,4 +1,4 @@
-"""The command line: options and help texts, and how a command ends. What commands do is in `commands`.
+"""The command line: options, help texts and exit status. The work is done in `commands`.
 
 Exit status: 0 done; 2 a request that cannot be met, nothing written; 1 a computation that failed: a singular
 posture, a method that diverged; 130 interrupted. Errors are one line on stderr. Heavy modules are imported by

@@ -1,4 +1,4 @@
-"""What a user sees while and after work is done: progress on a terminal's stderr, file names on stdout."""
+"""Output for the user: progress on a terminal's stderr, file names on stdout."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def say(text: str, quiet: bool) -> None:
 
 
 def load_robot(path: str, quiet: bool = False) -> Robot:
-    """The robot in a file, with a note on stderr on whatever in it is seldom meant."""
+    """The robot in a file, with a note on stderr on probable mistakes in it."""
     robot = load(path)
     for line in () if quiet else advice(robot):
         print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
@@ -44,7 +44,7 @@ def busy(what: str, quiet: bool) -> Iterator[None]:
 
 @contextmanager
 def bar(what: str, total: int, quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar, as the function `(done, total)` to call; None where nobody watches."""
+    """A progress bar, as the function `(done, total)` to call; None if stderr is no terminal."""
     if not shows_progress(quiet):
         yield None
         return

@@ -1,4 +1,4 @@
-"""The process of a command: its signals and streams, and how it ends: a status, and one line for what went wrong."""
+"""The process of a command: its signals, streams and exit status, and the one-line error message."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _tidy_when_told_to_end() -> None:
 
 
 def _open_streams() -> None:
-    """Let output go on where it cannot be shown: into nothing if closed, escaped if its encoding lacks a letter."""
+    """Make output robust: discarded if the stream is closed, escaped if its encoding lacks a letter."""
     for name in ("stdin", "stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "r" if name == "stdin" else "w"))  # noqa: SIM115
@@ -60,7 +60,7 @@ def warnings_as_lines() -> Iterator[None]:
 
 
 def guarded(work: Callable[[], int]) -> int:
-    """The exit status of `work`; what goes wrong becomes one line on stderr."""
+    """The exit status of `work`; an error becomes one line on stderr."""
     try:
         with warnings_as_lines():
             return work()
@@ -83,7 +83,7 @@ def guarded(work: Callable[[], int]) -> int:
 
 
 def _sentence(error: Any) -> str:
-    """A complaint about the command line, in our form: what is wrong; where help is."""
+    """An error of the command line in screwgen's format: what is wrong; where to find help."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context else "screwgen"
     message = error.format_message()

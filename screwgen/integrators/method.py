@@ -1,4 +1,4 @@
-"""A time step as data: what it evaluates, and how the accelerations found there move the state.
+"""A time step as data: its stages, and how their accelerations advance the state.
 
 The NumPy and CasADi steps, the generated C of both forms and its batch are all made from a :class:`Method`.
 """
@@ -73,7 +73,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Stage(Move):
-    """Accelerations at a moved state, or at the step's start where nothing has a weight.
+    """Accelerations at a moved state, or at the step's start if all weights are zero.
 
     `implicit`: the fraction of h after the step's start at which the forces of modes, joint springs and dampers are
     taken, as these accelerations lead to them; 0: they are taken at the state of the stage, like all else.
@@ -210,7 +210,7 @@ def times(h: Any, part: Fraction) -> Any:
 
 
 LONGEST = 10_000
-"""The largest denominator of a fraction; what has a larger one came as a double."""
+"""The largest denominator of a fraction; numbers with larger ones are used as doubles."""
 
 
 def _exact(value: Number) -> Fraction:

@@ -1,4 +1,4 @@
-"""The built-in time steps, and how those that are asked for are found.
+"""The built-in time steps, and their look-up by name.
 
 Torques and external wrenches are held over a step. A method of one's own is a :class:`.Method`, given wherever one of
 these is named.

@@ -1,4 +1,4 @@
-"""Blocks: mathematics with meaning.
+"""Blocks: named steps of matrix equations, with unit, frame and meaning.
 
 A :class:`Block` is a list of named steps.  Each step is *one* matrix expression over the block's
 inputs and earlier steps; its components, its LaTeX and its code all come from that expression.
@@ -45,7 +45,7 @@ class Signal:
             yield index, self.name + self.suffix(index)
 
     def suffix(self, index: tuple[int, int]) -> str:
-        """How an entry is told from its matrix: letters along the axes of a frame, numbers elsewhere.
+        """The suffix of an entry's label: letters along the axes of a frame, numbers elsewhere.
 
         Quantities without a frame, and the dimensions named in ``numbered``, are numbered.
         """
@@ -73,7 +73,7 @@ class Step:
 
     @cached_property
     def uses(self) -> dict[str, set[str]]:
-        """The names of the symbols that the step makes, each with the names of those that it is made of."""
+        """The names of the symbols that the step defines, each with the names of the symbols that it depends on."""
         return {symbol.name: {s.name for s in e.free_symbols} for symbol, e in self.assignments}
 
 
@@ -137,7 +137,7 @@ class Block:
         return self.inputs[name] if name in self.inputs else self.steps[name].signal
 
     def _binding(self, raw: Array) -> Binding:
-        """The latest binding time of what the entries depend on."""
+        """The latest binding time among the dependences of the entries."""
         symbols = set().union(*(entry.free_symbols for entry in raw.flat)) if raw.size else set()
         return max((self.bindings[s] for s in symbols), default=Binding.CONSTANT)
 
@@ -157,5 +157,5 @@ class Block:
 
 
 def _negated(entry: sp.Expr) -> bool:
-    """Whether an entry is minus a symbol."""
+    """Whether an entry is the negative of a symbol."""
     return entry.is_Mul and len(entry.args) == 2 and entry.args[0] is sp.S.NegativeOne and entry.args[1].is_Symbol

@@ -1,4 +1,4 @@
-"""Derivatives of what a tracer has recorded, recorded by the same tracer: forward mode, zeros propagated."""
+"""Forward-mode differentiation of traced operations, recorded by the same tracer."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ Slopes = dict[int, Value]
 
 
 def tangents(values: Sequence[Value], seeds: Mapping[Node, Value]) -> list[Value]:
-    """The change of every value, to first order, when the nodes in ``seeds`` change by what these give.
+    """The directional derivative of every value; ``seeds`` maps nodes to their components of the direction.
 
-    A seed is an independent variable: what it was computed from is not looked at.  Inputs that are no seeds
-    are constant; so are floats.  Equal operations are one node, so directions share what they have in common.
+    A seed is an independent variable, whatever it was computed from.  Inputs that are no seeds are constant, as are
+    floats.  Equal operations are one node, so directions share common operations.
     """
     slopes: Slopes = {node.id: slope for node, slope in seeds.items()}
     for node in live(values):
@@ -23,7 +23,7 @@ def tangents(values: Sequence[Value], seeds: Mapping[Node, Value]) -> list[Value
 
 
 def columns(values: Sequence[Value], variables: Sequence[Value]) -> list[list[Value]]:
-    """The partial derivatives of ``values``, one column per variable; what is a float is constant."""
+    """The partial derivatives of ``values``, one column per variable; floats are constant."""
     unit = lambda x: {x: 1.0} if isinstance(x, Node) else {}  # noqa: E731
     return [tangents(values, unit(x)) for x in variables]
 

@@ -1,4 +1,4 @@
-"""From a block's sympy components to nodes of a program."""
+"""Lowering: from a block's sympy components to the nodes of a program."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ def lower(
 ) -> dict[str, Array]:
     """Record the steps of ``block`` that ``outputs`` need and return the outputs' entries.
 
-    ``inputs`` holds arrays of nodes or floats for the block's inputs (others are passed over).  With
-    ``constant``, whatever follows from the parameters alone is not recorded but asked for by its label:
-    that slice of the block is the ``prepare`` program.
+    ``inputs`` holds arrays of nodes or floats for the block's inputs (others are ignored).  With ``constant``, values
+    that depend on parameters alone are not recorded but requested by their labels: the ``prepare`` program computes
+    them.
     """
     known = _Known(block, constant)
     for name, array in inputs.items():
@@ -42,13 +42,13 @@ def lower(
 
 
 def title(step: Step) -> str:
-    """What a section says of its step."""
+    """The title of a step's section."""
     number = f" ({step.equation})" if step.equation else ""
     return f"{step.signal.name}: {step.signal.meaning}{number}"
 
 
 def needed(block: Block, outputs: Sequence[str], given: Mapping, sliced: bool) -> list[Step]:
-    """The steps that ``outputs`` depend on, in their order; with ``sliced`` only those of the state.
+    """The steps that ``outputs`` depend on, in their order; with ``sliced`` only those that depend on the state.
 
     ``given`` holds the names of the symbols that need no step.
     """
@@ -91,7 +91,7 @@ Recipe = Callable[[Mapping[str, Value], Tracer], Value]
 
 @cache
 def recipe(e: sp.Expr) -> Recipe:
-    """How a sympy expression becomes nodes, grouped as it is written; read once, however often it is recorded."""
+    """A function that records a sympy expression as nodes, in its grouping; cached, so an expression is read once."""
     if e.is_Symbol:
         name = e.name
         return lambda known, _: known[name]

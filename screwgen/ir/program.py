@@ -1,9 +1,9 @@
-"""Programs: mathematics without meaning.
+"""Programs: straight-line scalar operations, made by tracing.
 
 A :class:`Program` is a list of scalar operations in which every value is assigned once.  It is made
 by *tracing*: ordinary Python functions run on arrays of :class:`Node`, and every operation is
 recorded, numbered by its value (equal operations are one node) and simplified where an operand is
-zero or one.  Entries that are plain floats are structure: what is zero costs nothing.
+zero or one.  Entries that are plain floats are structure: a zero costs no operation.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class Tracer:
         return [self._node("input", name, i) for i in range(size)]
 
     def program(self, name: str, inputs: dict[str, int], outputs: dict[str, list[Value]]) -> Program:
-        """What was recorded.  What no output needs is forgotten: programs are kept for long."""
+        """The recorded operations that the outputs depend on."""
         self._table = {}
         return Program(name, inputs, outputs, list(self.guards), self.sections, list(self.origins))
 
@@ -210,7 +210,7 @@ class Tracer:
 
 
 def _key(op: str, args: tuple) -> tuple:
-    """What equal operations on equal values have in common: numbers of nodes, and the bits of floats."""
+    """The key by which equal operations are found: numbers of nodes, and the bits of floats."""
     ids = [a.id if isinstance(a, Node) else float(a).hex() for a in args]
     if op in COMMUTATIVE and (isinstance(ids[0], str) or (isinstance(ids[1], int) and ids[1] < ids[0])):
         ids.reverse()
@@ -271,7 +271,7 @@ class Program:
 
     @property
     def operations(self) -> Counter:
-        """How many operations of every kind the program runs."""
+        """The number of operations of each kind."""
         return Counter(n.op for n in self.nodes if n.op not in ("input", "epsilon"))
 
     @property
@@ -280,7 +280,7 @@ class Program:
 
 
 def give_label(value: Value, label: str) -> None:
-    """Name a computed value, or what it is the negative of, unless it has a name."""
+    """Name a computed value, or its operand if it is a negative, unless it has a name."""
     if isinstance(value, Node) and value.op == "neg":
         value, label = value.args[0], f"minus_{label}"
     if isinstance(value, Node) and value.label is None and value.op not in ("input", "epsilon"):

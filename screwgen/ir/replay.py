@@ -1,4 +1,4 @@
-"""Programs run again: on values of any algebra, into another tracer, or with some inputs bound to numbers."""
+"""Evaluation of programs: on values of any algebra, into another tracer, or with some inputs bound to numbers."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def run(
 def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str], origin=0):
     """Replay a program into a tracer: the fused layout.
 
-    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard is blamed on.
+    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard reports.
     """
     section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
     tracer.sections.extend(rename(title) if title else "" for title in program.sections)

@@ -8,14 +8,14 @@ from itertools import pairwise
 from .program import Node, Program, Tracer, Value
 
 KEPT = "kept"
-"""The input by which pieces read what earlier ones have left; ``kept:20`` is the output of entries 20, 21, …"""
+"""The input by which pieces read the values of earlier ones; ``kept:20`` is the output of entries 20, 21, …"""
 
 
 def split(program: Program, pieces: int) -> tuple[list[Program], int]:
-    """The program as ``pieces`` programs of about the same length, and how many values they keep in all.
+    """The program as ``pieces`` programs of about the same length, and the number of values passed between them.
 
-    A piece has the outputs that are known in it and None in place of the others, and one output of what later
-    ones need.  The operations and their order are those of the program.
+    A piece has the outputs that are computed in it, with None in place of the others, and one output of the values
+    that later pieces use.  The operations and their order are those of the program.
     """
     if pieces < 2:
         return [program], 0
@@ -33,7 +33,7 @@ def _computed(node: Node) -> list[Node]:
 
 
 def _free(node: Node) -> bool:
-    """Whether a piece can have a value of its own instead of keeping it."""
+    """Whether a value is available in every piece."""
     return node.op in ("input", "epsilon")
 
 

@@ -17,8 +17,8 @@ LINK = "F_i"
 def joint_block(key: LinkClass) -> Block:
     """Compatibility of the joint at velocity and acceleration level, (43)-(45) and (accconst4).
 
-    ``omega, v`` is the link's twist in F_i; ``beta_omega, beta_v`` is what remains of its rate when
-    the parent's tip and the joint coordinates do not accelerate.
+    ``omega, v`` is the link's twist in F_i.  The bias acceleration ``beta_omega, beta_v`` is its rate while the
+    parent's tip and the joint coordinates do not accelerate.
     """
     b = Block("joint", "Joint")
     q, qdot = _coordinates(b, key)
@@ -94,7 +94,7 @@ def joint_block(key: LinkClass) -> Block:
 
 
 def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, omega_R: Symbol):
-    """Where the joint slides: the joint point's velocity relative to the parent, and what that adds to ``beta_v``."""
+    """For sliding joints: the joint point's velocity relative to the parent, and its contribution to ``beta_v``."""
     if not key.slides:
         return zeros(3), zeros(3)
     v_J = b.step(
@@ -117,7 +117,7 @@ def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, ome
 
 
 def motion_block(key: LinkClass) -> Block:
-    """The link's motion from that of the parent's tip while no joint accelerates, (accconst4); all in F_i axes.
+    """The link's motion from that of the parent's tip without joint accelerations, (accconst4); all in F_i axes.
 
     Accelerations are those of material points in the inertial frame. ``S`` is the motion subspace at the origin of F_i.
     """
@@ -224,7 +224,7 @@ def _coordinates(b: Block, key: LinkClass, rates: bool = True) -> tuple[Symbol, 
 
 
 def posture(key: LinkClass, b: Block, q: Symbol) -> tuple[Kinematics, Expression, Expression, Symbol]:
-    """The joint's motion, the mount's offset and the joint point in F_i, ``R_rel``; with the steps of all of them."""
+    """The joint's motion, the mount's offset, the joint point in F_i and ``R_rel``, declared as steps of the block."""
     motion = kinematics(key.screws, b.entries(q))
     r_m, r_B = joint_points(key, b)
     R_m = _mount_rotation(key, b)

@@ -1,7 +1,7 @@
-"""How a joint moves its link: relative pose and motion subspace, from the screws of the joint.
+"""Joint kinematics: relative pose and motion subspace, from the screws of the joint.
 
 A joint is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
-and the link's frame at the joint point. What else the algorithms need of a joint follows from these.
+and the link's frame at the joint point. All other joint quantities follow from these.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Kinematics:
     rotation: Expression
     """(3, 3): components in F_i to components in the mount's axes."""
     displacement: Expression
-    """(3, 1), m: the joint point of the link from that of the mount, in the mount's axes."""
+    """(3, 1), m: the joint point of the link relative to that of the mount, in the mount's axes."""
     angular: Expression
     """(3, m): the motion subspace's angular part, the axes, in F_i."""
     linear: Expression
@@ -60,7 +60,7 @@ def subspace(motion: Kinematics) -> Expression:
 
 
 def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> Expression:
-    """The displacement of a product, in the axes before it."""
+    """The displacement of a product of exponentials, in the axes before its first screw."""
     total: Expression = zeros(3)
     for turn, shift in zip(reversed(turns), reversed(shifts), strict=True):
         total = add(shift, turn @ total)
@@ -68,7 +68,7 @@ def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> 
 
 
 def _turned_back(turns: Sequence[Expression], column: Expression) -> Expression:
-    """A column in the axes behind all ``turns``."""
+    """A column in the axes after all rotations in ``turns``."""
     return reduce(lambda x, turn: turn.T @ x, turns, column)
 
 

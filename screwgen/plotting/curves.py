@@ -1,4 +1,4 @@
-"""Curves over time: thinned without losing peaks, in units that suit them, on scales that no transient spoils."""
+"""Curves over time: thinned without losing peaks, in suitable units, on scales that ignore short transients."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 class Scale(NamedTuple):
-    """The limits of an axis in `unit`, which is SI over `factor`, and what lies beyond them in words, or nothing."""
+    """The limits of an axis in `unit`, which is SI over `factor`, and a text on values beyond them, perhaps empty."""
 
     low: float
     high: float
@@ -59,7 +59,7 @@ def prefixed(size: float, unit: str) -> tuple[float, str]:
 
 
 def scale(t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = ()) -> Scale:
-    """The scale for curves (N,) over t, SI: all there is, unless what happens at the start would flatten the rest.
+    """The scale for curves (N,) over t, SI: all values, unless a transient at the start would flatten the rest.
 
     `bounds`: limits ±b of the curves; they are on the scale where that leaves half of it to the curves.
     """
@@ -96,7 +96,7 @@ def number(x: float) -> str:
 
 
 def over_time(axes: Axes, t: np.ndarray, title: str, label: str, fitted: Scale) -> None:
-    """The frame of curves over time: title, labels with units, limits, and what the scale leaves out."""
+    """The frame of curves over time: title, labels with units, limits, and a note on values beyond the scale."""
     axes.set_title(title)
     axes.set_xlabel("t (s)", loc="left" if fitted.note else "center")
     axes.set_ylabel(label)

@@ -1,4 +1,4 @@
-"""The look of every figure: colours, type and lines, canvases, grids without gaps, and the same bytes every time."""
+"""The style of all figures: colours, type and lines, canvases, grids, and reproducible files."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def filled(grid: GridSpec, count: int, columns: int, top: int = 0) -> list[Subpl
 
 
 def legend_above(axes: Axes, columns: int | None = None) -> Legend | None:
-    """The legend of axes in the line of their title, at the right, where it covers no curve."""
+    """The legend of axes to the right of their title, so that it covers no curve."""
     handles, labels = axes.get_legend_handles_labels()
     if not handles:
         return None
@@ -117,7 +117,7 @@ def legend_above(axes: Axes, columns: int | None = None) -> Legend | None:
 
 
 def legend_below(axes: Axes, columns: int, handles: Sequence | None = None) -> Legend:
-    """The legend of axes under their label, where there is room for long entries."""
+    """The legend of axes below their label, for long entries."""
     handles = axes.get_legend_handles_labels()[0] if handles is None else handles
     place = dict(loc="upper center", bbox_to_anchor=(0.5, 0.0), borderaxespad=4.5)
     return axes.legend(handles=handles, ncols=columns, **place)

@@ -1,4 +1,4 @@
-"""Mode shapes of an arm in its posture as a picture: a view in space per mode, the arm at rest behind it.
+"""The figure of an arm's mode shapes: one spatial view per mode, with the arm at rest behind it.
 
 Links with torsion modes carry cross-sections, which turn as the sections do.
 """
@@ -27,7 +27,7 @@ MOST, COLUMNS, GRID, PANEL = 6, 3, 6, (4.4, 3.8)
 STATIONS = np.linspace(0.0, 1.0, 25)
 """Places along a link at which it is drawn, base to tip."""
 SPARSE, DENSE = 12, 4
-"""Stations from one cross-section to the next, where many links have them, and where at most two have."""
+"""Stations from one cross-section to the next, for many links with sections and for at most two."""
 AMPLITUDE, TURN = 0.15, 0.7
 """The largest displacement drawn, over the size of the arm, or the largest turn of a section, rad."""
 WIDTH = 0.025
@@ -39,7 +39,7 @@ WORDS = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in
 
 
 class Shape(NamedTuple):
-    """How the arm moves in a mode: of the centrelines and, where links have torsion modes, of their sections."""
+    """The motion of an arm in a mode: of the centrelines and, for links with torsion modes, of their sections."""
 
     motion: np.ndarray
     """(n, stations, 3) m."""
@@ -93,7 +93,7 @@ def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
 
 
 def amplified(rest: np.ndarray, shape: Shape) -> Shape:
-    """The shape in proportion to the arm, by what moves most, section or centreline; its greatest part positive."""
+    """The shape scaled to the arm's size by its largest part, section or centreline, which is positive."""
     size = np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     largest = shape.motion.reshape(-1, 3)[np.argmax(np.linalg.norm(shape.motion, axis=2))]
     turns = np.concatenate([*shape.turns.values(), [0.0]])
@@ -131,7 +131,7 @@ def meaning(model: Model, shape: np.ndarray) -> str:
 
 
 def _draw(axes: Axes, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
-    """The arm at rest and at both ends of the vibration; what to frame, (N, 3) m."""
+    """Draw the arm at rest and at both ends of the vibration; returns the points to frame, (N, 3) m."""
     points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):
         now = shape.scaled(share)

@@ -1,4 +1,4 @@
-"""A run at a glance: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
+"""The figure of a run: the arm in space, its angles, torques, modes, wrenches, energy and tip position over time."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ START, END = PALETTE[2], PALETTE[3]
 
 
 class Line(NamedTuple):
-    """A curve over time: its label where it has one of its own, colour and style, and what it is to follow and keep."""
+    """A curve over time with colour, style and label, and the goal and the bound that are drawn with it."""
 
     values: np.ndarray
     color: Any
@@ -67,7 +67,7 @@ class Panel(NamedTuple):
 
 @styled
 def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
-    """The figure of a run; what is zero throughout is said, not drawn.
+    """The figure of a run; quantities that are always zero are named, not drawn.
 
     `model`: that of the run, to draw the arm. `controller`: its set points (`reference(t)`) and torque limits
     (`tau_max`) are drawn where it states them.
@@ -164,7 +164,7 @@ def _norms(run: Run, part: slice) -> list[Line]:
 
 
 def _with(lines: list[Line], field: str, values: np.ndarray | None) -> list[Line]:
-    """The lines with a field each from `values`, where there are any."""
+    """The lines with one field each from `values`, if there are any."""
     if values is None or len(values) != len(lines):
         return lines
     return [line._replace(**{field: value}) for line, value in zip(lines, values, strict=True)]

@@ -1,4 +1,4 @@
-"""The structure of M_sys as a picture: its blocks in the paper's order, the entries coloured by what they are."""
+"""The figure of M_sys: its blocks in the paper's order, the nonzero entries coloured by kind."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _entries(axes: Axes, s: Structure) -> None:
 
 
 def _frame(axes: Axes, s: Structure) -> None:
-    """Lines between the blocks, of many between the links, and the names of the blocks where there is room."""
+    """Lines between the blocks (for many links, between the links), and the names of the blocks if they fit."""
     edges = np.array([*s.starts, s.size]) - 0.5
     twists = len([label for label in s.labels if not label.startswith("eta")])
     crowded = len(edges) > MOST_LINES
@@ -78,7 +78,7 @@ def _frame(axes: Axes, s: Structure) -> None:
 
 
 def spread(places: np.ndarray, room: float, taken: list[float]) -> list[float]:
-    """Those of the ascending `places` that are `room` apart from each other and from what is taken."""
+    """The ascending `places` that are at least `room` apart from each other and from those taken."""
     out: list[float] = []
     for place in places.tolist():
         if all(abs(place - other) >= room for other in (*out[-1:], *taken[:1])):

@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from ..model import Model
 
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
-"""Without contraction a machine with wider registers gives the same numbers."""
+"""Without contraction the results do not depend on the width of the registers."""
 
 OK, NONFINITE, SINGULAR = range(3)
 """The statuses of a scenario."""
 
 BLOCK = 16
-"""As many scenarios as any register has lanes: a thread's share is a multiple."""
+"""The largest number of lanes of any register; a thread's share of the scenarios is a multiple of it."""
 
 
 class _Batch(ctypes.Structure):
@@ -71,7 +71,7 @@ class CompiledBatch:
     def constants(self, p: np.ndarray) -> np.ndarray:
         """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).
 
-        Raises :class:`UsageError` naming the first whose parameters no robot has.
+        Raises :class:`UsageError` naming the first robot whose parameters are invalid.
         """
         p, failed = np.ascontiguousarray(p, self.real), ctypes.c_int()
         out = np.zeros((len(p), self.library.shim_constants_size()), np.uint8)
@@ -106,7 +106,7 @@ class CompiledBatch:
 
 
 class _Task(NamedTuple):
-    """What a batch reads and writes."""
+    """The arrays that a batch reads and writes."""
 
     q: np.ndarray
     v: np.ndarray
@@ -151,7 +151,7 @@ def blocks(count: int, threads: int) -> list[tuple[int, int]]:
 def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tuple[int, int]], periods: int) -> None:
     """Work on blocks of scenarios, each in a thread, by parts between which all can be stopped.
 
-    The threads are Python's, which C leaves to run: those of OpenMP do not survive a fork.
+    The threads are Python's, which run in parallel inside the C; OpenMP's threads do not survive a fork.
     """
     stop = threading.Event()
 
@@ -172,7 +172,7 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
 
 
 def _files(model: Model, methods: Sequence[Method]) -> tuple[CProject, dict[str, str]]:
-    """What a batch is compiled from, and its project."""
+    """The sources of a batch, and its project."""
     project, name = CProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
     files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}

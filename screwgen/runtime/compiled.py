@@ -34,7 +34,7 @@ NO_METHOD = "in the generated C there is no integrator"
 
 
 class Derived(Protocol):
-    """What is compiled: :class:`screwgen.Model`."""
+    """The interface of the object that is compiled: :class:`screwgen.Model`."""
 
     chain: Chain
     parameter_values: list[float]
@@ -62,11 +62,10 @@ class LeanProject(CProject):
 class Compiled(Memory):
     """A robot's C in a shared library.  Arrays are those of the NumPy back end; precision may be single.
 
-    Numbers go from the caller's arrays straight into the structs of the C, and from there into ``out`` or new arrays:
-    nothing lies between where an array has the shape and the number type of the library; other numbers are converted,
-    in one row or in the shape named, but for axes of length 1.  ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,),
-    ``w_ext`` (n, 6), ``vdot`` (nq,), ``wrench`` (n, 6), ``tip_rotation`` (3, 3), ``tip_position`` (3,) are views of
-    those structs as the last call left them.
+    Numbers are copied from the caller's arrays into the structs of the C, and from there into ``out`` or new arrays.
+    Arrays of another number type are converted. Arguments may have the shape named or be flat; axes of length 1 do not
+    count.  ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6), ``vdot`` (nq,), ``wrench`` (n, 6),
+    ``tip_rotation`` (3, 3), ``tip_position`` (3,) are views of those structs after the last call.
 
     An instance keeps its state in memory of its own.  Threads may share one: their calls take turns.  To compute at
     the same time, give each a :meth:`fresh` one.  A pickled one is compiled again, or found in the cache,
@@ -89,7 +88,7 @@ class Compiled(Memory):
         cache: bool | str | os.PathLike = False,
         methods: Sequence[Method] = (),
     ):
-        self._said = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
+        self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
         options = {"derivatives": derivatives, "methods": methods}
@@ -100,7 +99,7 @@ class Compiled(Memory):
         self.prepare(None)
 
     def __reduce__(self) -> tuple[Callable, tuple]:
-        return _compiled_anew, (self.model, self._said, self.p)
+        return _compiled_anew, (self.model, self._arguments, self.p)
 
     def fresh(self, p: Given = None) -> Compiled:
         """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""
@@ -111,7 +110,7 @@ class Compiled(Memory):
         return out
 
     def prepare(self, p: Given) -> None:
-        """Set the parameters (None: the robot file's values); where they are refused the last ones stay."""
+        """Set the parameters (None: the robot file's values); if they are refused the previous ones remain."""
         values = None if p is None else self.chain.parameters.vector(p)
         given = None if values is None else values.astype(self.real)
         with self._lock:
@@ -189,7 +188,7 @@ class Compiled(Memory):
         return ctypes.create_string_buffer(self.library.shim_linearise_size())
 
     def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
-        """The forces on all coordinates (nq,) and the joint wrenches (n, 6) that a motion needs."""
+        """The generalised forces (nq,) and the joint wrenches (n, 6) of a motion."""
         c = self.chain
         force, wrench = np.zeros(max(c.nq, 1), self.real), np.zeros((c.n, 6), self.real)
         given = self._in(vdot, (c.nq,), "vdot")
@@ -278,7 +277,7 @@ class Compiled(Memory):
 def compile_model(
     model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str, methods
 ) -> Compiled:
-    """What :meth:`screwgen.Model.compile` does."""
+    """The implementation of :meth:`screwgen.Model.compile`."""
     choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
     for name, given, known in choices:
         choice(given, known, f"{name}: there is no")
@@ -289,7 +288,7 @@ def compile_model(
 
 
 def _compiled_anew(model: Derived, said: tuple, p: Array | None) -> Compiled:
-    """What a pickled instance becomes."""
+    """The instance that a pickled one is restored to."""
     out = Compiled(model, *said)
     out.prepare(p)
     return out

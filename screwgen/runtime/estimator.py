@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 def _files(model: Model, binding: str) -> dict[str, str]:
-    """What an estimator is compiled from."""
+    """The sources of an estimator."""
     project = CProject(model.chain, model.version, binding, estimator=True)
     return project.files() | {"shim.c": project.shim("estimator_shim.c")}
 
 
 @dataclass(frozen=True)
 class Noise:
-    """What a filter believes of the world; a number stands for all entries alike.
+    """The noise model of a filter; a single number applies to all entries.
 
     ``density_q``, ``density_v`` (nq): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
     (modes: m²/s, m²/s³).  ``encoder`` (n_joints, rad), ``strain`` (gauges), ``acceleration`` (3, m/s²): standard
@@ -76,7 +76,7 @@ class CompiledEstimator:
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
-        """Change what the filter believes of the world."""
+        """Change the noise model."""
         n, m, g = self.model.nq, self.model.n_joints, len(self.gauges)
         square = lambda x, size: self._in(np.square(np.broadcast_to(np.asarray(x, float), size)), size)  # noqa: E731
         self.library.shim_set(
@@ -90,11 +90,11 @@ class CompiledEstimator:
         )
 
     def predict(self, tau, w_ext, dt: float) -> None:
-        """``dt`` seconds on, the torques (n_joints) and tip wrenches (n, 6) held."""
+        """Predict the state ``dt`` seconds later, with torques (n_joints) and tip wrenches (n, 6) held."""
         self._check(self.library.shim_predict(self._memory, *self._input(tau, w_ext), self._number(dt)))
 
     def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None) -> None:
-        """Take in what was measured; what is left out, and entries that are None or NaN, were not.
+        """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in tip-frame
         components, less free fall.

@@ -1,10 +1,9 @@
-"""Shared libraries of generated C: compiled once, kept by content in a folder of the user's, and loaded.
+"""Shared libraries of generated C: compiled once, cached by content in a folder of the user, and loaded.
 
-The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so
-that one which was cut short is known without loading it; it is built aside and renamed, so that processes which build
-the same at once do not meet. Where the folder cannot be written, a library is built in a temporary one, and so it is
-where others than this user and root can write: what lies there would run as this user. The folder may be deleted at
-any time.
+The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so a
+truncated one is detected without loading it. It is built aside and renamed, so processes may build the same library at
+once. If the folder cannot be written, the library is built in a temporary folder. The same holds if others than this
+user and root can write to the folder, because its contents run as this user. The folder may be deleted at any time.
 """
 
 from __future__ import annotations
@@ -31,16 +30,16 @@ from ..spec.load import one_line
 
 FLAGS = ("-std=c99", "-fPIC", "-shared")
 PROGRAMS = ("main.c", "check.c")
-"""Sources that are no part of a library."""
+"""Sources that are not part of a library."""
 
 MAX_ENTRIES = 256
-"""Beyond so many the entries that were not used for longest are deleted."""
+"""The largest number of entries; beyond it the least recently used are deleted."""
 
 ABANDONED = 24 * 3600.0
-"""A folder in which nothing was built for so many seconds belongs to a process that was killed."""
+"""The age in seconds at which a build folder is taken for that of a killed process."""
 
 ROOT = 0
-"""The system's user, who can do anything anyway."""
+"""The system's user, who is trusted."""
 
 DIGEST = hashlib.sha256().digest_size
 
@@ -67,7 +66,7 @@ def load(
 
 
 def cache_folder() -> Path | None:
-    """Where libraries are kept: SCREWGEN_CACHE, else screwgen in XDG_CACHE_HOME or ~/.cache; None without a home."""
+    """The folder of the cache: SCREWGEN_CACHE, else screwgen in XDG_CACHE_HOME or ~/.cache; None without a home."""
     if named := os.environ.get("SCREWGEN_CACHE"):
         return Path(named).absolute()
     base = os.environ.get("XDG_CACHE_HOME")
@@ -81,7 +80,7 @@ def cache_folder() -> Path | None:
 
 def compiler_command(compiler: str | None = None) -> list[str]:
     """The compiler and its leading arguments; raises ScrewgenError where there is none."""
-    text, command = _named(compiler)
+    text, command = _compiler_and_name(compiler)
     if not command or shutil.which(command[0]) is None:
         raise ScrewgenError(f"no C compiler '{text}'; install gcc or name one in the environment variable CC")
     return command
@@ -89,12 +88,12 @@ def compiler_command(compiler: str | None = None) -> list[str]:
 
 def has_compiler() -> bool:
     """Whether there is a C compiler; raises ScrewgenError where CC is no command at all."""
-    command = _named(None)[1]
+    command = _compiler_and_name(None)[1]
     return bool(command) and shutil.which(command[0]) is not None
 
 
-def _named(compiler: str | None) -> tuple[str, list[str]]:
-    """How the compiler is called, and in words."""
+def _compiler_and_name(compiler: str | None) -> tuple[str, list[str]]:
+    """The compiler's command as a text, and as a list."""
     text = compiler or os.environ.get("CC") or "cc"
     try:
         return text, shlex.split(text)
@@ -115,15 +114,15 @@ def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], fl
 
 
 def _run(command: list[str], folder: Path) -> None:
-    done = _called(command, folder)
+    done = _run_compiler(command, folder)
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
         said = next((line for line in lines if "error" in line), lines[0])
         raise ScrewgenError(f"{command[0]} failed on the generated C: {said}")
 
 
-def _called(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
-    """The compiler, called; what it says may be in any encoding. Raises ScrewgenError where it cannot be started."""
+def _run_compiler(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run the compiler; its output may be in any encoding. Raises ScrewgenError if it cannot be started."""
     said = {"capture_output": True, "text": True, "errors": "replace", "stdin": subprocess.DEVNULL}
     try:
         return subprocess.run(command, cwd=folder, **said)
@@ -144,13 +143,13 @@ def _key(files: Mapping[str, str], flags: tuple[str, ...], command: Sequence[str
 
 @lru_cache(maxsize=32)
 def _identity(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ...]:
-    """What tells a compiler, its version, its target and what flags such as -march=native mean on this machine."""
+    """A text that identifies the compiler, its version, its target and the meaning of flags such as -march=native."""
     asked = ([*command, "--version"], [*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
-    return (*command, *(_called(line).stdout for line in asked))
+    return (*command, *(_run_compiler(line).stdout for line in asked))
 
 
 def _trusted(folder: Path) -> bool:
-    """Whether the cache, made if it is not there, is one where nobody else can plant a library; says so if not."""
+    """Whether only this user and root can write to the cache, which is created if needed; warns if not."""
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         if _private(folder.stat()):
@@ -169,7 +168,7 @@ def _private(status: os.stat_result) -> bool:
 
 
 def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
-    """The library of an entry; None where there is none, or none that is whole and fits this machine."""
+    """The library of an entry; None if there is none that is complete and fits this machine."""
     path = folder / f"{key}.so"
     try:
         with open_regular(path) as stream:

@@ -15,16 +15,16 @@ from ..errors import UsageError
 from ..topology.chain import Chain
 
 FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy", "measures")
-"""What the library says about its memory: its size, and where these are, in bytes."""
+"""The library's memory layout: its size, and the offsets of these members, in bytes."""
 
 CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
-"""What memoryviews say to values that are no arrays of their shape and number type."""
+"""The errors of memoryviews for values that are not arrays of their shape and number type."""
 
 Array = np.ndarray
 
 
 class Memory:
-    """What one instance of a library works in, and a lock for it."""
+    """The memory of one instance of a library, and its lock."""
 
     chain: Chain
     library: ctypes.CDLL
@@ -56,7 +56,7 @@ class Memory:
         self._forward_in = {"joint": self._forward, "dae": self.library.shim_dae_forward}
 
     def _set(self, q, v, tau=None, w_ext=None) -> None:
-        """Into the structs by memoryviews, which take arrays of their type and length, and leave all else."""
+        """Copy values into the structs by memoryviews, which accept arrays of their type and length only."""
         try:
             self._q[:] = q
             self._v[:] = v
@@ -92,7 +92,7 @@ class Memory:
                 raise UsageError(f"out: {name} has the shape {place.shape}; it must be {value.shape}")
 
     def _take(self, q, v, tau, w_ext) -> None:
-        """Any numbers of the right count into the structs; None is zero."""
+        """Convert and copy numbers of the right count into the structs; None is zero."""
         given = {"q": (q, self.q), "v": (v, self.v), "tau": (tau, self.tau), "w_ext": (w_ext, self.w_ext)}
         for name, (values, place) in given.items():
             place[...] = array(values, name, place.shape, finite=False)

@@ -1,13 +1,13 @@
-"""Long work in parts, so that it can report, be stored and be interrupted in between."""
+"""Long computations in parts, so that they can report, store and be interrupted in between."""
 
 import time
 from collections.abc import Iterator
 
 SLICE = 0.05
-"""Seconds of one part, about."""
+"""The approximate duration of one part in seconds."""
 
 FIRST, GROWTH = 256, 4
-"""Steps of the first part, and how many times as many a part may have as the one before it."""
+"""The number of steps of the first part, and the largest factor from one part to the next."""
 
 
 def slices(count: int, first: int = FIRST) -> Iterator[tuple[int, int]]:

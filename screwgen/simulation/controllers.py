@@ -31,8 +31,8 @@ KEYS = (*UNITS, "duration", "waypoints", "gravity")
 class Holding:
     """The joint torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
-    They are those of the model at its nominal parameters, the links bent as they are when the arm rests there: what a
-    controller with encoders alone can know.
+    They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
+    are encoders.
     """
 
     TOLERANCE, STEPS = 1e-12, 30
@@ -102,12 +102,12 @@ class PD:
 
     @property
     def plain(self) -> bool:
-        """Whether gains, one goal and limits are all there is."""
+        """Whether the law has gains, one goal and limits only."""
         return not self.waypoints and self.gravity is None
 
     @property
     def set_points(self) -> tuple[tuple[float, tuple[float, ...]], ...]:
-        """When (s) the reference is where (rad) at rest, ascending: its start, if it travels, to its goal."""
+        """Times (s), ascending, and angles (rad) at which the reference is at rest, from its start to its goal."""
         if self.duration is None or self.q_start is None:
             return ((0.0, self.q_des),)
         return ((0.0, self.q_start), *(self.waypoints or ((self.duration, self.q_des),)))

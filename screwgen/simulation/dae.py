@@ -1,4 +1,4 @@
-"""Time steps of the DAE form on SE(3): poses move by the exponential, every step ends on the joints.
+"""Time steps of the DAE form on SE(3): poses move by the exponential map, every step ends with a projection.
 
 The state is that of the assembled system, ``x = [poses; eta; twists; etadot; q]``; the accelerations come
 from the same block elimination as the joint form's.
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class DaeDynamics:
-    """``xdot`` of the DAE form under held inputs; methods choose what acts within modes and sprung joints."""
+    """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints."""
 
     def __init__(self, model: Model, p: Sequence[float]):
         functions = model.modal_functions
@@ -33,7 +33,7 @@ class DaeDynamics:
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
     def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
-        """``xdot`` alone of :meth:`solution`."""
+        """The ``xdot`` of :meth:`solution`."""
         return self.solution(x, tau, w_ext, h, start)[0]
 
     def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> list[np.ndarray]:
@@ -44,7 +44,7 @@ class DaeDynamics:
         return self.solve(x, tau, w_ext, inertia, force, self.p)
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The coordinates that have forces of their own, and their rates."""
+        """The coordinates with stiffness and damping (modes, sprung joints), and their rates."""
         eta, etadot = x[self.eta], x[self.etadot]
         if self.joint_rates is None:
             return eta, etadot
@@ -77,7 +77,7 @@ def exponential(pose: np.ndarray, u: np.ndarray) -> np.ndarray:
 
 
 def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
-    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``: enough terms for order four."""
+    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, with terms up to order four."""
     first = bracket(u, V)
     return V + first / 2 + bracket(u, first) / 12
 
@@ -92,7 +92,7 @@ def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 class Evaluated(NamedTuple):
-    """What a stage found: the rate of the state, `vdot` (nq,), and the rate (n, 6) of what moves the poses."""
+    """The results of a stage: the rate of the state, `vdot` (nq,), and the rate (n, 6) of the poses' vectors ``u``."""
 
     rates: np.ndarray
     vdot: np.ndarray
@@ -132,7 +132,7 @@ class HeldDae:
         return self._leap(move)
 
     def _leap(self, move: Move) -> tuple[np.ndarray, np.ndarray]:
-        """The same by one acceleration, coordinates and poses by the rates after a kick of it."""
+        """The state by one acceleration: coordinates and poses move by the rates that it has changed."""
         d, x, (j, _) = self.d, self.x, move.terms[0]
         rates, vdot, _, reach = self.found[j]
         by, kick = times(self.h, move.reach), times(self.h, move.kick)
@@ -144,29 +144,29 @@ class HeldDae:
 
 
 class DaeStepper:
-    """Steps of the DAE form, each followed by the projection onto the joints."""
+    """Steps of the DAE form, each followed by a projection onto the joint constraints."""
 
     default = DEFAULT
 
     def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), DaeDynamics(model, p)
-        self.judge, self.n_joints = model.numpy(p), model.n_joints
+        self.reference, self.n_joints = model.numpy(p), model.n_joints
         self.place = Evaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The state on the joints."""
+        """The state that satisfies the joint constraints."""
         return self.place(q, v, self.dynamics.p)[0]
 
     def step(self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> np.ndarray:
-        """The state ``dt`` later, on the joints."""
+        """The state ``dt`` later, projected."""
         new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
         if not (np.abs(new) < LIMIT).all():
-            self.judge.dae_rates(x, tau, w_ext)
+            self.reference.dae_rates(x, tau, w_ext)
             raise DivergedError(f"the integrator '{self.method}' diverged; take a smaller step")
         return new
 
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """``q`` and ``v``: the joints' rates are those that the twists show."""
+        """``q`` and ``v``; the joint rates follow from the twists."""
         d = self.dynamics
         rates = d.rates(x, np.zeros(self.n_joints), np.zeros((len(x[d.pose]) // 7, 6)))
         q, qdot = x[len(x) - self.n_joints :], rates[len(x) - self.n_joints :]

@@ -1,4 +1,4 @@
-"""What acts on an arm during a run: torques and wrenches from functions, constants or nothing."""
+"""The inputs of a run: torques and wrenches from functions, constants or nothing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def started(controller: Any, q0: np.ndarray) -> Any:
-    """The controller at the start of a run: one with `starting_at(q)` is asked for itself there."""
+    """The controller at the start of a run: the result of its `starting_at(q)` if it has that method."""
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
 
 

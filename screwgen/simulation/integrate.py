@@ -1,4 +1,4 @@
-"""Time steps of the joint form: the accelerations that a method is made of, and the stepper that applies it.
+"""Time steps of the joint form: the accelerations that a method needs, and the stepper that applies it.
 
 The torques and external wrenches are held over a step.
 """
@@ -22,11 +22,11 @@ DEFAULT = "modal_midpoint"
 """The integrator to take where none is asked for."""
 
 LIMIT = 1e9
-"""A coordinate or rate beyond this (m, rad, per second) is no motion but a method that diverges."""
+"""A coordinate or rate beyond this (m, rad, per second) means that the method diverges."""
 
 
 class Stepper(Protocol):
-    """What a run needs to know of a form of the equations; a state is whatever the form keeps."""
+    """The interface of a form of the equations for runs; the type of a state is the form's own."""
 
     default: str
     """The integrator to take where none is asked for."""
@@ -47,7 +47,7 @@ class Stepper(Protocol):
 
 
 class Evaluator:
-    """A CasADi function on NumPy arrays without copies on the way: some 10 µs a call less."""
+    """A CasADi function on NumPy arrays without intermediate copies, which saves about 10 µs a call."""
 
     def __init__(self, function):
         self.inputs = [np.zeros(function.numel_in(i)) for i in range(function.n_in())]
@@ -72,10 +72,10 @@ class Evaluator:
 
 
 class Dynamics:
-    """Accelerations and joint wrenches of the joint form; methods choose what acts within modes and sprung joints.
+    """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints.
 
-    `M`, `K`, `D` (n_given,): inertia, stiffness and damping of the coordinates that have forces of their own, the last
-    of `q`: the modes, and where a joint has a spring or a damper all coordinates.
+    `M`, `K`, `D` (n_given,): inertia, stiffness and damping of the last coordinates of `q`: of the modes, or of all
+    coordinates if any joint has a spring or a damper.
     """
 
     def __init__(self, model: Model, p: Sequence[float]):
@@ -85,15 +85,15 @@ class Dynamics:
         self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
 
     def own(self, x: np.ndarray) -> np.ndarray:
-        """The part of `q` or `v` that has forces of its own."""
+        """The part of `q` or `v` with stiffness and damping."""
         return x[len(x) - self.n_given :]
 
     def inertia(self, h: float) -> np.ndarray:
-        """What resists the accelerations of these coordinates where their forces are implicit over `h` seconds."""
+        """The inertia of these coordinates with their forces implicit over `h` seconds: `M + h D + h² K`."""
         return self.M + h * self.D + h**2 * self.K
 
     def force(self, q: np.ndarray, v: np.ndarray, h: float, K: np.ndarray, D: np.ndarray) -> np.ndarray:
-        """Their force `h` after `q`, `v` (nq, ...) but for the accelerations' part; `K` and `D` of matching shape."""
+        """Their force `h` after `q`, `v` (nq, ...) without the accelerations' part; `K` and `D` of matching shape."""
         return K * (self.own(q) + h * self.own(v)) + D * self.own(v)
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
@@ -101,11 +101,11 @@ class Dynamics:
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
-        """Inertia and force of the coordinates that have forces of their own, (n_given,) each."""
+        """Inertia and force of the coordinates with stiffness and damping, (n_given,) each."""
         return self.M, self.force(q, v, 0.0, self.K, self.D)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
-        """`vdot` (nq,) with the forces of modes and joints that it leads to `h` after `q, v`; all else at `there`."""
+        """`vdot` (nq,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
         force = self.force(q, v, h, self.K, self.D)
         return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
 
@@ -128,7 +128,7 @@ class Held(NamedTuple):
 
 
 def diverged(method: Method) -> DivergedError:
-    """The error of an integrator that does not hold at its step."""
+    """The error of an integrator that is unstable at its step size."""
     remedy = f"take a smaller step, or {DEFAULT}"
     if method.name == DEFAULT:
         remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
@@ -156,7 +156,7 @@ class JointStepper:
 
     def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
-        self.judge = model.numpy(p)
+        self.reference = model.numpy(p)
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
@@ -164,7 +164,7 @@ class JointStepper:
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
         new = JointState(*self.method.step(Held(self.dynamics, tau, w_ext), state.q, state.v, dt))
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
-            self.judge.forward_dynamics(state.q, state.v, tau, w_ext)
+            self.reference.forward_dynamics(state.q, state.v, tau, w_ext)
             raise diverged(self.method)
         return new
 

@@ -1,4 +1,4 @@
-"""The loop of a run in the generated C: many steps a call, or one where Python gives the torques."""
+"""The loop of a run in the generated C: many steps per call, or one where Python computes the torques."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LEFT = 16
 """``SHIM_LEFT`` of the library."""
 
 RUNAWAY = 1e4
-"""A state with a number beyond this (rad, m, per second) is that of a method that diverges, not of a posture."""
+"""A state with a number beyond this (rad, m, per second) means that the method diverges, not that it is singular."""
 
 
 class _PD(ctypes.Structure):
@@ -58,7 +58,7 @@ class _Run(ctypes.Structure):
 
 
 def _compiled(model: Model, method: Method) -> Compiled:
-    """The model in C with a method, which the model keeps."""
+    """The compiled model with a method, cached by the model."""
     return model.once(_key(method), lambda: model.compile(methods=added(method)))
 
 
@@ -67,7 +67,7 @@ def _key(method: Method) -> tuple:
 
 
 def added(method: Method) -> tuple[Method, ...]:
-    """What the C needs beside the built-in methods."""
+    """The methods that are not built in."""
     return () if method in METHODS.values() else (method,)
 
 
@@ -82,7 +82,7 @@ def instance(model: Model, p: np.ndarray, method: Method) -> Compiled:
 
 
 def available(model: Model, method: Method) -> bool:
-    """Whether the model can be had in C with a method; says so where the compiler that is there fails."""
+    """Whether the model can be compiled with a method; warns if there is a compiler and it fails."""
     try:
         if not model.made(_key(method)) and not has_compiler():
             return False
@@ -113,7 +113,7 @@ class Loop:
         if type(task.law) is PD and task.law.plain and not task.given.wrenches_vary:
             self._take_law(task.law)
         asked = self.plan.pd is None and (task.given.torques_vary or task.given.wrenches_vary)
-        (self._ask if asked else self._sweep)(task)
+        (self._step_by_step if asked else self._in_slices)(task)
 
     def _take_law(self, law: PD) -> None:
         """Run a PD law in the C; the arrays must live as long as the run."""
@@ -123,16 +123,16 @@ class Loop:
         self._law = _PD(*(None if a is None else a.ctypes.data for a in self._arrays), law.duration if path else 0.0)
         self.plan.pd = ctypes.addressof(self._law)
 
-    def _sweep(self, task: Task) -> None:
-        """All in C, as many steps a call as take about a slice of time."""
+    def _in_slices(self, task: Task) -> None:
+        """Run entirely in C, with as many steps per call as take about one slice of time."""
         for k, count in slices(task.steps + 1):
             self._call(k, count)
             self.table.filled(task.rows(k + count))
             if task.progress:
                 task.progress(min(k + count, task.steps), task.steps)
 
-    def _ask(self, task: Task) -> None:
-        """Step by step, torques or wrenches from Python."""
+    def _step_by_step(self, task: Task) -> None:
+        """Run step by step, with torques or wrenches from Python."""
         c, often = self.compiled, max(1, task.steps // 200)
         for k in range(task.steps + 1):
             with at_time(task.time(k)):
@@ -153,7 +153,7 @@ class Loop:
             self._fail(k + done, status.value)
 
     def _fail(self, k: int, status: int) -> None:
-        """Say why step k failed: NumPy's step from the same state knows."""
+        """Raise the error of step k, which is repeated by the NumPy stepper to find the reason."""
         c, task, p = self.compiled, self.task, self.table.p
         q, v = c.q.copy(), c.v.copy()
         with at_time(task.time(k)):

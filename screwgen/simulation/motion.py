@@ -1,4 +1,4 @@
-"""What a motion looks like: poses and twists of the links, displacement fields, the tip's deformation, spectra.
+"""Quantities derived from a motion: link poses and twists, displacement fields, tip deformation, spectra.
 
 Every function takes the coordinates of N samples, as a run holds them: `q`, `v` (N, nq).
 """
@@ -97,9 +97,9 @@ def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
 
 
 def tip_deformation(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
-    """How far (N, 3), m, the last tip is from where straight links at the same joint angles would hold it.
+    """The displacement (N, 3), m, of the last tip from its place with undeformed links at the same joint angles.
 
-    In inertial components; the slope of a link's tip, which tilts the links after it, counts.
+    In inertial components. It includes the rotation of later links by the slope of a link's tip.
     """
     return tip_position(model, q, p) - tip_position(model, undeformed(model, q), p)
 
@@ -112,8 +112,8 @@ def tip_position(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.nd
 def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Frequencies (K,) in Hz and amplitudes (K, m) of even samples `x` (N, m) at `t` (N,), in the unit of `x`.
 
-    The mean is taken off; a sine of amplitude a on a line of the grid shows as a. `taper`: under a Hann window, which
-    keeps strong lines from leaking into others but plays down the ends; without, what dies out early counts in full.
+    The mean is removed. A sine of amplitude a on a grid frequency has the amplitude a. With `taper` a Hann window is
+    applied: it reduces the leakage of strong lines, but also weakens motion near the ends of the interval.
     """
     x = np.reshape(np.asarray(x, float), (len(t), -1))
     step = (t[-1] - t[0]) / max(len(t) - 1, 1)
@@ -138,7 +138,7 @@ def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
 
 
 def _mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
-    """An output of a CasADi function for every sample (N, …); the last argument, `p`, is one for all."""
+    """An output of a CasADi function for every sample (N, …); the last argument, `p`, is the same for all."""
     *varying, p = rows
     count = len(varying[0])
     out = function.map(count)(*(x.T for x in varying), np.tile(p, (count, 1)).T)

@@ -1,8 +1,8 @@
-"""What a run keeps while it grows: a table with a row per sample, and a file that a stopped run leaves behind.
+"""Recording of a run: a table with a row per sample, and a file that can be read if the run stops.
 
-The file of a run that is stored to `run.npz` is `run.part.npy` until it ends: a NumPy array with the fields of `Run`
-that `numpy.load` reads at any moment, also while the run goes on and after it was killed. That of `run.csv` is
-`run.part.csv`; where a run is killed its last line may be cut. At most `AGE` seconds of computing are not yet in it.
+A run that is stored to `run.npz` is in `run.part.npy` until it ends. This is a NumPy array with the fields of `Run`;
+`numpy.load` can read it at any moment, also after the run was killed. A run for `run.csv` is in `run.part.csv`; its
+last line may be cut if the run is killed. At most the last `AGE` seconds of computing are missing.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 MAX_BYTES = 4 * 2**30
 WATCH = 8
-"""Steps after which, at the latest, a run is looked at for the limits of the model."""
+"""The largest number of steps between two evaluations of the validity measures."""
 AGE = 0.25
 """Samples wait this long, in seconds, to be stored together."""
 
@@ -68,7 +68,7 @@ class Task:
         return self.step if k < self.steps - 1 else self.duration - self.time(k)
 
     def rows(self, k: int) -> int:
-        """How many samples there are when step k is to come; number `steps` is the end."""
+        """The number of samples before step k; number `steps` is the end."""
         return -(-min(k, self.steps) // self.every) + (k > self.steps)
 
     def sampled(self, k: int) -> bool:
@@ -103,7 +103,7 @@ class Table:
         return sizes | {"t": (), "wrench": (self.model.n_links, 6)}
 
     def filled(self, count: int) -> None:
-        """Say that the first `count` rows are there."""
+        """Report that the first `count` rows are filled."""
         if self.store is not None:
             self.store.filled(count)
 
@@ -127,7 +127,7 @@ class Recorder:
         self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
-        """The joint wrenches; None where a link bends by more than its length."""
+        """The joint wrenches; None if a link bends by more than its length."""
         wrench, motion = self.watched(q, v, tau, w_ext, *self.dynamics.modes(q, v), self.table.p)
         measures = self.measures(q, wrench, motion, self.table.p)[0]
         return wrench if self.table.watch(t, measures.reshape(-1, len(MEASURES))) else None
@@ -140,7 +140,7 @@ class Recorder:
         self.table.filled(row + 1)
 
     def check(self) -> None:
-        """Raise SingularError where a joint wrench is no number."""
+        """Raise SingularError if a joint wrench is not finite."""
         if not np.isfinite(self.table.rows[:, self.table.places["wrench"]]).all():
             raise SingularError("a joint wrench is not finite; the motion passed through a singular posture")
 
@@ -149,16 +149,16 @@ class Recorder:
 
 
 def part_of(path: str | os.PathLike[str]) -> Path:
-    """Where a run that is stored to `path` is kept until it ends."""
+    """The path of the file that holds a run for `path` until it ends."""
     target = Path(os.path.realpath(path))
     return target.with_suffix({".npz": ".part.npy", ".csv": ".part.csv"}[suffix(path)])
 
 
 @contextmanager
 def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
-    """Store the table's samples as they come (no path: nowhere); what comes to its end takes its place at `path`.
+    """Store the table's samples as they come; a run that ends is moved to `path`. Without a path nothing is stored.
 
-    An error, or the interruption, then says which file is left.
+    The text of an error or interruption names the file that remains.
     """
     if path is None:
         yield
@@ -191,7 +191,7 @@ def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
 
 
 def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
-    """The new file of a run that is stored to `path`, as private as what is there; raises UsageError."""
+    """The new file of a run for `path`, with the access rights of the existing one; raises UsageError."""
     try:
         return create(part, like=path)
     except FileExistsError:
@@ -202,7 +202,7 @@ def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
 
 
 class Store:
-    """The file of a run that is not at its end."""
+    """The file of a run that has not ended."""
 
     def __init__(self, table: Table, stream: BinaryIO, text: bool):
         self.table, self.stream, self.text = table, stream, text
@@ -212,13 +212,13 @@ class Store:
         stream.flush()
 
     def filled(self, count: int) -> None:
-        """Append the rows before `count`, now and then."""
+        """Append the rows before `count`, at intervals."""
         self.ready = count
         if count - self.count > BLOCK or time.monotonic() - self.clock > AGE:
             self.append()
 
     def append(self) -> None:
-        """All rows that are ready, block by block. What an interruption leaves half done is done again."""
+        """Append all rows that are ready, block by block. A block that is interrupted is written again."""
         while self.count < self.ready:
             rows = self.table.rows[self.count : min(self.count + BLOCK, self.ready)]
             data = b"".join(csv_lines(rows)) if self.text else rows.astype("<f8", copy=False).tobytes()
@@ -229,7 +229,7 @@ class Store:
         self.clock = time.monotonic()
 
     def _write(self, place: int, data: bytes) -> None:
-        """At once: the count in front of the data follows them, so that the file is whole at any moment."""
+        """Write a block, then the count in the header, so that the file is valid at any moment."""
         self.stream.seek(place)
         self.stream.write(data)
         self.stream.flush()
@@ -248,5 +248,5 @@ def npy_header(dtype: np.dtype, count: int) -> bytes:
 
 
 def sample_times(times: np.ndarray, every: int) -> np.ndarray:
-    """Those of every `every`-th step, and the last."""
+    """The times of every `every`-th step, and the last."""
     return np.append(times[:-1][::every], times[-1])

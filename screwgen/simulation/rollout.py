@@ -31,7 +31,7 @@ class Rollout:
 
     ``t`` (steps + 1,): sample times; ``q``, ``v`` (batch, steps + 1, nq): coordinates, joints then modes, and
     their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
-    went through, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
+    completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
     joint or mode could not be solved for; that scenario keeps its last good state from there on.
     ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
     """
@@ -44,7 +44,7 @@ class Rollout:
     fault: np.ndarray
     links: tuple[str, ...]
     validity: Validity
-    """The largest measures of the model's limits: bending at all samples, the loads at some, the fastest among them."""
+    """The largest validity measures: deflection and slope of all samples, loads of some, the fastest included."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape
@@ -53,7 +53,7 @@ class Rollout:
 
     @property
     def ok(self) -> np.ndarray:
-        """Which scenarios went through (batch,)."""
+        """Which scenarios completed (batch,)."""
         return self.status == OK
 
     @property
@@ -200,7 +200,7 @@ def _parameters(given: Given, model: Model) -> np.ndarray:
 
 
 def _common(lengths: Mapping[str, int], what: str) -> int:
-    """The one length that is not 1."""
+    """The common length; lengths of 1 are broadcast."""
     several = {name: n for name, n in lengths.items() if n != 1}
     if len(set(several.values())) > 1:
         text = ", ".join(f"{name} {n}" for name, n in several.items())
@@ -209,7 +209,7 @@ def _common(lengths: Mapping[str, int], what: str) -> int:
 
 
 def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
-    """How many steps there are; ``leads`` are the axes (batch, steps) of the inputs, none where one is held."""
+    """The number of steps; ``leads`` are the axes (batch, steps) of the inputs, empty for held ones."""
     lengths = {name: lead[-1] for name, lead in leads.items() if lead}
     if steps is None:
         if not lengths:

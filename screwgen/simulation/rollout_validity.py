@@ -1,4 +1,4 @@
-"""Rollouts and the limits of the model: all samples are looked at for bending, some for the loads."""
+"""Validity of rollouts: all samples are checked for deflection and slope, some for the loads."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.
 
 
 def _of(values: np.ndarray, *place: int) -> np.ndarray:
-    """An entry of what may be one for all."""
+    """The entry at a place; an axis of length 1 applies to all."""
     for k in place:
         values = values[max(k, 0) if len(values) > 1 else 0]
     return values

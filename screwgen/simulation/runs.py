@@ -1,4 +1,4 @@
-"""Runs: what a simulation leaves behind, and how it comes to rest in files that are whole or not there."""
+"""Runs: the result of a simulation, and its files, which appear whole or not at all."""
 
 from __future__ import annotations
 
@@ -47,14 +47,14 @@ class Run:
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
     validity: Validity | None = None
-    """How far the motion went from the limits of the model; files do not hold it."""
+    """The validity measures of the motion; files do not store them."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
         return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
 
     def _repr_html_(self) -> str:
-        """Where the coordinates and the tip began, ended, and were in between."""
+        """First, last and extreme values of the coordinates and of the tip position."""
         names = (*self.q_names, *TIP_NAMES)
         values = np.column_stack([self.q, self.tip_position]).T
         rows = ((name, x[0], x[-1], x.min(), x.max()) for name, x in zip(names, values, strict=True))
@@ -78,7 +78,7 @@ class Run:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a .npz file (keys as the attributes, and the names) or a .csv table with a header.
 
-        A file that is there is replaced, at once and only when the new one is whole. Raises UsageError.
+        An existing file is replaced atomically, once the new one is complete. Raises UsageError.
         """
         check_output(path, FORMATS)
         with outputs(path) as (stream,):
@@ -147,8 +147,8 @@ def unwritable(path: str | os.PathLike[str], error: Exception) -> UsageError:
 
 @contextmanager
 def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
-    """Streams to temporary files beside `paths`, which take their places together when all went well.
-    A file that is there keeps its mode.
+    """Streams to temporary files beside `paths`, which replace the destinations together on success.
+    An existing file keeps its mode.
 
     The temporary files are opened at once, so that a folder that cannot be written is refused before the work;
     they are removed when the work fails. Raises UsageError.

@@ -1,4 +1,4 @@
-"""Simulation: steps of a form of the equations by a method, sampled into a run."""
+"""Simulation: time steps of the joint or DAE form, sampled into a run."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "d
 
 BACKENDS = ("c", "numpy")
 RELATIVE_SLACK = 1e-9
-"""A duration this close to a multiple of the step is one."""
+"""The relative tolerance within which a duration counts as a multiple of the step."""
 
 Wrenches = Callable[[float, np.ndarray, np.ndarray], Any]
 
@@ -99,7 +99,7 @@ def simulate(
         diverged = not isinstance(error, ModelLeftError)
         raise
     finally:
-        if not diverged:  # a method that diverges says nothing about the model
+        if not diverged:  # if the method diverges, the measures say nothing about the model
             table.watch.validity().warn()
 
 
@@ -117,7 +117,7 @@ def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator
 
 
 def _method(integrator: str | Method | None) -> Method:
-    """What steps the joint form."""
+    """The method that steps the joint form."""
     return method_of(JointStepper.default if integrator is None else integrator)
 
 
@@ -174,7 +174,7 @@ def stepper(
 
 
 def step_count(duration: float, step: float) -> int:
-    """How many steps reach `duration`, the last one shorter where it is no multiple; raises UsageError."""
+    """The number of steps to `duration`, the last one shorter if it is no multiple; raises UsageError."""
     duration, step = seconds(duration, "the duration"), seconds(step, "the step")
     if duration > MAX_STEPS * step:
         raise UsageError(f"duration / step is over {MAX_STEPS:g} steps; take a shorter duration or a longer step")
@@ -198,6 +198,6 @@ def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:
-    """Refuse a singular start; NumPy's dynamics knows the joint."""
+    """Refuse a singular start; the NumPy dynamics names the joint."""
     with at_time(0.0):
         model.numpy(p).forward_dynamics(q, v, *given(0.0, q, v))

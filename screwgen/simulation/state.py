@@ -1,4 +1,4 @@
-"""State files: where a run starts, what is evaluated. JSON in, arrays out, or one line that says what is wrong."""
+"""State files in JSON: a robot's state and inputs at an instant."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MAX_BYTES = 16 * 2**20
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """What acts on a robot at an instant; SI units, radians.
+    """The state and the inputs of a robot at an instant; SI units, radians.
 
     `q`, `v` (nq,): coordinates, joints then modes, and their rates; `tau` (n_joints,): joint torques, N·m;
     `w_ext` (n, 6): external wrench [τ; F] on each link's tip section, tip-frame components.

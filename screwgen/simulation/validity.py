@@ -1,7 +1,7 @@
-"""Whether a motion or a posture stays inside the first-order model, and what to say where it does not.
+"""Validity of a motion or posture: measures, bounds of the first-order model, and warnings.
 
-Four measures of every link are watched (`derive.validity`). Each bound is the value at which what the model leaves out
-costs about 1 % of a uniform clamped link's tip deflection or lowest frequency:
+Every link has four measures (`bodies.validity`). At its bound, each effect that the model neglects changes the tip
+deflection or the lowest frequency of a uniform clamped link by about 1 %:
 
 `deflection`  elastica under a tip force, d the deflection over the length: first order is off by `36/35 d^2`
 `slope`       elastica under a tip moment: first order is off by `slope^2 / 12`
@@ -26,7 +26,7 @@ from ..errors import DivergedError
 FAR = 1.0
 """Deflection over length at which a run ends."""
 JUMP = 2.0
-"""Deflection over length that no motion reaches between two looks: then its steps do not hold it."""
+"""Deflection over length that no motion reaches between two evaluations: beyond it the integration is unstable."""
 MOST_PIECES = 64
 
 
@@ -39,22 +39,22 @@ class ModelLeftError(DivergedError):
 
 
 class Measure(NamedTuple):
-    """What a measure is, and what it tells."""
+    """A measure: its name, its bound and its texts."""
 
     meaning: str
     missing: str
-    """What the model leaves out."""
+    """The effect that the model neglects."""
     off: str
-    """What is wrong by `error`."""
+    """The quantity whose relative error is `error`."""
     error: Callable[[float], float]
     """The relative error to expect at a value."""
     pieces: Callable[[float], float]
-    """How many welded pieces keep within the bounds at a value so many times its bound."""
+    """The number of rigidly connected pieces that are within the bounds, from the value over its bound."""
 
 
 TENSION = 2 / math.pi**2 * BOUND["rotation"] / BOUND["axial_load"]
-"""Of a link cut into k pieces the first bears the pull of the others, `rhoA Omega^2 l^2 / 2`: as an axial load this is
-`2 rotation / (pi^2 k^2)`."""
+"""The first of k pieces of a rotating link carries the centrifugal force of the others, `rhoA Omega^2 l^2 / 2`. As an
+axial load this is `2 rotation / (pi^2 k^2)`."""
 STIFFENING = 1.193 / 12.362
 """Relative rise of the squared lowest frequency of a clamped beam with rotation: Southwell's coefficient."""
 
@@ -89,7 +89,7 @@ KINDS: dict[str, Measure] = {
     ),
 }
 BOUNDS = np.array([BOUND[name] for name in MEASURES])
-"""(4,): the bounds, in the order of `derive.validity.MEASURES`."""
+"""(4,): the bounds, in the order of `bodies.validity.MEASURES`."""
 
 
 @dataclass(frozen=True)
@@ -120,11 +120,11 @@ class Finding:
 
     @property
     def pieces(self) -> int:
-        """Into how many welded pieces the link should be cut."""
+        """The number of rigidly connected links into which the link should be divided."""
         return max(2, math.ceil(min(MOST_PIECES, KINDS[self.measure].pieces(self.share))))
 
     def text(self) -> str:
-        """Which link, by how much, when, and what to expect."""
+        """The text: link, excess, time, and expected error."""
         kind = KINDS[self.measure]
         when = "" if self.first is None else f", first past it at t = {self.first:.4g} s, largest at {self.at:.4g} s"
         said = f"link '{self.link}': {kind.meaning} is {self.value:.3g}, past its bound {self.bound:g}{when}"
@@ -133,7 +133,7 @@ class Finding:
         return f"{said}: the model leaves out {kind.missing}, so expect the {kind.off} {percent(self.error)} off"
 
     def remedy(self) -> str:
-        """What can be done."""
+        """The suggested remedy."""
         cut = f"cut the link into welded pieces ({self.pieces} links of length l/{self.pieces}, joint.axes = [])"
         if self.unstable:
             return f"lower the load or stiffen the link, or {cut}"
@@ -141,7 +141,7 @@ class Finding:
 
 
 def percent(error: float) -> str:
-    """An error as a percentage; what is beyond all estimates is said so."""
+    """An error as a percentage, or a text if it is beyond the estimate's range."""
     return f"{100 * error:.2g} %" if error < 1 else "100 % or more"
 
 
@@ -153,13 +153,13 @@ class Validity:
     values: np.ndarray
     """(n, 4): deflection, slope, axial_load, rotation; over a motion the largest, with its sign."""
     first: np.ndarray | None = None
-    """(n, 4): when each was first seen past its bound, s; NaN where never. None in a state."""
+    """(n, 4): when each was first seen past its bound, s; NaN if never. None in a state."""
     at: np.ndarray | None = None
     """(n, 4): when each was largest, s."""
 
     @property
     def findings(self) -> list[Finding]:
-        """What is past its bound, the farthest first."""
+        """The measures past their bounds, the farthest first."""
         past = [self._finding(i, k) for i, k in np.argwhere(np.abs(self.values) > BOUNDS)]
         return sorted(past, key=lambda f: (-f.unstable, -f.share))
 
@@ -179,7 +179,7 @@ class Validity:
         return Finding(self.links[i], name, value, BOUND[name], KINDS[name].error(value), first, at)
 
     def line(self) -> str:
-        """One line on the farthest; empty where all hold."""
+        """One line on the farthest; empty if all are within their bounds."""
         found = self.findings
         if not found:
             return ""
@@ -192,7 +192,7 @@ class Validity:
             warnings.warn(line, ModelValidityWarning, stacklevel=stacklevel + 1)
 
     def record(self) -> dict[str, Any]:
-        """For JSON: the measures of every link, and what is past its bound."""
+        """For JSON: the measures of every link, and those past their bounds."""
         plain = lambda x: float(x) + 0.0 if math.isfinite(x) else None  # noqa: E731
         names = [dict(zip(MEASURES, map(plain, row), strict=True)) for row in self.values]
         past = [
@@ -236,7 +236,7 @@ class Watch:
 
     @property
     def jumped(self) -> bool:
-        """Whether a deflection is beyond what steps that hold a motion can show."""
+        """Whether a deflection is too large for a stable integration."""
         return bool((self.values[:, 0] > JUMP).any())
 
     def left(self, explicit: str = "") -> ModelLeftError:
@@ -249,5 +249,5 @@ class Watch:
         return ModelLeftError(f"{said}; cut the link into welded pieces, stiffen it or lower its load")
 
     def validity(self) -> Validity:
-        """What was seen."""
+        """The measures gathered so far."""
         return Validity(tuple(self.links), self.values.copy(), self.first.copy(), self.at.copy())

@@ -1,4 +1,4 @@
-"""What a robot states that is legal and seldom meant."""
+"""Warnings on robots that are legal but probably not what the user meant."""
 
 from .robot import Robot
 
@@ -9,7 +9,7 @@ SINGLE = (
 
 
 def advice(robot: Robot) -> list[str]:
-    """A line for each thing of that kind: the keys, what follows, and the remedy."""
+    """One line per finding: the keys, the consequence, and the remedy."""
     single = [
         f"{link.name}.modes.{direction}"
         for link in robot.links

@@ -1,4 +1,4 @@
-"""What measured frequencies amount to: the stiffness of a uniform beam, mode by mode."""
+"""The stiffness of a uniform beam that is equivalent to measured frequencies, mode by mode."""
 
 import math
 

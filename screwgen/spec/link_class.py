@@ -1,4 +1,4 @@
-"""What of a link is structure: links with equal structure share one derivation."""
+"""Link classes: the structure of a link without its numbers. Links of one class share one derivation."""
 
 from __future__ import annotations
 

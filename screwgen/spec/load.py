@@ -1,4 +1,4 @@
-"""Robot files: TOML in, `Robot` out, and back. Every failure to load is one line that names the file."""
+"""Reading and writing robot files (TOML). Every failure to load is one line that names the file."""
 
 import json
 import os
@@ -8,11 +8,12 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from ..errors import RobotFileError
+from ..errors import RobotFileError, UsageError
 from ..files import NotRegularError, open_regular
 from .messages import explain
 from .physics import LETTERS
 from .robot import Robot
+from .screw import Screw
 
 MAX_BYTES = 4 * 2**20
 DEEP_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){32}""")  # tomllib takes quadratic memory
@@ -95,7 +96,18 @@ def one_line(text: str) -> str:
 
 
 def dump(robot: Robot) -> str:
-    """TOML text, in line properties, that loads to a robot equal to `robot`."""
+    """TOML text, in line properties, that loads to a robot equal to `robot`.
+
+    Raises UsageError where a part is an object made in Python, which a file cannot state.
+    """
+    for link in robot.links:
+        own = {
+            "joint.axes": any(isinstance(axis, Screw) for axis in link.joint.axes),
+            "modes.basis": callable(link.modes.basis),
+            "body": link.body is not None,
+        }
+        if made := next((key for key, is_object in own.items() if is_object), None):
+            raise UsageError(f"link '{link.name}': {made} holds an object made in Python; a robot file cannot state it")
     stated = robot.model_dump(exclude_none=True, exclude_defaults=True)
     links = stated.pop("links")
     return "\n".join([assignments(stated), *(f"[[links]]\n{assignments(link)}" for link in links)])

@@ -1,4 +1,4 @@
-"""The runtime parameters of a robot, exactly what its file states, and the names of its coordinates."""
+"""The runtime parameters of a robot (the numbers that its file states), and the names of its coordinates."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -68,7 +68,7 @@ FIELDS = {
 }
 
 SLIDING = {"joint.armature": "kg", "joint.damping": "N·s/m", "joint.stiffness": "N/m"}
-"""Units where the axis slides instead of turning."""
+"""Units of a prismatic axis in place of a revolute one."""
 
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 

@@ -1,4 +1,4 @@
-"""What all parts of a robot share: frozen, no unknown keys, and a constructor that refuses in plain words."""
+"""The base class of all parts of a robot: frozen, no unknown keys, readable errors."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What mechanics asks of numbers that belong together: axes of one joint, inertia of one body."""
+"""Physical consistency of related numbers: the axes of one joint, the inertia of one body."""
 
 import math
 from collections.abc import Hashable, Sequence
@@ -50,7 +50,7 @@ def axis(value: Any, *, at: Path) -> Vector | Screw:
 
 
 def unit(a: Sequence[float], *, at: Path) -> Vector:
-    """`a` at length 1, whatever its size."""
+    """`a`, normalised."""
     largest = max(map(abs, a))
     if largest == 0:
         raise refuse("is the zero vector; an axis needs a direction", at)

@@ -1,4 +1,4 @@
-"""What size a quantity may have, in files and in states: far beyond any arm, and far inside what doubles can square.
+"""Admissible ranges of quantities in files and states: wide for any arm, and safe from overflow when squared.
 
 Powers up to the sixth of a length, and products and quotients of these quantities, occur on the way to accelerations
 and frequencies. Beyond these ranges they overflow, or underflow to zero, and the result is no number or a wrong one. A
@@ -12,7 +12,7 @@ from .values import Path, array, non_negative, number, numbers, positive, refuse
 
 
 class Range(NamedTuple):
-    """The sizes of a quantity that is > 0, or >= 0, or of any sign; 0 is allowed where the first check lets it pass."""
+    """The sizes of a quantity that is > 0, or >= 0, or of any sign; 0 is allowed if the first check accepts it."""
 
     sign: Callable[..., float]
     low: float

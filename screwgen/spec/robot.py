@@ -1,4 +1,4 @@
-"""The robot as a frozen, validated description: what a robot file says, and nothing else.
+"""The robot as a frozen, validated description: the content of a robot file.
 
 Presence has meaning. `None` is what the file omits: structurally zero, free of cost in generated code. A
 stated 0.0 is a runtime parameter that happens to be zero. SI units and radians throughout; the frames are

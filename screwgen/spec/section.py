@@ -1,4 +1,4 @@
-"""The cross-section of a link, said either by line properties or by material and geometry."""
+"""The cross-section of a link, given either by line properties or by material and geometry."""
 
 from typing import Annotated, Any, ClassVar
 

@@ -1,4 +1,4 @@
-"""Checks of single values: each takes what a file or a caller states, and returns it clean or refuses it.
+"""Checks of single values: each returns the validated value or raises an error.
 
 A check never coerces silently: a string or a boolean is no number, a fraction is no count. `at` is the path
 of the value below the field that is being checked, so that the message can point at one entry of an array.
@@ -95,7 +95,7 @@ def boolean(value: Any) -> bool:
 
 
 def array(value: Any, what: str, *, at: Path = ()) -> list | tuple:
-    """An array, called `what` in the message; NumPy arrays are taken as the lists they stand for."""
+    """An array, called `what` in the message; NumPy arrays are accepted as lists."""
     value = value.tolist() if hasattr(value, "tolist") else value
     if not isinstance(value, list | tuple):
         raise refuse(f"is {shown(value)}; it must be {what}", at)

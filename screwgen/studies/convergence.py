@@ -1,4 +1,4 @@
-"""Whether a model's modes suffice: how far one more mode in each direction would move its natural frequencies.
+"""Modal convergence: how far one more mode in each direction would change the natural frequencies.
 
 The spaces of a basis are nested: its shapes of one count are sums of those of a larger count. So one model with one
 more mode in every direction tells of each direction alone too, by Ritz's method in the space where the others stay.
@@ -35,7 +35,7 @@ class Convergence(NamedTuple):
     """(count,) by direction, with one more mode in that one."""
 
     def short(self, k: int) -> str | None:
-        """The direction in which one more mode would move frequency `k` most; None where none would move it."""
+        """The direction in which one more mode changes frequency `k` most; None if none changes it."""
         direction = min(self.alone, key=lambda d: self.alone[d][k], default=None)
         return direction if direction and self.alone[direction][k] < -NOTHING else None
 

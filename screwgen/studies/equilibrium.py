@@ -1,4 +1,4 @@
-"""Where an arm rests under gravity: held at joint angles, or under given torques; and whether it stays there."""
+"""Equilibria of an arm under gravity, at given joint angles or torques, and their stability."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Equilibrium:
     q: np.ndarray
     """(nq,): joint angles, then modal coordinates."""
     tau: np.ndarray
-    """(n_joints,): the joint torques that act, N·m; where joints are held, those that hold them."""
+    """(n_joints,): the joint torques, N·m; for held joints those that hold them."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
     passive: tuple[str, ...]
@@ -45,7 +45,7 @@ class Equilibrium:
     stability: str
     """What the signs of `stiffness` say: "stable", "neutral" or "unstable"; "flutter": see `equilibrium`."""
     stiffness: np.ndarray
-    """Eigenvalues, ascending, of the stiffness of what may move, each coordinate measured by its spring and weight."""
+    """Eigenvalues, ascending, of the stiffness of the free coordinates, scaled by their springs and weights."""
     loose: tuple[str, ...]
     """The coordinates that move most in the directions whose eigenvalue is not positive."""
     wrench: np.ndarray
@@ -53,7 +53,7 @@ class Equilibrium:
     tip_position: np.ndarray
     """(3,): the last tip in the inertial frame, m."""
     tip_deflection: np.ndarray
-    """(3,): that less where straight links at the same joint angles hold it, inertial components, m."""
+    """(3,): the tip's displacement from its place with straight links, inertial components, m."""
     deflections: np.ndarray
     """(n, 3): each link's own tip from its undeformed centreline, F_i components, m."""
     validity: Validity
@@ -140,7 +140,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equil
 
 
 def _stability(statics: Statics, b: Balance) -> tuple[str, np.ndarray, tuple[str, ...]]:
-    """The word, the eigenvalues and the names of what gives way."""
+    """The verdict, the eigenvalues and the names of the unstable coordinates."""
     K = statics.scaled(b)[1]
     if not len(K):
         return "stable", np.zeros(0), ()

@@ -58,7 +58,7 @@ class LinearModel:
     w_ext: np.ndarray
     """(n, 6): the external wrenches there, [τ; F] on each tip section, tip-frame components."""
     vdot: np.ndarray
-    """(nq,): the accelerations there, which an equilibrium does not have: what the linear model leaves out."""
+    """(nq,): the accelerations there, zero in equilibrium; the linear model omits them."""
     parameters: np.ndarray
     """The parameter values used."""
 
@@ -87,7 +87,7 @@ class LinearModel:
         return f"<LinearModel: {sizes}; {', '.join(self.input_names)} -> {', '.join(self.output_names)}>"
 
     def _repr_html_(self) -> str:
-        """Inputs and outputs with what they are where the model is linearised, and the poles."""
+        """Inputs and outputs with their values at the point of linearisation, and the poles."""
         parts = (("input", self.u), ("output", self.y), ("state", self.x))
         rows = [
             (part, *row)
@@ -267,5 +267,5 @@ def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list
 
 
 def checked(values: Any, name: str, size: int) -> np.ndarray:
-    """`values` as a row of `size` finite numbers; zeros where there are none."""
+    """`values` as a row of `size` finite numbers; zeros if None."""
     return array(values, f"{name}:", (size,))

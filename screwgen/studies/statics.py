@@ -1,4 +1,4 @@
-"""An arm at rest: the balance of its forces, and the search for a posture in which they vanish."""
+"""Statics: the balance of forces of an arm at rest, and the search for an equilibrium posture."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Balance:
     energy: float
     """Potential energy less the work of the torques, J."""
     force: np.ndarray
-    """(nq,): what must act besides the torques, N·m and N: zero in equilibrium."""
+    """(nq,): the residual generalised forces, N·m and N: zero in equilibrium."""
     stiffness: np.ndarray
     """(nq, nq): the derivative of `force` with q."""
     scale: np.ndarray
@@ -54,7 +54,7 @@ class Balance:
 
     @property
     def shares(self) -> np.ndarray:
-        """(nq,): the unbalanced forces over the loads, zero for what is held."""
+        """(nq,): the unbalanced forces over the loads, zero for held coordinates."""
         out = np.zeros(len(self.q))
         out[self.moving] = np.abs(self.force / self.scale)[self.moving]
         return out
@@ -83,7 +83,7 @@ class Statics:
         return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]
 
     def scales(self, q: np.ndarray, force: np.ndarray, weight: np.ndarray) -> np.ndarray:
-        """(nq,): at every coordinate the largest load there is in its unit, N·m or N; 1 where there is none.
+        """(nq,): for every coordinate the largest load of its unit, N·m or N; 1 if there is none.
 
         Loads are what gravity does to a coordinate if it points in the worst direction, the force of its spring, its
         torque, and what the wrenches on the tips do to it.
@@ -97,7 +97,7 @@ class Statics:
         return out
 
     def weights(self, weight: np.ndarray) -> np.ndarray:
-        """(nq,): what gravity in its worst direction does to each coordinate."""
+        """(nq,): the generalised force of gravity in its worst direction, for each coordinate."""
         return np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
 
     def bent(self, q: np.ndarray) -> float:
@@ -106,7 +106,7 @@ class Statics:
 
     @cached_property
     def reach(self) -> np.ndarray:
-        """(nq,): what makes an angle of a coordinate: a link's length, or 1; more where a spring winds up."""
+        """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
         lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
         own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
@@ -121,12 +121,12 @@ class Statics:
         return np.sqrt(np.where(own > 0, own, 1.0))
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
-        """Force and stiffness of what may move, in the coordinates D q."""
+        """Force and stiffness of the free coordinates, in the coordinates D q."""
         i, D = self.moving, self.units[self.moving]
         return b.force[i] / D, b.stiffness[np.ix_(i, i)] / np.outer(D, D)
 
     def moved(self, q: np.ndarray, step: np.ndarray) -> Balance:
-        """The balance where `step`, in the coordinates D q, leads from `q`."""
+        """The balance after `step`, in the coordinates D q, from `q`."""
         there = q.copy()
         there[self.moving] += step / self.units[self.moving]
         return self.at(there)

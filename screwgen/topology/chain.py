@@ -26,7 +26,7 @@ class Chain:
 
     @cached_property
     def parameters(self) -> Parameters:
-        """The robot's parameters, and what may be given for them."""
+        """The robot's parameters, and the checks of their values."""
         return Parameters(self.robot)
 
     @property
@@ -57,11 +57,11 @@ class Chain:
 
     @property
     def n_given(self) -> int:
-        """How many coordinates, the last of q, have inertia and force that an integrator gives."""
+        """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
         return self.nq if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
-        """Where columns of these coordinates hold the parts ``eta`` and, if it is sprung, ``q`` of a link."""
+        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link."""
         before = self.n_given - self.n_modes
         parts = {"eta": slice(*(before + e for e in self.eta_offset[i : i + 2]))}
         return parts | ({"q": slice(*self.q_offset[i : i + 2])} if self.keys[i].sprung else {})

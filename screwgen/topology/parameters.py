@@ -1,4 +1,4 @@
-"""Where every parameter of the robot file enters the programs of its link."""
+"""The parameters of the robot file as inputs of the links' programs."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _component(parameter: Parameter) -> str:
 
 
 def labels(robot: Robot) -> list[dict[str, int]]:
-    """For every link, the place of each of its parameters in the parameter vector, by label."""
+    """For every link, the index of each of its parameters in the parameter vector, by label."""
     out: list[dict[str, int]] = [{} for _ in robot.links]
     for place, parameter in enumerate(parameters(robot)):
         if parameter.link is not None:

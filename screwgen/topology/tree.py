@@ -1,4 +1,4 @@
-"""The topology of an arm: which link sits on which."""
+"""The topology of an arm: the parent of each link."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 BASE = -1
-"""The number of what carries the first links."""
+"""The parent of links on the base."""
 
 
 @dataclass(frozen=True)
 class Tree:
     """``parents[i]``: the number of the link that carries link i, or ``BASE``; parents come before their children.
 
-    The n + 1 nodes are where links meet: node 0 is the base, node i + 1 the tip of link i. What links hand to one node
-    is summed.
+    Links meet in n + 1 nodes: node 0 is the base, node i + 1 the tip of link i. The contributions of several links to
+    one node are summed.
     """
 
     parents: tuple[int, ...]
@@ -33,11 +33,11 @@ class Tree:
 
     @cached_property
     def leaves(self) -> list[int]:
-        """The nodes that carry nothing."""
+        """The nodes that carry no link."""
         carrying = {self.base(i) for i in range(len(self.parents))}
         return [node for node in range(len(self.parents) + 1) if node not in carrying]
 
 
 def chain(count: int) -> Tree:
-    """Every link on the one before it."""
+    """A chain: every link is carried by the one before it."""
     return Tree(tuple(range(BASE, count + BASE)))

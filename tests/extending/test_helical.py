@@ -6,7 +6,8 @@ import random_robots as rr
 from helpers import Case, model_of
 from oracle import Oracle
 
-from screwgen import PD, Screw, simulate
+from screwgen import PD, Screw, UsageError, simulate
+from screwgen.spec import dump
 
 
 def helical(axis, pitch: float) -> Screw:
@@ -131,3 +132,8 @@ def test_a_slide_is_driven_by_a_control_law_to_its_goal():
     run = simulate(model, duration=8.0, step=2e-3, controller=PD(kp=[4.0], kd=[3.0], q_des=[0.5]))
     assert run.q[-1, 0] == pytest.approx(0.5, abs=1e-3)
     assert [p for p in model.parameter_names if "damping" in p] == ["cart.joint.damping[0]"]
+
+
+def test_a_robot_file_cannot_state_one(case):
+    with pytest.raises(UsageError, match=r"^link 'link_0': joint\.axes holds an object made in Python"):
+        dump(case.model.robot)

@@ -1,14 +1,16 @@
 /* check.c: compares the compiled model with recorded reference values; exit status 0 if all agree.
  *
- * Both forms; of every integrator the rates, in double its order, and that it refuses bad arguments, non-finite input
- * and non-finite results.
+ * It checks both forms, the rates of every integrator, its order (in double), and the refusal of bad arguments,
+ * non-finite input and non-finite results.
  */
 #include <stdio.h>
 #include <string.h>
 
 #include "ella_reference.h"
 
-/* Five times the rounding error that the reference states have in this precision, at least 1e-10 and 1e-4, at most 1e-2. */
+/* Five times the rounding error of the reference states in this precision; at least 1e-10 (double) or 1e-4 (float), at
+ * most 1e-2.
+ */
 static const ella_real TOLERANCE = sizeof(ella_real) == sizeof(float) ? REAL(4e-03) : REAL(1e-10);
 
 static ella_parameters parameters;
@@ -35,7 +37,7 @@ static ella_real larger(ella_real a, ella_real b)
     return a > b || a != a ? a : b; /* NaN is the largest of all */
 }
 
-/* The largest deviation of count numbers, stride apart from first on, over the largest reference among them. */
+/* The largest deviation of count numbers, beginning at first with a stride, over the largest reference among them. */
 static ella_real deviation(const ella_real *x, const ella_real *reference, int count, int stride)
 {
     ella_real error = 0, scale = 0;
@@ -120,7 +122,7 @@ static ella_real run_case(int number)
     return larger(form, joint);
 }
 
-/* A step short enough for stiff modes; in float it would drown in rounding, so it is looked at in double. */
+/* A step short enough for stiff modes. Rounding would hide its effect in float, so it is checked in double only. */
 static const ella_real SHORT = REAL(1e-8);
 static const ella_real SLACK = REAL(0.01);
 
@@ -128,7 +130,7 @@ typedef ella_status (*step)(const ella_constants *, ella_state *, const ella_inp
 typedef ella_status (*dae_step)(const ella_constants *, ella_dae_state *, const ella_input *, ella_real,
     ella_dae_work *);
 
-/* A short step moves the state by its rates: the speed that a step shows, over the rates. */
+/* A short step moves the state by its rates: deviation of the observed rates, over the rates. */
 static void check_speed(int number, step method)
 {
     const ella_case *r = &ella_cases[ELLA_CASES - 1];
@@ -152,7 +154,7 @@ static void check_speed(int number, step method)
     verdict("speed of the coordinates", number, error <= SLACK * scale + 2 * slip);
 }
 
-/* A short step of the DAE form goes where the joint form's goes. */
+/* A short step of the DAE form agrees with the joint form's. */
 static void check_dae_speed(int number, dae_step method, step joint)
 {
     const ella_case *r = &ella_cases[ELLA_CASES - 1];
@@ -184,15 +186,17 @@ static void check_dae_speed(int number, dae_step method, step joint)
     verdict("speed of the poses", number, error <= SLACK * scale);
 }
 
-/* ---- The order of an integrator: what halving a step takes off its error. A wrong weight or length leaves order one. */
+/* ---- The order of an integrator, from the error's reduction when a step is halved. A wrong weight or length leaves
+ * order one.
+ */
 
 enum { ELLA_MOVED = 6 * ELLA_NLINKS + ELLA_NV };
 
-/* What a step moves: of the joint form, or of the DAE form where dae_method is not null. */
+/* The state of a step: of the joint form, or of the DAE form if dae_method is not null. */
 typedef struct {
     step method;
     dae_step dae_method;
-    int rates; /* v, or twists and modal rates; else the coordinates */
+    int rates; /* 1: v, or twists and modal rates; 0: the coordinates */
 } motion;
 
 static const ella_real *after_joint(const motion *m, ella_real dt, int n, ella_status *status)
@@ -223,7 +227,7 @@ static const ella_real *after_dae(const motion *m, ella_real dt, int n, ella_sta
     return moved;
 }
 
-/* How far one step over dt ends from two halves, each number to change; scale: the largest of them. */
+/* The difference between one step over dt and two half steps; scale: the largest change of a number. */
 static ella_real halving(const motion *m, ella_real dt, ella_real *change, ella_real *scale)
 {
     const int count = m->dae_method ? ELLA_MOVED : ELLA_NV;
@@ -244,7 +248,7 @@ static ella_real halving(const motion *m, ella_real dt, ella_real *change, ella_
     return worst;
 }
 
-/* A step over which no acceleration changes much: Euler's steps show it. */
+/* A step over which no acceleration changes much, found by Euler steps. */
 static ella_real shortness(void)
 {
     static const motion euler = { ella_step_euler, 0, 1 };
@@ -265,11 +269,11 @@ static ella_real shortness(void)
     return dt;
 }
 
-/* Good if so at one of three lengths: the leading term of an error may happen to vanish. Rounding hides what is tiny. */
+/* One of three step lengths suffices, because the leading error term may vanish. Errors below rounding are ignored. */
 static int has_order(int order, const motion *m, ella_real dt)
 {
     static ella_real change[ELLA_MOVED];
-    ella_real gain = REAL(1.4); /* ideally 2, times 2 for every order */
+    ella_real gain = REAL(1.4); /* ideally 2, times 2 for every further order */
     ella_real scale, half, whole = halving(m, dt, change, &scale);
     int tries, good = whole <= 20000 * ELLA_REAL_EPSILON * scale;
     for (tries = 0; tries < order; ++tries) {
@@ -284,7 +288,7 @@ static int has_order(int order, const motion *m, ella_real dt)
     return good;
 }
 
-/* Of order one are all methods whose rates are right. */
+/* All methods with correct rates are of order one. */
 static void check_order(int number, int order, step method, dae_step dae_method, ella_real dt)
 {
     motion m = { 0 };
@@ -317,7 +321,8 @@ static void check_dae_refusals(int number, dae_step method)
     ella_input input = r->input;
     ella_dae_from_state(&constants, &r->state, &dae_work, &state);
     before = state;
-    verdict("DAE refusal of a zero step", number, method(&constants, &state, &input, 0, &dae_work) == ELLA_BAD_ARGUMENT);
+    verdict("DAE refusal of a zero step", number,
+        method(&constants, &state, &input, 0, &dae_work) == ELLA_BAD_ARGUMENT);
     input.w_ext[0][0] = (ella_real)NAN;
     verdict("DAE refusal of NaN", number, method(&constants, &state, &input, REAL(1e-3), &dae_work) == ELLA_NONFINITE);
     verdict("DAE state left as it was", number, memcmp(&state, &before, sizeof state) == 0);
@@ -326,8 +331,10 @@ static void check_dae_refusals(int number, dae_step method)
 
 int main(void)
 {
-    static const step steps[] = { ella_step_euler, ella_step_semi_implicit, ella_step_modal_implicit, ella_step_modal_midpoint, ella_step_rk4 };
-    static const dae_step dae_steps[] = { ella_dae_step_euler, ella_dae_step_semi_implicit, ella_dae_step_modal_implicit, ella_dae_step_modal_midpoint, ella_dae_step_rk4 };
+    static const step steps[] = { ella_step_euler, ella_step_semi_implicit, ella_step_modal_implicit,
+        ella_step_modal_midpoint, ella_step_rk4 };
+    static const dae_step dae_steps[] = { ella_dae_step_euler, ella_dae_step_semi_implicit,
+        ella_dae_step_modal_implicit, ella_dae_step_modal_midpoint, ella_dae_step_rk4 };
     static const int ORDERS[] = { 1, 1, 1, 2, 4 };
     ella_real worst = 0;
     int i;

@@ -6,14 +6,14 @@
  * Scratch in double precision: ella_work 1168 bytes, ella_dae_work 8576 bytes;
  * half of it in float (-DELLA_REAL_FLOAT).
  *
- * A light link between a joint and a heavy load costs digits, about as many as their inertias differ by; nothing is said
- * of them at run time. For the robot file's parameters they were looked at when this was generated.
+ * A light link between a joint and a heavy load costs accuracy: about as many digits as their inertias differ by. This
+ * is not detected at run time; it was checked for the robot file's parameters when this file was generated.
  *
- * C99, libm only; no heap, no globals, no recursion, no I/O. Functions return a status; on anything but
- * ELLA_OK the state is as it was. One ella_work per thread makes them re-entrant.
+ * C99, libm only; no heap, no globals, no recursion, no I/O. Functions return a status; unless it is
+ * ELLA_OK the state is unchanged. They are re-entrant with one ella_work per thread.
  *
  * SI units, radians. Twists are [omega; v], wrenches [tau; F], angular part first. F_i is the frame of link
- * i, with x along its undeformed centreline; the tip frame turns with the tip section.
+ * i, with x along its undeformed centreline; the tip frame is fixed to the tip section.
  */
 #ifndef ELLA_H
 #define ELLA_H
@@ -26,7 +26,7 @@ extern "C" {
 
 #ifdef ELLA_REAL_FLOAT
 typedef float ella_real;
-/* A program and a library of different precision do not link: this symbol is missing. */
+/* A symbol that is missing when a program and a library of different precision are linked. */
 #define ella_prepare ella_prepare_float
 #else
 typedef double ella_real;
@@ -41,16 +41,16 @@ enum {
     ELLA_NX = 57, /* states of the DAE form */
     ELLA_NZ = 38, /* unknowns of the DAE form, rows of M_sys */
     ELLA_NNZ = 446, /* structural nonzeros of M_sys */
-    ELLA_ROUNDS = 4 /* in which modes settle in ella_gravity */
+    ELLA_ROUNDS = 4 /* iterations of the modes' equilibrium in ella_gravity */
 };
 
-/* The links' places in every array of links. */
+/* The indices of the links in every array of links. */
 enum {
     ELLA_LINK_UPPER_ARM = 0,
     ELLA_LINK_FOREARM = 1
 };
 
-/* An array of nothing has length 1. */
+/* Length of an array; an empty one has length 1. */
 #define ELLA_LENGTH(n) ((n) > 0 ? (n) : 1)
 
 typedef enum {
@@ -69,7 +69,7 @@ typedef struct {
     ella_real mass; /* kg: mass of the body */
 } ella_body_parameters;
 
-/* What the robot file states of a link; a link that does not state a member leaves it unused. */
+/* The parameters of a link; members that the robot file does not state for a link are unused. */
 typedef struct {
     ella_real length; /* m: length of the undeformed centreline */
     ella_real rhoA; /* kg/m: mass per length */
@@ -91,7 +91,7 @@ void ella_parameters_default(ella_parameters *p);
 
 /* ------------------------------------------------------------------------------------- constants */
 
-/* What follows from the parameters of a link; a link that does not need a member leaves it unused. */
+/* Constants that depend on the parameters of a link; members that a link does not need are unused. */
 typedef struct {
     ella_real I_s; /* kg*m^2: spin inertia of the beam */
     ella_real J_0_xx; /* kg*m^2: second moment, undeformed */
@@ -125,7 +125,7 @@ typedef struct {
     ella_real D[ELLA_LENGTH(ELLA_NMODES)]; /* N*s/m (torsion: N*m*s/rad): damping of each mode */
 } ella_constants;
 
-/* Prepare the constants, once per change of a parameter; after anything but ELLA_OK they are of no use. */
+/* Prepare the constants, once per change of a parameter; they are invalid unless the result is ELLA_OK. */
 ella_status ella_prepare(const ella_parameters *p, ella_constants *c);
 
 /* ------------------------------------------------------------------------------ state, input, output */
@@ -162,12 +162,12 @@ typedef struct {
 
 typedef struct {
     ella_real vdot[ELLA_LENGTH(ELLA_NV)]; /* rad/s^2, m/s^2: rate of v */
-    ella_real wrench[ELLA_NLINKS][6]; /* N*m, N: on link i by what carries it, at the joint point, in F_i */
+    ella_real wrench[ELLA_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
     ella_real tip_rotation[3][3]; /* last tip frame to the inertial frame */
     ella_real tip_position[3]; /* m: last tip point, inertial frame */
 } ella_output;
 
-/* Where all links are, and how their tips move. */
+/* Poses of all links and tips, and twists of the tips. */
 typedef struct {
     ella_real rotation[ELLA_NLINKS][3][3]; /* F_i to the inertial frame */
     ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, inertial frame */
@@ -176,7 +176,7 @@ typedef struct {
     ella_real tip_twist[ELLA_NLINKS][6]; /* rad/s, m/s: [omega; v] of tip section and tip point, inertial frame */
 } ella_motion;
 
-/* DAE form: poses and twists of all links are state, the joint coordinates are memory. */
+/* DAE form: poses, twists and modal coordinates are the state; the joint coordinates are redundant. */
 typedef struct {
     ella_real quaternion[ELLA_NLINKS][4]; /* (w, x, y, z): F_i to the inertial frame */
     ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, inertial frame */
@@ -188,50 +188,55 @@ typedef struct {
 
 /* ----------------------------------------------------------------------------------------- scratch */
 
-/* A node of the chain: the base, or the tip section of a link. */
+/* A node of the chain: the base, or the tip section of a link. Axes of the base node are those of the inertial frame.
+ */
 typedef struct {
-    ella_real Lambda[21]; /* kg*m^2, kg*m, kg: inertia of what the tip carries, upper triangle row by row, in axes of the F_i that carries the node */
-    ella_real PX[36]; /* see the joint's rows: columns of this tip in the next joint's rows, in next F_i */
+    /* kg*m^2, kg*m, kg: articulated inertia of the links carried, upper triangle, in F_i of the node's link */
+    ella_real Lambda[21];
+    /* see the joint's rows: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
+    ella_real PX[36];
     ella_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in inertial frame */
     ella_real R[9]; /* rotation of the tip frame, row by row, in inertial frame */
-    ella_real R_T[9]; /* rotation of the tip frame, row by row, in axes of the F_i that carries the node */
+    ella_real R_T[9]; /* rotation of the tip frame, row by row, in F_i of the node's link */
     ella_real R_m[9]; /* rotation of the tip frame before projection, row by row, in inertial frame */
-    ella_real X[36]; /* -, m: twist of the next joint point from that of the tip, in next F_i */
-    ella_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in axes of the F_i that carries the node */
-    ella_real b[6]; /* rad/s^2, m/s^2: acceleration of the tip section that the velocities cause, in tip frame */
-    ella_real delta[6]; /* rad/s^2, m/s^2: what the accelerations of joints and modes add, in axes of the F_i that carries the node */
-    ella_real omega[3]; /* rad/s: angular velocity of the tip section, in axes of the F_i that carries the node */
+    ella_real X[36]; /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
+    /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
+    ella_real alpha_0[6];
+    ella_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
+    ella_real delta[6];
+    ella_real omega[3]; /* rad/s: angular velocity of the tip section, in F_i of the node's link */
     ella_real omega_T[3]; /* rad/s: angular velocity of the tip section, in tip frame */
     ella_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in tip frame */
-    ella_real p[6]; /* N*m, N: wrench that it needs while no joint and no mode accelerates, in axes of the F_i that carries the node */
+    ella_real p[6]; /* N*m, N: their bias force, or in inverse dynamics the wrench on them, in F_i of the node's link */
     ella_real r[3]; /* m: position of the tip point, in inertial frame */
     ella_real v_T[3]; /* m/s: velocity of the tip point, in tip frame */
 } ella_node;
 
-/* What a link keeps between the phases of an algorithm. */
+/* The quantities that a link keeps between the phases of an algorithm. Entries that are constant have no place. */
 typedef struct {
-    ella_real J_l[9]; /* left Jacobian of the tip section's turn, in F_i */
-    ella_real Lambda_i[15]; /* kg*m^2, kg*m, kg: articulated inertia of the link and what it carries, in F_i */
-    ella_real M_D[6]; /* kg*m, kg: wrench that modal accelerations need, in F_i */
+    ella_real J_l[9]; /* left Jacobian of the tip section's rotation vector, in F_i */
+    ella_real Lambda_i[15]; /* kg*m^2, kg*m, kg: articulated inertia of the link and all that it carries, in F_i */
+    ella_real M_D[6]; /* kg*m, kg: inertial coupling of twist and modal rows, in F_i */
     ella_real M_V[8]; /* kg*m^2, kg*m, kg: inertia in the twist rows, in F_i */
     ella_real R_P[9]; /* rotation of F_i, in parent's F_i */
     ella_real R_T[9]; /* rotation of the tip frame, in F_i */
     ella_real S[2]; /* -, m: motion subspace of the joint at the origin of F_i, in F_i */
     ella_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
-    ella_real b_T[6]; /* rad/s^2, m/s^2: acceleration of the tip section that the velocities cause, in tip frame */
-    ella_real delta[6]; /* rad/s^2, m/s^2: what the accelerations of joints and modes add, in F_i */
-    ella_real h_T[3]; /* N*m, N: bias of the bodies at the tip, in tip frame */
-    ella_real h_V[6]; /* N*m, N: bias of the twist rows, in F_i */
+    ella_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    ella_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
+    ella_real h_T[3]; /* N*m, N: bias force of the bodies at the tip, in tip frame */
+    ella_real h_V[6]; /* N*m, N: bias force of the twist rows, in F_i */
     ella_real h_eta[6]; /* N: gyroscopic force and weight on the modes */
-    ella_real joint_L[1]; /* unit lower factor of the joint's inertia */
-    ella_real joint_W[5]; /* -, 1/m: joint accelerations by those of F_i, in F_i */
-    ella_real joint_w[2]; /* rad/s^2: joint accelerations by the torques */
-    ella_real modes_L[21]; /* unit lower factor of the modes' inertia */
-    ella_real modes_W[42]; /* 1/m: modal accelerations by those of F_i, in F_i */
-    ella_real modes_w[7]; /* m/s^2: modal accelerations by the forces */
+    ella_real joint_L[1]; /* unit lower factor L of the joint's inertia */
+    ella_real joint_W[5]; /* -, 1/m: factor W in qddot = L^-T (w - W delta), delta of the parent, in F_i */
+    ella_real joint_w[2]; /* rad/s^2: term w in qddot = L^-T (w - W delta) */
+    ella_real modes_L[21]; /* unit lower factor L of the modal inertia */
+    ella_real modes_W[42]; /* 1/m: factor W in etaddot = -L^-T (w + W delta), in F_i */
+    ella_real modes_w[7]; /* m/s^2: term w in etaddot = -L^-T (w + W delta) */
     ella_real omega[3]; /* rad/s: angular velocity, in F_i */
-    ella_real p_i[6]; /* N*m, N: its bias, in F_i */
-    ella_real r_T[2]; /* m: tip point, in F_i */
+    ella_real p_i[6]; /* N*m, N: bias force of the same, in F_i */
+    ella_real r_T[2]; /* m: position of the tip point, in F_i */
 } ella_link_store;
 
 typedef struct {
@@ -239,12 +244,13 @@ typedef struct {
     ella_link_store links[ELLA_NLINKS];
 } ella_chain;
 
-/* Scratch of the joint form; its contents mean nothing between calls, except for fault, and motion for validity. */
+/* Scratch of the joint form; only fault is valid after a call, and motion for ella_validity. */
 typedef struct {
     int fault; /* after ELLA_SINGULAR: the link whose joint cannot be solved for, from 0 */
     ella_real m_eta[ELLA_LENGTH(ELLA_NMODES)];
     ella_real f_eta[ELLA_LENGTH(ELLA_NMODES)];
-    ella_real motion[ELLA_NLINKS][4]; /* rad/s, rad/s, m/s^2, N, in F_i: turn about y, z; acceleration, own force along x */
+    /* rad/s, rad/s, m/s^2, N, in F_i: angular velocity y, z; acceleration and force along x */
+    ella_real motion[ELLA_NLINKS][4];
     ella_state stage, next;
     ella_output output;
 } ella_work;
@@ -258,25 +264,26 @@ typedef struct {
     ella_real etaddot[ELLA_LENGTH(ELLA_NMODES)];
     ella_real alpha[ELLA_NLINKS][6], Vdot[ELLA_NLINKS][6], wrench[ELLA_NLINKS][6];
     ella_dae_state stage, next;
-    ella_real stage_turn[ELLA_NLINKS][6], next_turn[ELLA_NLINKS][6]; /* what moves their poses */
+    ella_real stage_turn[ELLA_NLINKS][6], next_turn[ELLA_NLINKS][6]; /* vectors u of pose exp(u) */
     ella_chain chain;
 } ella_dae_work;
 
 /* --------------------------------------------------------------------------------------- joint form */
 
-/* vdot, joint wrenches and tip pose; what output holds means something only after ELLA_OK. */
+/* vdot, joint wrenches and tip pose; output is valid only after ELLA_OK. */
 ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, ella_output *output);
 
-/* How far a link is from the limits of the model, which is first order in its deformation: large deflections,
- * buckling and centrifugal stiffening are not in it. At a bound it costs about 1 % of the tip deflection or of the
- * lowest frequency. A link without bending modes has zeros.
+/* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
+ * and
+ * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
+ * frequency. A link without bending modes has zeros.
  */
 enum {
     ELLA_DEFLECTION, /* transverse deflection of the tip over the length */
-    ELLA_SLOPE, /* rad: turn of the tip section across the centreline */
+    ELLA_SLOPE, /* rad: rotation of the tip section about the transverse axes */
     ELLA_AXIAL_LOAD, /* axial load over the buckling load, compression > 0; from 1 the straight link is unstable */
-    ELLA_ROTATION, /* Omega^2 rhoA l^4 / EI of the turn across the centreline */
+    ELLA_ROTATION, /* Omega^2 rhoA l^4 / EI of the angular velocity about the transverse axes */
     ELLA_NMEASURES
 };
 
@@ -286,11 +293,11 @@ typedef struct {
 
 extern const ella_real ella_measure_bounds[ELLA_NMEASURES]; /* of the measures' absolute values */
 
-/* ella_forward_dynamics that leaves in work, besides, what ella_validity reads. */
+/* ella_forward_dynamics that also stores in work the quantities that ella_validity needs. */
 ella_status ella_watched_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, ella_output *output);
 
-/* The measures of all links at a state: output and work as ella_watched_dynamics left them there. */
+/* The measures of all links at a state: output and work are those of ella_watched_dynamics. */
 ella_status ella_validity(const ella_constants *c, const ella_state *state, const ella_output *output,
     const ella_work *work, ella_measures *measures);
 
@@ -298,18 +305,19 @@ ella_status ella_validity(const ella_constants *c, const ella_state *state, cons
 ella_status ella_accelerations(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, ella_output *output);
 
-/* What a motion needs: force[NV] on the coordinates in the order of v, so that tau are its first NTAU entries, and
- * the joint wrenches where wrench is not null. tau of input is not read.
+/* Inverse dynamics: the generalised forces, force[NV], in the order of v, so its first NTAU entries are tau; and the
+ * joint wrenches if wrench is not null. tau of input is not read.
  */
 ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     const ella_real vdot[], ella_chain *chain, ella_real force[], ella_real wrench[][6]);
 
-/* What holds the arm at rest at the joint angles of state, under gravity, springs and w_ext of input: force, of which
- * the first NTAU entries are the torques, and the posture, rest, which may be state. Modes settle in ELLA_ROUNDS
- * rounds from those of state: each is moved by its unbalanced force over its stiffness, which leaves of that force what
- * gravity changes along the way: a small part in every round. The modal entries of force are what is left unbalanced, N:
- * look at them where a link sags by a tenth of its length, for then the rounds need not converge. Start from zero, or
- * from the rest of the period before. Rates of state and tau do not matter. Costs 5 inverse dynamics.
+/* The equilibrium at the joint angles of state, under gravity, springs and w_ext of input. The first NTAU entries of
+ * force are the torques that hold the arm; rest is the posture and may be state. The modes are found in
+ * ELLA_ROUNDS iterations from those of state, each of which moves a mode by its unbalanced force over its stiffness
+ * and reduces that force to a small fraction. The modal entries of force are the unbalanced forces that remain, N.
+ * Check
+ * them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero, or from
+ * the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
  */
 ella_status ella_gravity(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_chain *chain, ella_real force[], ella_state *rest);
@@ -318,11 +326,11 @@ ella_status ella_gravity(const ella_constants *c, const ella_state *state, const
 ella_status ella_kinematics(const ella_constants *c, const ella_state *state, ella_chain *chain,
     ella_motion *motion);
 
-/* J, with which J v is the twist of the last tip; motion as above. Costs NV + 1 kinematics. */
+/* The Jacobian J: J v is the twist of the last tip; motion as above. Costs NV + 1 kinematics. */
 ella_status ella_tip_jacobian(const ella_constants *c, const ella_state *state, ella_chain *chain,
     ella_motion *motion, ella_real J[6][ELLA_LENGTH(ELLA_NV)]);
 
-/* The mass matrix, of which vdot is multiplied: NV rows, symmetric; rates and input do not matter. */
+/* The mass matrix of vdot: NV rows, symmetric; rates are not read. */
 ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, ella_chain *chain,
     ella_real M[][ELLA_LENGTH(ELLA_NV)]);
 
@@ -333,8 +341,9 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
  * modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2.
  * rk4: classical Runge-Kutta, four forward dynamics, order 4.
  * Elastic forces are the modes' stress and damping.
- * No method takes the turning of the joints, the weight or the input implicitly: steps must be short against a
- * joint's turn by a radian (some 0.02 rad a step), and a stiff control law needs short steps with any of them.
+ * All methods treat joint rotation, gravity and input explicitly. A joint should turn by no more than about 0.02 rad
+ * per
+ * step, and stiff control laws need short steps.
  */
 ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input,
     ella_real dt, ella_work *work);
@@ -357,7 +366,7 @@ ella_status ella_dae_from_state(const ella_constants *c, const ella_state *state
 ella_status ella_dae_forward_dynamics(const ella_constants *c, const ella_dae_state *state,
     const ella_input *input, ella_dae_work *work, ella_output *output);
 
-/* The same methods on SE(3), each followed by a projection back onto the joints. */
+/* The same methods on SE(3), each followed by a projection onto the joint constraints. */
 ella_status ella_dae_step_euler(const ella_constants *c, ella_dae_state *state, const ella_input *input,
     ella_real dt, ella_dae_work *work);
 ella_status ella_dae_step_semi_implicit(const ella_constants *c, ella_dae_state *state, const ella_input *input,

@@ -1,4 +1,4 @@
-/* ella_dae.c: the DAE form. Poses move by the exponential of SE(3); every step ends on the joints. */
+/* ella_dae.c: the DAE form. Poses move by the exponential map of SE(3); every step ends with a projection. */
 #include "ella_links.h"
 #include "ella_se3.h"
 
@@ -38,7 +38,7 @@ static int finite_state(const ella_dae_state *s)
         && ella_finite(s->etadot, ELLA_NMODES) && ella_finite(s->q, ELLA_NTAU);
 }
 
-/* Whether products of three entries stay finite: where they do not, a failed pivot says nothing of the posture. */
+/* Whether products of three entries are finite. If not, a failed pivot does not mean a singular posture. */
 static int moderate_state(const ella_dae_state *s, const ella_dae_work *work)
 {
     return ella_moderate(&s->twist[0][0], 6 * ELLA_NLINKS) && ella_moderate(s->eta, ELLA_NMODES)
@@ -50,7 +50,7 @@ static int finite_input(const ella_dae_state *s, const ella_input *u)
     return finite_state(s) && ella_finite(u->tau, ELLA_NTAU) && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 
-/* Vdot, etaddot, qdot and the wrenches at s, with the modal force that they lead to dt after the state from. */
+/* Vdot, etaddot, qdot and the wrenches at s, with the modal forces implicit, dt after the state from. */
 static ella_status accelerate(const ella_constants *c, const ella_dae_state *s, const ella_dae_state *from,
     const ella_input *u, ella_real dt, ella_dae_work *work)
 {
@@ -77,7 +77,7 @@ static ella_status accelerate(const ella_constants *c, const ella_dae_state *s, 
     return ELLA_OK;
 }
 
-/* The state back onto the joints: q from the poses, then forward kinematics. */
+/* Projection of the state onto the joint constraints: q from the poses, then forward kinematics. */
 static ella_status project(const ella_constants *c, ella_dae_state *s, ella_dae_work *work)
 {
     ella_call call = call_of(c, s, 0, work);
@@ -163,7 +163,7 @@ ella_status ella_dae_forward_dynamics(const ella_constants *c, const ella_dae_st
     return status;
 }
 
-/* y = x + dt * rates for all but the poses; rates of eta are taken from etadot of the given state. */
+/* y = x + dt * rates for all but the poses; the rates of eta are the given state's etadot. */
 static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etadot, const ella_dae_work *work,
     ella_dae_state *y)
 {
@@ -182,7 +182,7 @@ static void advance(const ella_dae_state *x, ella_real dt, const ella_real *etad
     }
 }
 
-/* What moves the poses to a state: u = dt V, or more of it. */
+/* The vectors u that move the poses: u = dt V, or u += dt V. */
 static void set_turn(ella_real dt, ella_real V[][6], ella_real u[][6])
 {
     int i, k;
@@ -203,7 +203,7 @@ static void add_turn(ella_real dt, ella_real V[][6], ella_real u[][6])
     }
 }
 
-/* The rate of u at the twists of the state to which it moves the poses, in its place. */
+/* Replaces u by its rate at the twists of the state to which it moves the poses. */
 static void turn_rates(const ella_dae_state *s, ella_real u[][6])
 {
     ella_real rate[6];
@@ -216,7 +216,7 @@ static void turn_rates(const ella_dae_state *s, ella_real u[][6])
     }
 }
 
-/* The poses of y: those of x times exp(u). */
+/* The poses of y are those of x times exp(u). */
 static void move(const ella_dae_state *x, ella_real u[][6], ella_dae_state *y)
 {
     int i;
@@ -254,7 +254,7 @@ static int bad_step(const ella_constants *c, const ella_dae_state *s, const ella
     return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
 }
 
-/* Onto the joints, and taken only if that succeeds. */
+/* Projects the new state, which is accepted only if that succeeds. */
 static ella_status accept(const ella_constants *c, ella_dae_work *work, ella_dae_state *state)
 {
     const ella_status status = project(c, &work->next, work);

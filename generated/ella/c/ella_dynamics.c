@@ -3,7 +3,7 @@
  */
 #include "ella_links.h"
 
-/* The whole chain in one piece: outward to the tip, inward with the eliminations, outward with the results. */
+/* The whole chain in one function: outward kinematics, inward elimination, outward accelerations. */
 ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     const ella_real *m_eta, ella_work *work, int wanted, ella_output *output)
 {
@@ -25,8 +25,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         - (R_rel_upper_arm_xx * c->gravity[0] + R_rel_upper_arm_yx * c->gravity[1]);
     const ella_real alpha_0_upper_arm_5 = minus_R_rel_upper_arm_xy * c->gravity[0]
         - R_rel_upper_arm_yy * c->gravity[1] - R_rel_upper_arm_zy * c->gravity[2];
-    const ella_real minus_alpha_0_upper_arm_6 = R_rel_upper_arm_xz * c->gravity[0]
-        + R_rel_upper_arm_zz * c->gravity[2];
+    const ella_real minus_alpha_0_upper_arm_6 = R_rel_upper_arm_xz * c->gravity[0] + R_rel_upper_arm_zz * c->gravity[2];
 
     /* upper_arm, omega_J: angular velocity of the link relative to its parent's tip */
     const ella_real omega_J_upper_arm_x = R_rel_upper_arm_yx * state->v[0];
@@ -38,10 +37,10 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real minus_alpha_upper_arm_y = t1 * R_rel_upper_arm_yx;
 
     /* upper_arm, r_T: tip point (11) */
-    const ella_real r_T_upper_arm_y = state->q[3] * REAL(2.0011941703010714)
-        + state->q[4] * REAL(2.0700807911885764) + state->q[5] * REAL(3.5651069283690613);
-    const ella_real r_T_upper_arm_z = state->q[6] * REAL(2.0011941703010714)
-        + state->q[7] * REAL(2.0700807911885764) + state->q[8] * REAL(3.5651069283690613);
+    const ella_real r_T_upper_arm_y = state->q[3] * REAL(2.0011941703010714) + state->q[4] * REAL(2.0700807911885764)
+        + state->q[5] * REAL(3.5651069283690613);
+    const ella_real r_T_upper_arm_z = state->q[6] * REAL(2.0011941703010714) + state->q[7] * REAL(2.0700807911885764)
+        + state->q[8] * REAL(3.5651069283690613);
 
     /* upper_arm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_upper_arm_x = state->q[9] * REAL(1.7320508075688772);
@@ -73,10 +72,10 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
 
     /* upper_arm, thetadot: rate of the tip's rotation vector */
     const ella_real thetadot_upper_arm_x = state->v[9] * REAL(1.7320508075688772);
-    const ella_real thetadot_upper_arm_y = c->links[0].Psi_c_y4 * state->v[6]
-        + c->links[0].Psi_c_y5 * state->v[7] + c->links[0].Psi_c_y6 * state->v[8];
-    const ella_real thetadot_upper_arm_z = c->links[0].Psi_c_z1 * state->v[3]
-        + c->links[0].Psi_c_z2 * state->v[4] + c->links[0].Psi_c_z3 * state->v[5];
+    const ella_real thetadot_upper_arm_y = c->links[0].Psi_c_y4 * state->v[6] + c->links[0].Psi_c_y5 * state->v[7]
+        + c->links[0].Psi_c_y6 * state->v[8];
+    const ella_real thetadot_upper_arm_z = c->links[0].Psi_c_z1 * state->v[3] + c->links[0].Psi_c_z2 * state->v[4]
+        + c->links[0].Psi_c_z3 * state->v[5];
 
     /* upper_arm, omega_s: angular velocity of the tip section relative to F_i */
     const ella_real t7 = theta_upper_arm_y * thetadot_upper_arm_z - theta_upper_arm_z * thetadot_upper_arm_y;
@@ -129,10 +128,10 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real a_t_upper_arm_x = alpha_0_upper_arm_4 - minus_alpha_upper_arm_y * r_T_upper_arm_z
         + omega_J_upper_arm_y * t14 - state->v[1] * t15;
     const ella_real t16 = omega_J_upper_arm_y * r_T_upper_arm_z - state->v[1] * r_T_upper_arm_y;
-    const ella_real a_t_upper_arm_y = alpha_0_upper_arm_5 + state->v[1] * t16
-        - alpha_upper_arm_x * r_T_upper_arm_z - omega_J_upper_arm_x * t14;
-    const ella_real t17 = alpha_upper_arm_x * r_T_upper_arm_y - minus_alpha_0_upper_arm_6
-        + omega_J_upper_arm_x * t15 + minus_alpha_upper_arm_y * c->links[0].length;
+    const ella_real a_t_upper_arm_y = alpha_0_upper_arm_5 + state->v[1] * t16 - alpha_upper_arm_x * r_T_upper_arm_z
+        - omega_J_upper_arm_x * t14;
+    const ella_real t17 = alpha_upper_arm_x * r_T_upper_arm_y - minus_alpha_0_upper_arm_6 + omega_J_upper_arm_x * t15
+        + minus_alpha_upper_arm_y * c->links[0].length;
     const ella_real a_t_upper_arm_z = t17 - omega_J_upper_arm_y * t16;
 
     /* upper_arm, c1: Stumpff function of order 1 */
@@ -184,22 +183,16 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real minus_R_rel_forearm_xy = turn_3.sine, R_rel_forearm_xx = turn_3.cosine;
 
     /* forearm, R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx
-        + R_T_upper_arm_xy * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_12 = R_T_upper_arm_xy * R_rel_forearm_xx
-        - R_T_upper_arm_xx * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_21 = R_T_upper_arm_yx * R_rel_forearm_xx
-        + R_T_upper_arm_yy * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_22 = R_T_upper_arm_yy * R_rel_forearm_xx
-        - R_T_upper_arm_yx * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_31 = R_T_upper_arm_zx * R_rel_forearm_xx
-        + R_T_upper_arm_zy * minus_R_rel_forearm_xy;
-    const ella_real R_P_forearm_32 = R_T_upper_arm_zy * R_rel_forearm_xx
-        - R_T_upper_arm_zx * minus_R_rel_forearm_xy;
-    const ella_real omega_R_forearm_1 = R_P_forearm_11 * omega_t_upper_arm_x
-        + R_P_forearm_21 * omega_t_upper_arm_y + R_P_forearm_31 * omega_t_upper_arm_z;
-    const ella_real omega_R_forearm_2 = R_P_forearm_12 * omega_t_upper_arm_x
-        + R_P_forearm_22 * omega_t_upper_arm_y + R_P_forearm_32 * omega_t_upper_arm_z;
+    const ella_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx + R_T_upper_arm_xy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_12 = R_T_upper_arm_xy * R_rel_forearm_xx - R_T_upper_arm_xx * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_21 = R_T_upper_arm_yx * R_rel_forearm_xx + R_T_upper_arm_yy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_22 = R_T_upper_arm_yy * R_rel_forearm_xx - R_T_upper_arm_yx * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_31 = R_T_upper_arm_zx * R_rel_forearm_xx + R_T_upper_arm_zy * minus_R_rel_forearm_xy;
+    const ella_real R_P_forearm_32 = R_T_upper_arm_zy * R_rel_forearm_xx - R_T_upper_arm_zx * minus_R_rel_forearm_xy;
+    const ella_real omega_R_forearm_1 = R_P_forearm_11 * omega_t_upper_arm_x + R_P_forearm_21 * omega_t_upper_arm_y
+        + R_P_forearm_31 * omega_t_upper_arm_z;
+    const ella_real omega_R_forearm_2 = R_P_forearm_12 * omega_t_upper_arm_x + R_P_forearm_22 * omega_t_upper_arm_y
+        + R_P_forearm_32 * omega_t_upper_arm_z;
     const ella_real omega_R_forearm_3 = R_T_upper_arm_xz * omega_t_upper_arm_x
         + R_T_upper_arm_yz * omega_t_upper_arm_y + R_T_upper_arm_zz * omega_t_upper_arm_z;
 
@@ -225,10 +218,10 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real alpha_forearm_y = t31 - omega_R_forearm_1 * state->v[2];
 
     /* forearm, r_T: tip point (11) */
-    const ella_real r_T_forearm_y = state->q[10] * REAL(2.0011941703010714)
-        + state->q[11] * REAL(2.0700807911885764) + state->q[12] * REAL(3.5651069283690613);
-    const ella_real r_T_forearm_z = state->q[13] * REAL(2.0011941703010714)
-        + state->q[14] * REAL(2.0700807911885764) + state->q[15] * REAL(3.5651069283690613);
+    const ella_real r_T_forearm_y = state->q[10] * REAL(2.0011941703010714) + state->q[11] * REAL(2.0700807911885764)
+        + state->q[12] * REAL(3.5651069283690613);
+    const ella_real r_T_forearm_z = state->q[13] * REAL(2.0011941703010714) + state->q[14] * REAL(2.0700807911885764)
+        + state->q[15] * REAL(3.5651069283690613);
 
     /* forearm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const ella_real theta_forearm_x = state->q[16] * REAL(1.7320508075688772);
@@ -418,16 +411,15 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real t62 = c->links[1].I_s * omega_R_forearm_1;
     const ella_real t63 = t61 + J_forearm_zz * Omega_forearm_xz + S_forearm_z * alpha_0_forearm_4
         + t62 * omega_forearm_z - c->links[1].J_0_xx * Omega_forearm_zx;
-    const ella_real H_star_forearm_2 = t63 - J_forearm_xy * Omega_forearm_zy
-        - c->links[1].S_0_x * alpha_0_forearm_6;
+    const ella_real H_star_forearm_2 = t63 - J_forearm_xy * Omega_forearm_zy - c->links[1].S_0_x * alpha_0_forearm_6;
     const ella_real t64 = h_c_forearm_3 + c->links[1].J_0_xx * Omega_forearm_yx
         + J_forearm_xy * (minus_Omega_forearm_xx - minus_Omega_forearm_yy);
     const ella_real t65 = t64 + J_forearm_xz * Omega_forearm_yz + c->links[1].S_0_x * alpha_0_forearm_5
         - J_forearm_yy * Omega_forearm_xy;
     const ella_real H_star_forearm_3 = t65 - J_forearm_yz * Omega_forearm_xz - S_forearm_y * alpha_0_forearm_4
         - t62 * omega_R_forearm_2;
-    const ella_real t66 = h_c_forearm_4 - minus_Omega_forearm_xx * c->links[1].S_0_x
-        + Omega_forearm_xy * S_forearm_y + Omega_forearm_xz * S_forearm_z;
+    const ella_real t66 = h_c_forearm_4 - minus_Omega_forearm_xx * c->links[1].S_0_x + Omega_forearm_xy * S_forearm_y
+        + Omega_forearm_xz * S_forearm_z;
     const ella_real H_star_forearm_4 = t66 + alpha_0_forearm_4 * c->links[1].mu;
     const ella_real t67 = Omega_forearm_yx * c->links[1].S_0_x - minus_h_c_forearm_5
         - minus_Omega_forearm_yy * S_forearm_y;
@@ -472,12 +464,12 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real h_eta_forearm_7 = alpha_forearm_x * c->links[1].sigma_t_7;
 
     /* forearm, tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const ella_real minus_p_T_forearm_1 = R_T_forearm_xx * input->w_ext[1][0]
-        + R_T_forearm_xy * input->w_ext[1][1] + R_T_forearm_xz * input->w_ext[1][2];
-    const ella_real minus_p_T_forearm_2 = R_T_forearm_yx * input->w_ext[1][0]
-        + R_T_forearm_yy * input->w_ext[1][1] + R_T_forearm_yz * input->w_ext[1][2];
-    const ella_real minus_p_T_forearm_3 = R_T_forearm_zx * input->w_ext[1][0]
-        + R_T_forearm_zy * input->w_ext[1][1] + R_T_forearm_zz * input->w_ext[1][2];
+    const ella_real minus_p_T_forearm_1 = R_T_forearm_xx * input->w_ext[1][0] + R_T_forearm_xy * input->w_ext[1][1]
+        + R_T_forearm_xz * input->w_ext[1][2];
+    const ella_real minus_p_T_forearm_2 = R_T_forearm_yx * input->w_ext[1][0] + R_T_forearm_yy * input->w_ext[1][1]
+        + R_T_forearm_yz * input->w_ext[1][2];
+    const ella_real minus_p_T_forearm_3 = R_T_forearm_zx * input->w_ext[1][0] + R_T_forearm_zy * input->w_ext[1][1]
+        + R_T_forearm_zz * input->w_ext[1][2];
     const ella_real t75 = R_T_forearm_xx * input->w_ext[1][3] + R_T_forearm_xy * input->w_ext[1][4]
         + R_T_forearm_xz * input->w_ext[1][5];
     const ella_real t76 = R_T_forearm_yx * input->w_ext[1][3] + R_T_forearm_yy * input->w_ext[1][4]
@@ -619,17 +611,14 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real t103 = modes_L_forearm_21 * minus_C_forearm_11 - minus_C_forearm_12;
     const ella_real t104 = minus_C_forearm_25 - modes_L_forearm_21 * minus_C_forearm_24;
     const ella_real t105 = C_forearm_52 - modes_L_forearm_21 * C_forearm_51;
-    const ella_real t106 = modes_L_forearm_31 * minus_C_forearm_11 - minus_C_forearm_13
-        - modes_L_forearm_32 * t103;
-    const ella_real t107 = minus_C_forearm_26 - modes_L_forearm_31 * minus_C_forearm_24
-        - modes_L_forearm_32 * t104;
+    const ella_real t106 = modes_L_forearm_31 * minus_C_forearm_11 - minus_C_forearm_13 - modes_L_forearm_32 * t103;
+    const ella_real t107 = minus_C_forearm_26 - modes_L_forearm_31 * minus_C_forearm_24 - modes_L_forearm_32 * t104;
     const ella_real t108 = C_forearm_53 - modes_L_forearm_31 * C_forearm_51 - modes_L_forearm_32 * t105;
     const ella_real t109 = C_forearm_15 - modes_L_forearm_54 * C_forearm_14;
     const ella_real t110 = modes_L_forearm_54 * minus_C_forearm_24 - minus_C_forearm_25;
     const ella_real t111 = C_forearm_52 - modes_L_forearm_54 * C_forearm_51;
     const ella_real t112 = C_forearm_16 - modes_L_forearm_64 * C_forearm_14 - modes_L_forearm_65 * t109;
-    const ella_real t113 = modes_L_forearm_64 * minus_C_forearm_24 - minus_C_forearm_26
-        - modes_L_forearm_65 * t110;
+    const ella_real t113 = modes_L_forearm_64 * minus_C_forearm_24 - minus_C_forearm_26 - modes_L_forearm_65 * t110;
     const ella_real t114 = C_forearm_53 - modes_L_forearm_64 * C_forearm_51 - modes_L_forearm_65 * t111;
     const ella_real t115 = h_phi_forearm_2 - modes_L_forearm_21 * h_phi_forearm_1;
     const ella_real t116 = h_phi_forearm_3 - modes_L_forearm_31 * h_phi_forearm_1 - modes_L_forearm_32 * t115;
@@ -712,8 +701,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real joint_W_forearm_15 = M_i_forearm_35 * joint_inverse_forearm_1;
     const ella_real joint_w_forearm_1 = (input->tau[2] - h_i_forearm_3) * joint_inverse_forearm_1;
     const ella_real Lambda_i_forearm_11 = M_i_forearm_11 - minus_M_i_forearm_13 * minus_joint_W_forearm_11;
-    const ella_real minus_Lambda_i_forearm_12 = minus_M_i_forearm_12
-        + minus_M_i_forearm_13 * minus_joint_W_forearm_12;
+    const ella_real minus_Lambda_i_forearm_12 = minus_M_i_forearm_12 + minus_M_i_forearm_13 * minus_joint_W_forearm_12;
     const ella_real minus_Lambda_i_forearm_14 = minus_M_i_forearm_13 * minus_joint_W_forearm_14;
     const ella_real Lambda_i_forearm_15 = minus_M_i_forearm_13 * joint_W_forearm_15 - minus_M_i_forearm_15;
     const ella_real Lambda_i_forearm_22 = M_i_forearm_22 - minus_M_loaded_forearm_23 * minus_joint_W_forearm_12;
@@ -871,18 +859,16 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
 
     /* upper_arm, h_MD: Coriolis wrench of the deformation's inertia (B3) */
     const ella_real h_MD_upper_arm_2 = h_c_upper_arm_2 + state->v[9] * state->v[1] * c->links[0].sigma_t_7;
-    const ella_real h_MD_upper_arm_3 = h_c_upper_arm_3
-        - state->v[9] * omega_J_upper_arm_y * c->links[0].sigma_t_7;
+    const ella_real h_MD_upper_arm_3 = h_c_upper_arm_3 - state->v[9] * omega_J_upper_arm_y * c->links[0].sigma_t_7;
 
     /* upper_arm, H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t151 = h_c_upper_arm_1 + c->links[0].I_s * alpha_upper_arm_x
-        + J_upper_arm_xy * Omega_upper_arm_zx + J_upper_arm_yy * Omega_upper_arm_zy;
+    const ella_real t151 = h_c_upper_arm_1 + c->links[0].I_s * alpha_upper_arm_x + J_upper_arm_xy * Omega_upper_arm_zx
+        + J_upper_arm_yy * Omega_upper_arm_zy;
     const ella_real t152 = t151 + J_upper_arm_yz * (minus_Omega_upper_arm_yy - minus_Omega_upper_arm_zz)
         - S_upper_arm_y * minus_alpha_0_upper_arm_6;
     const ella_real H_star_upper_arm_1 = t152 - J_upper_arm_xz * Omega_upper_arm_xy
         - J_upper_arm_zz * Omega_upper_arm_yz - S_upper_arm_z * alpha_0_upper_arm_5;
-    const ella_real t153 = h_c_upper_arm_2
-        + J_upper_arm_xz * (minus_Omega_upper_arm_zz - minus_Omega_upper_arm_xx)
+    const ella_real t153 = h_c_upper_arm_2 + J_upper_arm_xz * (minus_Omega_upper_arm_zz - minus_Omega_upper_arm_xx)
         + J_upper_arm_yz * Omega_upper_arm_xy;
     const ella_real t154 = c->links[0].I_s * omega_J_upper_arm_x;
     const ella_real t155 = t153 + J_upper_arm_zz * Omega_upper_arm_xz + S_upper_arm_z * alpha_0_upper_arm_4
@@ -1098,8 +1084,8 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real t229 = Lambda_forearm_4 * Theta_upper_arm_16 + Lambda_forearm_9 * Theta_upper_arm_26
         + Lambda_forearm_13 * Theta_upper_arm_36;
     const ella_real C_upper_arm_46 = t229 + Lambda_forearm_18 * REAL(3.5651069283690613);
-    const ella_real C_upper_arm_47 = Lambda_forearm_4 * Theta_upper_arm_17
-        + Lambda_forearm_9 * Theta_upper_arm_27 + Lambda_forearm_13 * Theta_upper_arm_37;
+    const ella_real C_upper_arm_47 = Lambda_forearm_4 * Theta_upper_arm_17 + Lambda_forearm_9 * Theta_upper_arm_27
+        + Lambda_forearm_13 * Theta_upper_arm_37;
     const ella_real t230 = Lambda_forearm_5 * Theta_upper_arm_11 + Lambda_forearm_10 * Theta_upper_arm_21
         + Lambda_forearm_14 * Theta_upper_arm_31;
     const ella_real t231 = t230 + Lambda_T_upper_arm_55 * REAL(2.0011941703010714);
@@ -1121,8 +1107,8 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + Lambda_forearm_14 * Theta_upper_arm_36;
     const ella_real t241 = Lambda_forearm_20 * REAL(3.5651069283690613);
     const ella_real C_upper_arm_56 = t240 + t241;
-    const ella_real C_upper_arm_57 = Lambda_forearm_5 * Theta_upper_arm_17
-        + Lambda_forearm_10 * Theta_upper_arm_27 + Lambda_forearm_14 * Theta_upper_arm_37;
+    const ella_real C_upper_arm_57 = Lambda_forearm_5 * Theta_upper_arm_17 + Lambda_forearm_10 * Theta_upper_arm_27
+        + Lambda_forearm_14 * Theta_upper_arm_37;
     const ella_real t242 = Lambda_forearm_6 * Theta_upper_arm_11 + Lambda_forearm_11 * Theta_upper_arm_21
         + Lambda_forearm_15 * Theta_upper_arm_31;
     const ella_real C_upper_arm_61 = t242 + t237;
@@ -1141,24 +1127,16 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real t249 = Lambda_forearm_6 * Theta_upper_arm_16 + Lambda_forearm_11 * Theta_upper_arm_26
         + Lambda_forearm_15 * Theta_upper_arm_36;
     const ella_real t250 = t249 + Lambda_T_upper_arm_66 * REAL(3.5651069283690613);
-    const ella_real C_upper_arm_67 = Lambda_forearm_6 * Theta_upper_arm_17
-        + Lambda_forearm_11 * Theta_upper_arm_27 + Lambda_forearm_15 * Theta_upper_arm_37;
-    const ella_real C_upper_arm_21 = t199
-        + (r_T_upper_arm_z * C_upper_arm_41 - c->links[0].length * C_upper_arm_61);
-    const ella_real C_upper_arm_22 = t201
-        + (r_T_upper_arm_z * C_upper_arm_42 - c->links[0].length * C_upper_arm_62);
-    const ella_real C_upper_arm_23 = t203
-        + (r_T_upper_arm_z * C_upper_arm_43 - c->links[0].length * C_upper_arm_63);
-    const ella_real C_upper_arm_34 = t218
-        + (c->links[0].length * C_upper_arm_54 - r_T_upper_arm_y * C_upper_arm_44);
-    const ella_real C_upper_arm_35 = t220
-        + (c->links[0].length * C_upper_arm_55 - r_T_upper_arm_y * C_upper_arm_45);
-    const ella_real C_upper_arm_36 = t222
-        + (c->links[0].length * C_upper_arm_56 - r_T_upper_arm_y * C_upper_arm_46);
-    const ella_real C_upper_arm_27 = t210
-        + (r_T_upper_arm_z * C_upper_arm_47 - c->links[0].length * C_upper_arm_67);
-    const ella_real C_upper_arm_37 = t223
-        + (c->links[0].length * C_upper_arm_57 - r_T_upper_arm_y * C_upper_arm_47);
+    const ella_real C_upper_arm_67 = Lambda_forearm_6 * Theta_upper_arm_17 + Lambda_forearm_11 * Theta_upper_arm_27
+        + Lambda_forearm_15 * Theta_upper_arm_37;
+    const ella_real C_upper_arm_21 = t199 + (r_T_upper_arm_z * C_upper_arm_41 - c->links[0].length * C_upper_arm_61);
+    const ella_real C_upper_arm_22 = t201 + (r_T_upper_arm_z * C_upper_arm_42 - c->links[0].length * C_upper_arm_62);
+    const ella_real C_upper_arm_23 = t203 + (r_T_upper_arm_z * C_upper_arm_43 - c->links[0].length * C_upper_arm_63);
+    const ella_real C_upper_arm_34 = t218 + (c->links[0].length * C_upper_arm_54 - r_T_upper_arm_y * C_upper_arm_44);
+    const ella_real C_upper_arm_35 = t220 + (c->links[0].length * C_upper_arm_55 - r_T_upper_arm_y * C_upper_arm_45);
+    const ella_real C_upper_arm_36 = t222 + (c->links[0].length * C_upper_arm_56 - r_T_upper_arm_y * C_upper_arm_46);
+    const ella_real C_upper_arm_27 = t210 + (r_T_upper_arm_z * C_upper_arm_47 - c->links[0].length * C_upper_arm_67);
+    const ella_real C_upper_arm_37 = t223 + (c->links[0].length * C_upper_arm_57 - r_T_upper_arm_y * C_upper_arm_47);
     const ella_real C_upper_arm_11 = t186 + (r_T_upper_arm_y * C_upper_arm_61 - r_T_upper_arm_z * t231)
         - L_upper_arm_z1;
     const ella_real C_upper_arm_12 = t188 + (r_T_upper_arm_y * C_upper_arm_62 - r_T_upper_arm_z * t233)
@@ -1401,18 +1379,17 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real t321 = t318 - modes_L_upper_arm_74 * t303 - modes_L_upper_arm_75 * t309
         - modes_L_upper_arm_76 * t315;
     const ella_real t322 = h_phi_upper_arm_2 - modes_L_upper_arm_21 * h_phi_upper_arm_1;
-    const ella_real t323 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1
-        - modes_L_upper_arm_32 * t322;
-    const ella_real t324 = h_phi_upper_arm_4 - modes_L_upper_arm_41 * h_phi_upper_arm_1
-        - modes_L_upper_arm_42 * t322 - modes_L_upper_arm_43 * t323;
-    const ella_real t325 = h_phi_upper_arm_5 - modes_L_upper_arm_51 * h_phi_upper_arm_1
-        - modes_L_upper_arm_52 * t322 - modes_L_upper_arm_53 * t323;
+    const ella_real t323 = h_phi_upper_arm_3 - modes_L_upper_arm_31 * h_phi_upper_arm_1 - modes_L_upper_arm_32 * t322;
+    const ella_real t324 = h_phi_upper_arm_4 - modes_L_upper_arm_41 * h_phi_upper_arm_1 - modes_L_upper_arm_42 * t322
+        - modes_L_upper_arm_43 * t323;
+    const ella_real t325 = h_phi_upper_arm_5 - modes_L_upper_arm_51 * h_phi_upper_arm_1 - modes_L_upper_arm_52 * t322
+        - modes_L_upper_arm_53 * t323;
     const ella_real t326 = t325 - modes_L_upper_arm_54 * t324;
-    const ella_real t327 = h_phi_upper_arm_6 - modes_L_upper_arm_61 * h_phi_upper_arm_1
-        - modes_L_upper_arm_62 * t322 - modes_L_upper_arm_63 * t323;
+    const ella_real t327 = h_phi_upper_arm_6 - modes_L_upper_arm_61 * h_phi_upper_arm_1 - modes_L_upper_arm_62 * t322
+        - modes_L_upper_arm_63 * t323;
     const ella_real t328 = t327 - modes_L_upper_arm_64 * t324 - modes_L_upper_arm_65 * t326;
-    const ella_real t329 = h_phi_upper_arm_7 - modes_L_upper_arm_71 * h_phi_upper_arm_1
-        - modes_L_upper_arm_72 * t322 - modes_L_upper_arm_73 * t323;
+    const ella_real t329 = h_phi_upper_arm_7 - modes_L_upper_arm_71 * h_phi_upper_arm_1 - modes_L_upper_arm_72 * t322
+        - modes_L_upper_arm_73 * t323;
     const ella_real t330 = t329 - modes_L_upper_arm_74 * t324 - modes_L_upper_arm_75 * t326
         - modes_L_upper_arm_76 * t328;
     const ella_real modes_W_upper_arm_11 = C_upper_arm_11 * modes_inverse_upper_arm_1;
@@ -1490,12 +1467,9 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real h_i_upper_arm_3 = h_loaded_upper_arm_3 - t348;
 
     /* upper_arm, joint: its accelerations eliminated from its rows (43) */
-    const ella_real U_upper_arm_11 = M_i_upper_arm_11 * R_rel_upper_arm_yx
-        + M_i_upper_arm_12 * R_rel_upper_arm_yy;
-    const ella_real U_upper_arm_21 = M_i_upper_arm_12 * R_rel_upper_arm_yx
-        + M_i_upper_arm_22 * R_rel_upper_arm_yy;
-    const ella_real U_upper_arm_31 = M_i_upper_arm_13 * R_rel_upper_arm_yx
-        + M_i_upper_arm_23 * R_rel_upper_arm_yy;
+    const ella_real U_upper_arm_11 = M_i_upper_arm_11 * R_rel_upper_arm_yx + M_i_upper_arm_12 * R_rel_upper_arm_yy;
+    const ella_real U_upper_arm_21 = M_i_upper_arm_12 * R_rel_upper_arm_yx + M_i_upper_arm_22 * R_rel_upper_arm_yy;
+    const ella_real U_upper_arm_31 = M_i_upper_arm_13 * R_rel_upper_arm_yx + M_i_upper_arm_23 * R_rel_upper_arm_yy;
     const ella_real joint_inertia_upper_arm_11 = R_rel_upper_arm_yx * U_upper_arm_11
         + R_rel_upper_arm_yy * U_upper_arm_21;
     const ella_real t349 = t125 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33);
@@ -1576,8 +1550,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         + minus_etaddot_upper_arm_2 * REAL(2.0700807911885764);
     const ella_real t372 = minus_etaddot_upper_arm_4 * REAL(2.0011941703010714)
         + minus_etaddot_upper_arm_5 * REAL(2.0700807911885764);
-    const ella_real delta_T_upper_arm_4 = delta_upper_arm_2 * r_T_upper_arm_z
-        - joint_w_upper_arm_2 * r_T_upper_arm_y;
+    const ella_real delta_T_upper_arm_4 = delta_upper_arm_2 * r_T_upper_arm_z - joint_w_upper_arm_2 * r_T_upper_arm_y;
     const ella_real delta_T_upper_arm_1 = delta_upper_arm_1
         - (J_l_upper_arm_xx * t366 + J_l_upper_arm_xy * t368 + J_l_upper_arm_xz * t370);
     const ella_real delta_T_upper_arm_2 = delta_upper_arm_2
@@ -1586,20 +1559,20 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         - (J_l_upper_arm_zx * t366 + J_l_upper_arm_zy * t368 + J_l_upper_arm_zz * t370);
     const ella_real delta_T_upper_arm_5 = joint_w_upper_arm_2 * c->links[0].length
         - delta_upper_arm_1 * r_T_upper_arm_z - (t371 + minus_etaddot_upper_arm_3 * REAL(3.5651069283690613));
-    const ella_real delta_T_upper_arm_6 = delta_upper_arm_1 * r_T_upper_arm_y
-        - delta_upper_arm_2 * c->links[0].length - (t372 + minus_etaddot_upper_arm_6 * REAL(3.5651069283690613));
+    const ella_real delta_T_upper_arm_6 = delta_upper_arm_1 * r_T_upper_arm_y - delta_upper_arm_2 * c->links[0].length
+        - (t372 + minus_etaddot_upper_arm_6 * REAL(3.5651069283690613));
 
     /* forearm, joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real carried_forearm_1 = R_P_forearm_11 * delta_T_upper_arm_1
-        + R_P_forearm_21 * delta_T_upper_arm_2 + R_P_forearm_31 * delta_T_upper_arm_3;
-    const ella_real carried_forearm_2 = R_P_forearm_12 * delta_T_upper_arm_1
-        + R_P_forearm_22 * delta_T_upper_arm_2 + R_P_forearm_32 * delta_T_upper_arm_3;
+    const ella_real carried_forearm_1 = R_P_forearm_11 * delta_T_upper_arm_1 + R_P_forearm_21 * delta_T_upper_arm_2
+        + R_P_forearm_31 * delta_T_upper_arm_3;
+    const ella_real carried_forearm_2 = R_P_forearm_12 * delta_T_upper_arm_1 + R_P_forearm_22 * delta_T_upper_arm_2
+        + R_P_forearm_32 * delta_T_upper_arm_3;
     const ella_real carried_forearm_3 = R_T_upper_arm_xz * delta_T_upper_arm_1
         + R_T_upper_arm_yz * delta_T_upper_arm_2 + R_T_upper_arm_zz * delta_T_upper_arm_3;
-    const ella_real carried_forearm_4 = R_P_forearm_11 * delta_T_upper_arm_4
-        + R_P_forearm_21 * delta_T_upper_arm_5 + R_P_forearm_31 * delta_T_upper_arm_6;
-    const ella_real carried_forearm_5 = R_P_forearm_12 * delta_T_upper_arm_4
-        + R_P_forearm_22 * delta_T_upper_arm_5 + R_P_forearm_32 * delta_T_upper_arm_6;
+    const ella_real carried_forearm_4 = R_P_forearm_11 * delta_T_upper_arm_4 + R_P_forearm_21 * delta_T_upper_arm_5
+        + R_P_forearm_31 * delta_T_upper_arm_6;
+    const ella_real carried_forearm_5 = R_P_forearm_12 * delta_T_upper_arm_4 + R_P_forearm_22 * delta_T_upper_arm_5
+        + R_P_forearm_32 * delta_T_upper_arm_6;
     const ella_real carried_forearm_6 = R_T_upper_arm_xz * delta_T_upper_arm_4
         + R_T_upper_arm_yz * delta_T_upper_arm_5 + R_T_upper_arm_zz * delta_T_upper_arm_6;
     const ella_real t373 = carried_forearm_3
@@ -1628,17 +1601,15 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     output->vdot[15] = -minus_etaddot_forearm_6;
     const ella_real minus_etaddot_forearm_7 = modes_w_forearm_7 + modes_W_forearm_71 * carried_forearm_1;
     output->vdot[16] = -minus_etaddot_forearm_7;
-    const ella_real minus_etaddot_forearm_5 = modes_w_forearm_5 + t378
-        - modes_L_forearm_65 * minus_etaddot_forearm_6;
+    const ella_real minus_etaddot_forearm_5 = modes_w_forearm_5 + t378 - modes_L_forearm_65 * minus_etaddot_forearm_6;
     output->vdot[14] = -minus_etaddot_forearm_5;
-    const ella_real minus_etaddot_forearm_4 = modes_w_forearm_4 + t377
-        - modes_L_forearm_54 * minus_etaddot_forearm_5 - modes_L_forearm_64 * minus_etaddot_forearm_6;
+    const ella_real minus_etaddot_forearm_4 = modes_w_forearm_4 + t377 - modes_L_forearm_54 * minus_etaddot_forearm_5
+        - modes_L_forearm_64 * minus_etaddot_forearm_6;
     output->vdot[13] = -minus_etaddot_forearm_4;
-    const ella_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t375
-        - modes_L_forearm_32 * minus_etaddot_forearm_3;
+    const ella_real minus_etaddot_forearm_2 = modes_w_forearm_2 + t375 - modes_L_forearm_32 * minus_etaddot_forearm_3;
     output->vdot[11] = -minus_etaddot_forearm_2;
-    const ella_real minus_etaddot_forearm_1 = modes_w_forearm_1 + t374
-        - modes_L_forearm_21 * minus_etaddot_forearm_2 - modes_L_forearm_31 * minus_etaddot_forearm_3;
+    const ella_real minus_etaddot_forearm_1 = modes_w_forearm_1 + t374 - modes_L_forearm_21 * minus_etaddot_forearm_2
+        - modes_L_forearm_31 * minus_etaddot_forearm_3;
     output->vdot[10] = -minus_etaddot_forearm_1;
 
     if (wanted & ELLA_WRENCHES) {
@@ -1810,12 +1781,9 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         const ella_real h_i_upper_arm_6 = h_loaded_upper_arm_6 - t430;
 
         /* upper_arm, joint: its accelerations eliminated from its rows (43) */
-        const ella_real U_upper_arm_41 = M_i_upper_arm_14 * R_rel_upper_arm_yx
-            + M_i_upper_arm_24 * R_rel_upper_arm_yy;
-        const ella_real U_upper_arm_51 = M_i_upper_arm_15 * R_rel_upper_arm_yx
-            + M_i_upper_arm_25 * R_rel_upper_arm_yy;
-        const ella_real U_upper_arm_61 = M_i_upper_arm_16 * R_rel_upper_arm_yx
-            + M_i_upper_arm_26 * R_rel_upper_arm_yy;
+        const ella_real U_upper_arm_41 = M_i_upper_arm_14 * R_rel_upper_arm_yx + M_i_upper_arm_24 * R_rel_upper_arm_yy;
+        const ella_real U_upper_arm_51 = M_i_upper_arm_15 * R_rel_upper_arm_yx + M_i_upper_arm_25 * R_rel_upper_arm_yy;
+        const ella_real U_upper_arm_61 = M_i_upper_arm_16 * R_rel_upper_arm_yx + M_i_upper_arm_26 * R_rel_upper_arm_yy;
         const ella_real t431 = U_upper_arm_11 * joint_w_upper_arm_1
             + (M_i_upper_arm_13 - joint_L_upper_arm_21 * U_upper_arm_11) * joint_w_upper_arm_2;
         const ella_real t432 = U_upper_arm_21 * joint_w_upper_arm_1
@@ -1840,12 +1808,12 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         output->wrench[0][5] = p_i_upper_arm_6;
 
         /* joint wrench (48)_forearm */
-        const ella_real t436 = Lambda_i_forearm_11 * carried_forearm_1
-            - minus_Lambda_i_forearm_12 * carried_forearm_2 - minus_Lambda_i_forearm_14 * carried_forearm_4;
-        const ella_real t437 = Lambda_i_forearm_22 * carried_forearm_2
-            - minus_Lambda_i_forearm_12 * carried_forearm_1 + Lambda_i_forearm_24 * carried_forearm_4;
-        const ella_real t438 = Lambda_i_forearm_24 * carried_forearm_2
-            - minus_Lambda_i_forearm_14 * carried_forearm_1 + Lambda_i_forearm_44 * carried_forearm_4;
+        const ella_real t436 = Lambda_i_forearm_11 * carried_forearm_1 - minus_Lambda_i_forearm_12 * carried_forearm_2
+            - minus_Lambda_i_forearm_14 * carried_forearm_4;
+        const ella_real t437 = Lambda_i_forearm_22 * carried_forearm_2 - minus_Lambda_i_forearm_12 * carried_forearm_1
+            + Lambda_i_forearm_24 * carried_forearm_4;
+        const ella_real t438 = Lambda_i_forearm_24 * carried_forearm_2 - minus_Lambda_i_forearm_14 * carried_forearm_1
+            + Lambda_i_forearm_44 * carried_forearm_4;
         const ella_real t439 = Lambda_i_forearm_15 * carried_forearm_1 + Lambda_i_forearm_25 * carried_forearm_2
             + Lambda_i_forearm_45 * carried_forearm_4;
         const ella_real t440 = M_i_forearm_16 * carried_forearm_1 - minus_M_i_forearm_26 * carried_forearm_2
@@ -1867,8 +1835,8 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         output->wrench[1][2] = input->tau[2];
 
         if (wanted & ELLA_MOTION) {
-            const ella_real motion_upper_arm_4 = S_upper_arm_z * delta_upper_arm_2 - S_upper_arm_y * joint_w_upper_arm_2
-                + h_V_upper_arm_4;
+            const ella_real motion_upper_arm_4 = S_upper_arm_z * delta_upper_arm_2
+                - S_upper_arm_y * joint_w_upper_arm_2 + h_V_upper_arm_4;
             work->motion[0][3] = motion_upper_arm_4;
 
             /* forearm, link: what is added to the acceleration of F_i, modal accelerations (83) */
@@ -1973,7 +1941,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     }
 
     if (bad) {
-        /* the sweep ran from the tip: the outermost link that failed is to blame */
+        /* the elimination runs from the tip: report the outermost link that failed */
         for (link = 0; link < ELLA_NLINKS; ++link) {
             if ((bad >> link) & 1u) {
                 work->fault = link;

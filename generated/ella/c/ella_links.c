@@ -1,14 +1,14 @@
-/* ella_links.c: what each class of links does in each phase, and the phases in their order.
+/* ella_links.c: the phases of the algorithms for each class of links, and the loops over the links.
  *
  * A chain of n links has n + 1 nodes: node 0 is the base, node i + 1 the tip of link i. A phase of link i
- * reads and writes the link's own store, its two nodes, and the arrays of the call.
+ * reads and writes the link's store, its two nodes, and the arrays of the call.
  */
 #include "ella_links.h"
 
 static const int Q_OFFSET[ELLA_NLINKS] = { 0, 2 };
 static const int ETA_OFFSET[ELLA_NLINKS] = { 0, 7 };
 
-/* Where the entries of M_sys that a link computes stand among the structural nonzeros. */
+/* The places, among the structural nonzeros, of the entries of M_sys that each link computes. */
 static const int M_PLACE[ELLA_NNZ] = {
     0, 3, 1, 4, 6, 11, 31, 12, 32, 67, 83, 99, 19, 39, 56, 20, 40, 57, 21, 41,
     58, 74, 90, 106, 22, 42, 59, 75, 91, 107, 23, 43, 60, 76, 92, 108, 272, 289, 306, 323,
@@ -37,9 +37,10 @@ static const int M_PLACE[ELLA_NNZ] = {
 static const int M_OFFSET[ELLA_NLINKS] = { 0, 287 };
 
 /* dae kinematics, links like upper_arm: 253 operations */
-ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 2], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], ella_real qdot[restrict 2])
+ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link,
+    const ella_node *restrict base, ella_node *restrict tip, const ella_real q[restrict 2],
+    const ella_real twist[restrict 6], const ella_real eta[restrict 7], const ella_real etadot[restrict 7],
+    ella_real qdot[restrict 2])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -171,8 +172,7 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real t17 = omega_J_y * r_T_z - twist[2] * r_T_y;
     const ella_real a_t_y = alpha_0_5 + twist[2] * t17 - alpha_x * r_T_z - omega_J_x * t15;
     tip->alpha_0[4] = a_t_y;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t16 + minus_alpha_y * c->length
-        - omega_J_y * t17;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t16 + minus_alpha_y * c->length - omega_J_y * t17;
     tip->alpha_0[5] = a_t_z;
 
     /* c1: Stumpff function of order 1 */
@@ -253,9 +253,10 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
 }
 
 /* dae kinematics, links like forearm: 192 operations */
-ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict base,
-    ella_node *restrict tip, const ella_real q[restrict 1], const ella_real twist[restrict 6],
-    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], ella_real qdot[restrict 1])
+ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link,
+    const ella_node *restrict base, ella_node *restrict tip, const ella_real q[restrict 1],
+    const ella_real twist[restrict 6], const ella_real eta[restrict 7], const ella_real etadot[restrict 7],
+    ella_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -418,9 +419,10 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
 }
 
 /* eliminate, links like upper_arm: 1943 operations */
-ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link, const ella_node *restrict tip,
-    const ella_real eta[restrict 7], const ella_real etadot[restrict 7], const ella_real w_ext[restrict 6],
-    const ella_real m_eta[restrict 7], const ella_real f_eta[restrict 7], const ella_real tau[restrict 2])
+ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c, ella_link_store *restrict link,
+    const ella_node *restrict tip, const ella_real eta[restrict 7], const ella_real etadot[restrict 7],
+    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 7], const ella_real f_eta[restrict 7],
+    const ella_real tau[restrict 2])
 {
     /* S: first moment */
     const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
@@ -496,17 +498,15 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz
-        - S_z * link->alpha_0[4];
+    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
     const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
     const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t8 * link->omega[1];
+    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
+    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t8 * link->omega[1];
     const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
     const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
@@ -541,12 +541,9 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
     const ella_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
     const ella_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const ella_real p_T_1 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real p_T_2 = tip->p[1]
-        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
-    const ella_real p_T_3 = tip->p[2]
-        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const ella_real p_T_1 = tip->p[0] - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const ella_real p_T_2 = tip->p[1] - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const ella_real p_T_3 = tip->p[2] - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
     const ella_real p_T_4 = tip->p[3] + c->body0_mass * tip->alpha_0[3]
         - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
     const ella_real p_T_5 = tip->p[4] + c->body0_mass * tip->alpha_0[4]
@@ -677,21 +674,15 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real t48 = tip->Lambda[4] * Theta_13 + tip->Lambda[9] * Theta_23 + tip->Lambda[13] * Theta_33
         + Lambda_T_55 * REAL(3.5651069283690613);
     const ella_real t49 = tip->Lambda[19] * REAL(2.0011941703010714);
-    const ella_real C_54 = tip->Lambda[4] * Theta_14 + tip->Lambda[9] * Theta_24 + tip->Lambda[13] * Theta_34
-        + t49;
+    const ella_real C_54 = tip->Lambda[4] * Theta_14 + tip->Lambda[9] * Theta_24 + tip->Lambda[13] * Theta_34 + t49;
     const ella_real t50 = tip->Lambda[19] * REAL(2.0700807911885764);
-    const ella_real C_55 = tip->Lambda[4] * Theta_15 + tip->Lambda[9] * Theta_25 + tip->Lambda[13] * Theta_35
-        + t50;
+    const ella_real C_55 = tip->Lambda[4] * Theta_15 + tip->Lambda[9] * Theta_25 + tip->Lambda[13] * Theta_35 + t50;
     const ella_real t51 = tip->Lambda[19] * REAL(3.5651069283690613);
-    const ella_real C_56 = tip->Lambda[4] * Theta_16 + tip->Lambda[9] * Theta_26 + tip->Lambda[13] * Theta_36
-        + t51;
+    const ella_real C_56 = tip->Lambda[4] * Theta_16 + tip->Lambda[9] * Theta_26 + tip->Lambda[13] * Theta_36 + t51;
     const ella_real C_57 = tip->Lambda[4] * Theta_17 + tip->Lambda[9] * Theta_27 + tip->Lambda[13] * Theta_37;
-    const ella_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21 + tip->Lambda[14] * Theta_31
-        + t49;
-    const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32
-        + t50;
-    const ella_real C_63 = tip->Lambda[5] * Theta_13 + tip->Lambda[10] * Theta_23 + tip->Lambda[14] * Theta_33
-        + t51;
+    const ella_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21 + tip->Lambda[14] * Theta_31 + t49;
+    const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32 + t50;
+    const ella_real C_63 = tip->Lambda[5] * Theta_13 + tip->Lambda[10] * Theta_23 + tip->Lambda[14] * Theta_33 + t51;
     const ella_real t52 = tip->Lambda[5] * Theta_14 + tip->Lambda[10] * Theta_24 + tip->Lambda[14] * Theta_34
         + Lambda_T_66 * REAL(2.0011941703010714);
     const ella_real t53 = tip->Lambda[5] * Theta_15 + tip->Lambda[10] * Theta_25 + tip->Lambda[14] * Theta_35
@@ -841,20 +832,16 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real t65 = modal_inertia_37 - (modal_inertia_13 * modes_L_71 + t56 * modes_L_72);
     const ella_real modes_L_73 = t65 * modes_inverse_3;
     link->modes_L[17] = modes_L_73;
-    const ella_real t66 = modal_inertia_44
-        - (modal_inertia_14 * modes_L_41 + t57 * modes_L_42 + t62 * modes_L_43);
+    const ella_real t66 = modal_inertia_44 - (modal_inertia_14 * modes_L_41 + t57 * modes_L_42 + t62 * modes_L_43);
     if (!(t66 > 0)) { return ELLA_SINGULAR; }
     const ella_real modes_inverse_4 = 1 / t66;
-    const ella_real t67 = modal_inertia_45
-        - (modal_inertia_14 * modes_L_51 + t57 * modes_L_52 + t62 * modes_L_53);
+    const ella_real t67 = modal_inertia_45 - (modal_inertia_14 * modes_L_51 + t57 * modes_L_52 + t62 * modes_L_53);
     const ella_real modes_L_54 = t67 * modes_inverse_4;
     link->modes_L[9] = modes_L_54;
-    const ella_real t68 = modal_inertia_46
-        - (modal_inertia_14 * modes_L_61 + t57 * modes_L_62 + t62 * modes_L_63);
+    const ella_real t68 = modal_inertia_46 - (modal_inertia_14 * modes_L_61 + t57 * modes_L_62 + t62 * modes_L_63);
     const ella_real modes_L_64 = t68 * modes_inverse_4;
     link->modes_L[13] = modes_L_64;
-    const ella_real t69 = modal_inertia_47
-        - (modal_inertia_14 * modes_L_71 + t57 * modes_L_72 + t62 * modes_L_73);
+    const ella_real t69 = modal_inertia_47 - (modal_inertia_14 * modes_L_71 + t57 * modes_L_72 + t62 * modes_L_73);
     const ella_real modes_L_74 = t69 * modes_inverse_4;
     link->modes_L[18] = modes_L_74;
     const ella_real t70 = modal_inertia_55
@@ -938,12 +925,11 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real t118 = h_phi_2 - modes_L_21 * h_phi_1;
     const ella_real t119 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t118;
     const ella_real t120 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t118 - modes_L_43 * t119;
-    const ella_real t121 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t118 - modes_L_53 * t119
-        - modes_L_54 * t120;
-    const ella_real t122 = h_phi_6 - modes_L_61 * h_phi_1 - modes_L_62 * t118 - modes_L_63 * t119
-        - modes_L_64 * t120 - modes_L_65 * t121;
-    const ella_real t123 = h_phi_7 - modes_L_71 * h_phi_1 - modes_L_72 * t118 - modes_L_73 * t119
-        - modes_L_74 * t120 - modes_L_75 * t121;
+    const ella_real t121 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t118 - modes_L_53 * t119 - modes_L_54 * t120;
+    const ella_real t122 = h_phi_6 - modes_L_61 * h_phi_1 - modes_L_62 * t118 - modes_L_63 * t119 - modes_L_64 * t120
+        - modes_L_65 * t121;
+    const ella_real t123 = h_phi_7 - modes_L_71 * h_phi_1 - modes_L_72 * t118 - modes_L_73 * t119 - modes_L_74 * t120
+        - modes_L_75 * t121;
     const ella_real t124 = t123 - modes_L_76 * t122;
     const ella_real modes_W_11 = C_11 * modes_inverse_1;
     link->modes_W[0] = modes_W_11;
@@ -1124,9 +1110,9 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
 }
 
 /* eliminate, links like forearm: 902 operations */
-ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link, ella_node *restrict base,
-    const ella_node *restrict tip, const ella_real eta[restrict 7], const ella_real etadot[restrict 7],
-    const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 7],
+ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, ella_link_store *restrict link,
+    ella_node *restrict base, const ella_node *restrict tip, const ella_real eta[restrict 7],
+    const ella_real etadot[restrict 7], const ella_real w_ext[restrict 6], const ella_real m_eta[restrict 7],
     const ella_real f_eta[restrict 7], const ella_real tau[restrict 1])
 {
     /* S: first moment */
@@ -1205,17 +1191,15 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
-        - S_z * link->alpha_0[4];
+    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->alpha_0[4];
     const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
     const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t9 * link->omega[1];
+    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
+    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t9 * link->omega[1];
     const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
     const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
@@ -1450,17 +1434,13 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t51 = minus_C_11 * minus_modes_W_11 + t35 * modes_W_21 + t38 * modes_W_31 + C_14 * modes_W_41
         + t41 * modes_W_51;
     const ella_real M_i_11 = M_loaded_11 - (t51 + t44 * modes_W_61 + c->sigma_t_7 * modes_W_71);
-    const ella_real minus_M_i_12 = minus_M_loaded_12
-        + (t41 * modes_W_52 - C_14 * minus_modes_W_42 + t44 * modes_W_62);
-    const ella_real minus_M_i_13 = minus_M_loaded_13
-        + (t35 * modes_W_23 - minus_C_11 * modes_W_13 + t38 * modes_W_33);
-    const ella_real minus_M_i_15 = minus_M_loaded_15
-        + (t35 * modes_W_25 - minus_C_11 * modes_W_15 + t38 * modes_W_35);
+    const ella_real minus_M_i_12 = minus_M_loaded_12 + (t41 * modes_W_52 - C_14 * minus_modes_W_42 + t44 * modes_W_62);
+    const ella_real minus_M_i_13 = minus_M_loaded_13 + (t35 * modes_W_23 - minus_C_11 * modes_W_13 + t38 * modes_W_33);
+    const ella_real minus_M_i_15 = minus_M_loaded_15 + (t35 * modes_W_25 - minus_C_11 * modes_W_15 + t38 * modes_W_35);
     const ella_real M_i_16 = M_loaded_16 - (C_14 * modes_W_46 + t41 * modes_W_56 + t44 * modes_W_66);
     link->Lambda_i[4] = M_i_16;
     const ella_real M_i_22 = M_loaded_22 - (minus_C_24 * minus_modes_W_42 + t42 * modes_W_52 + t45 * modes_W_62);
-    const ella_real minus_M_i_26 = minus_M_loaded_26
-        + (t42 * modes_W_56 - minus_C_24 * modes_W_46 + t45 * modes_W_66);
+    const ella_real minus_M_i_26 = minus_M_loaded_26 + (t42 * modes_W_56 - minus_C_24 * modes_W_46 + t45 * modes_W_66);
     link->Lambda_i[8] = -minus_M_i_26;
     const ella_real M_i_33 = M_loaded_33 - (minus_C_24 * modes_W_13 + t36 * modes_W_23 + t39 * modes_W_33);
     const ella_real M_i_35 = minus_M_loaded_26 - (minus_C_24 * modes_W_15 + t36 * modes_W_25 + t39 * modes_W_35);
@@ -1570,16 +1550,13 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t70 = t67 * link->R_P[7];
     const ella_real Lambda_16 = (link->R_P[0] * t64 + link->R_P[1] * t68) * 2 + M_i_66;
     base->Lambda[15] = Lambda_16;
-    const ella_real Lambda_17 = link->R_P[0] * t65 + link->R_P[1] * t69
-        + (link->R_P[3] * t64 + link->R_P[4] * t68);
+    const ella_real Lambda_17 = link->R_P[0] * t65 + link->R_P[1] * t69 + (link->R_P[3] * t64 + link->R_P[4] * t68);
     base->Lambda[16] = Lambda_17;
-    const ella_real Lambda_18 = link->R_P[0] * t66 + link->R_P[1] * t70
-        + (link->R_P[6] * t64 + link->R_P[7] * t68);
+    const ella_real Lambda_18 = link->R_P[0] * t66 + link->R_P[1] * t70 + (link->R_P[6] * t64 + link->R_P[7] * t68);
     base->Lambda[17] = Lambda_18;
     const ella_real Lambda_19 = (link->R_P[3] * t65 + link->R_P[4] * t69) * 2 + M_i_66;
     base->Lambda[18] = Lambda_19;
-    const ella_real Lambda_20 = link->R_P[3] * t66 + link->R_P[4] * t70
-        + (link->R_P[6] * t65 + link->R_P[7] * t69);
+    const ella_real Lambda_20 = link->R_P[3] * t66 + link->R_P[4] * t70 + (link->R_P[6] * t65 + link->R_P[7] * t69);
     base->Lambda[19] = Lambda_20;
     const ella_real Lambda_21 = (link->R_P[6] * t66 + link->R_P[7] * t70) * 2 + M_i_66;
     base->Lambda[20] = Lambda_21;
@@ -1602,8 +1579,8 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
 }
 
 /* accelerate, links like upper_arm: 147 operations */
-ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link, ella_node *restrict tip,
-    ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
+ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c, const ella_link_store *restrict link,
+    ella_node *restrict tip, ella_real qddot[restrict 2], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
     ella_real etaddot[restrict 7])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
@@ -1634,11 +1611,10 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
     etaddot[6] = -minus_etaddot_7;
     const ella_real minus_etaddot_6 = t6 - link->modes_L[20] * minus_etaddot_7;
     etaddot[5] = -minus_etaddot_6;
-    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6
-        - link->modes_L[19] * minus_etaddot_7;
+    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6 - link->modes_L[19] * minus_etaddot_7;
     etaddot[4] = -minus_etaddot_5;
-    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5
-        - link->modes_L[13] * minus_etaddot_6 - link->modes_L[18] * minus_etaddot_7;
+    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5 - link->modes_L[13] * minus_etaddot_6
+        - link->modes_L[18] * minus_etaddot_7;
     etaddot[3] = -minus_etaddot_4;
     const ella_real t7 = t3 - link->modes_L[5] * minus_etaddot_4 - link->modes_L[8] * minus_etaddot_5
         - link->modes_L[12] * minus_etaddot_6;
@@ -1646,21 +1622,18 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
     etaddot[2] = -minus_etaddot_3;
     const ella_real t8 = t2 - link->modes_L[2] * minus_etaddot_3 - link->modes_L[4] * minus_etaddot_4
         - link->modes_L[7] * minus_etaddot_5;
-    const ella_real minus_etaddot_2 = t8 - link->modes_L[11] * minus_etaddot_6
-        - link->modes_L[16] * minus_etaddot_7;
+    const ella_real minus_etaddot_2 = t8 - link->modes_L[11] * minus_etaddot_6 - link->modes_L[16] * minus_etaddot_7;
     etaddot[1] = -minus_etaddot_2;
     const ella_real t9 = t1 - link->modes_L[0] * minus_etaddot_2 - link->modes_L[1] * minus_etaddot_3
         - link->modes_L[3] * minus_etaddot_4;
-    const ella_real minus_etaddot_1 = t9 - link->modes_L[6] * minus_etaddot_5
-        - link->modes_L[10] * minus_etaddot_6 - link->modes_L[15] * minus_etaddot_7;
+    const ella_real minus_etaddot_1 = t9 - link->modes_L[6] * minus_etaddot_5 - link->modes_L[10] * minus_etaddot_6
+        - link->modes_L[15] * minus_etaddot_7;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
     const ella_real t10 = minus_etaddot_7 * REAL(1.7320508075688772);
-    const ella_real t11 = c->Psi_c_y4 * minus_etaddot_4 + c->Psi_c_y5 * minus_etaddot_5
-        + c->Psi_c_y6 * minus_etaddot_6;
-    const ella_real t12 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2
-        + c->Psi_c_z3 * minus_etaddot_3;
+    const ella_real t11 = c->Psi_c_y4 * minus_etaddot_4 + c->Psi_c_y5 * minus_etaddot_5 + c->Psi_c_y6 * minus_etaddot_6;
+    const ella_real t12 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2 + c->Psi_c_z3 * minus_etaddot_3;
     const ella_real t13 = minus_etaddot_1 * REAL(2.0011941703010714) + minus_etaddot_2 * REAL(2.0700807911885764)
         + minus_etaddot_3 * REAL(3.5651069283690613);
     const ella_real t14 = minus_etaddot_4 * REAL(2.0011941703010714) + minus_etaddot_5 * REAL(2.0700807911885764)
@@ -1698,8 +1671,9 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
 }
 
 /* accelerate, links like forearm: 145 operations */
-ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base, ella_real qddot[restrict 1],
-    ella_real wrench[restrict 6], ella_real alpha[restrict 6], ella_real etaddot[restrict 7])
+ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, const ella_node *restrict base,
+    ella_real qddot[restrict 1], ella_real wrench[restrict 6], ella_real alpha[restrict 6],
+    ella_real etaddot[restrict 7])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -1751,13 +1725,11 @@ ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, c
     etaddot[6] = -minus_etaddot_7;
     const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6;
     etaddot[4] = -minus_etaddot_5;
-    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5
-        - link->modes_L[13] * minus_etaddot_6;
+    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5 - link->modes_L[13] * minus_etaddot_6;
     etaddot[3] = -minus_etaddot_4;
     const ella_real minus_etaddot_2 = t3 - link->modes_L[2] * minus_etaddot_3;
     etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_1 = t2 - link->modes_L[0] * minus_etaddot_2
-        - link->modes_L[1] * minus_etaddot_3;
+    const ella_real minus_etaddot_1 = t2 - link->modes_L[0] * minus_etaddot_2 - link->modes_L[1] * minus_etaddot_3;
     etaddot[0] = -minus_etaddot_1;
 
     if (wrench) {
@@ -1824,9 +1796,9 @@ ELLA_PART ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 
 }
 
 /* project, links like upper_arm: 416 operations */
-ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real twist[6],
-    const ella_real eta[7], const ella_real etadot[7], const ella_real quaternion[4], ella_real new_q[2],
-    ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
+ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2],
+    const ella_real twist[6], const ella_real eta[7], const ella_real etadot[7], const ella_real quaternion[4],
+    ella_real new_q[2], ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
 {
     const ella_real t1 = quaternion[1] * quaternion[1];
     const ella_real t2 = quaternion[2] * quaternion[2];
@@ -1861,10 +1833,10 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
 
     const ella_real t21 = R_rel_yy * t14 - minus_R_rel_xy * t18 + R_rel_zy * t16
         - (R_rel_xx * t12 + R_rel_yx * t19 - minus_R_rel_zx * t17);
-    const ella_real t22 = (R_rel_xz * t12 + R_rel_zz * t17
-        - (R_rel_yy * t15 - minus_R_rel_xy * t13 + R_rel_zy * t20)) * REAL(0.5);
-    const ella_real t23 = (R_rel_xx * t13 + R_rel_yx * t15 - minus_R_rel_zx * t20
-        - (R_rel_xz * t18 + R_rel_zz * t16)) * REAL(0.5);
+    const ella_real t22 = (R_rel_xz * t12 + R_rel_zz * t17 - (R_rel_yy * t15 - minus_R_rel_xy * t13 + R_rel_zy * t20))
+        * REAL(0.5);
+    const ella_real t23 = (R_rel_xx * t13 + R_rel_yx * t15 - minus_R_rel_zx * t20 - (R_rel_xz * t18 + R_rel_zz * t16))
+        * REAL(0.5);
     const ella_real t24 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
     const ella_real t25 = ELLA_REAL_EPSILON * 64;
     if (!(t24 - t25 > 0)) { return ELLA_SINGULAR; }
@@ -2083,8 +2055,9 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
 }
 
 /* project, links like forearm: 103 operations */
-ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1], const ella_real twist[6], const ella_real quaternion[4],
-    ella_real new_q[1], ella_real new_twist[6], ella_real new_quaternion[4], ella_real new_position[3])
+ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1], const ella_real twist[6],
+    const ella_real quaternion[4], ella_real new_q[1], ella_real new_twist[6], ella_real new_quaternion[4],
+    ella_real new_position[3])
 {
     const ella_real t1 = quaternion[1] * quaternion[1];
     const ella_real t2 = quaternion[2] * quaternion[2];
@@ -2115,8 +2088,8 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
     const ella_sincos turn_2 = ella_sine_cosine(t18);
     const ella_real minus_R_rel_xy_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
-    const ella_real t19 = (R_rel_xx_2 * t16 - minus_R_rel_xy_2 * t14
-        - (R_rel_xx_2 * t15 + minus_R_rel_xy_2 * t17)) * REAL(0.5);
+    const ella_real t19 = (R_rel_xx_2 * t16 - minus_R_rel_xy_2 * t14 - (R_rel_xx_2 * t15 + minus_R_rel_xy_2 * t17))
+        * REAL(0.5);
     const ella_real new_q_1 = t18 + t19;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -2163,9 +2136,9 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
 }
 
 /* forward kinematics, links like upper_arm: 267 operations */
-ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
-    const ella_real eta[7], const ella_real etadot[7], ella_real new_twist[6], ella_real new_quaternion[4],
-    ella_real new_position[3])
+ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2],
+    const ella_real qdot[2], const ella_real eta[7], const ella_real etadot[7], ella_real new_twist[6],
+    ella_real new_quaternion[4], ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -2343,9 +2316,9 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
 }
 
 /* forward kinematics, links like forearm: 168 operations */
-ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
-    const ella_real qdot[1], const ella_real eta[7], ella_real new_twist[6], ella_real new_quaternion[4],
-    ella_real new_position[3])
+ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip,
+    const ella_real q[1], const ella_real qdot[1], const ella_real eta[7], ella_real new_twist[6],
+    ella_real new_quaternion[4], ella_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -2468,8 +2441,8 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
 }
 
 /* kinematics, links like upper_arm: 242 operations */
-ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
-    const ella_real q[2], const ella_real qdot[2], const ella_real eta[7], const ella_real etadot[7])
+ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_link_store *link, const ella_node *base,
+    ella_node *tip, const ella_real q[2], const ella_real qdot[2], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -2577,8 +2550,7 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real a_t_x = alpha_0_4 - minus_alpha_y * r_T_z + omega_J_y * t14 - qdot[1] * t15;
     const ella_real t16 = omega_J_y * r_T_z - qdot[1] * r_T_y;
     const ella_real a_t_y = alpha_0_5 + qdot[1] * t16 - alpha_x * r_T_z - omega_J_x * t14;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t15 + minus_alpha_y * c->length
-        - omega_J_y * t16;
+    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t15 + minus_alpha_y * c->length - omega_J_y * t16;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -2677,8 +2649,8 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
 }
 
 /* kinematics, links like forearm: 192 operations */
-ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
-    const ella_real q[1], const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
+ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base,
+    ella_node *tip, const ella_real q[1], const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -2841,8 +2813,8 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
 }
 
 /* inverse outward, links like upper_arm: 52 operations */
-ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real qddot[2],
-    const ella_real etaddot[7])
+ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip,
+    const ella_real qddot[2], const ella_real etaddot[7])
 {
     const ella_real delta_1 = link->S[0] * qddot[0];
     const ella_real delta_2 = link->S[1] * qddot[0];
@@ -2874,8 +2846,8 @@ ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, el
 }
 
 /* inverse outward, links like forearm: 55 operations */
-ELLA_PART ella_status inverse_outward_forearm(const ella_link_constants *c, ella_link_store *link, const ella_node *base, ella_node *tip,
-    const ella_real qddot[1], const ella_real etaddot[7])
+ELLA_PART ella_status inverse_outward_forearm(const ella_link_constants *c, ella_link_store *link,
+    const ella_node *base, ella_node *tip, const ella_real qddot[1], const ella_real etaddot[7])
 {
     const ella_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -2911,8 +2883,8 @@ ELLA_PART ella_status inverse_outward_forearm(const ella_link_constants *c, ella
 }
 
 /* inverse inward, links like upper_arm: 493 operations */
-ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
+ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, const ella_link_store *link,
+    const ella_node *tip, const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
     const ella_real w_ext[6], const ella_real m_eta[7], const ella_real f_eta[7], ella_real force_eta[7],
     ella_real force[2], ella_real wrench[6])
 {
@@ -2983,17 +2955,15 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz
-        - S_z * link->alpha_0[4];
+    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
     const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
     const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t8 * link->omega[1];
+    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
+    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t8 * link->omega[1];
 
     /* h_V: bias of the twist rows, angular acceleration included */
     const ella_real h_V_1 = H_star_1 + h_c_1;
@@ -3021,12 +2991,9 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
     const ella_real t12 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
-    const ella_real t13 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real t14 = tip->p[1]
-        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
-    const ella_real t15 = tip->p[2]
-        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const ella_real t13 = tip->p[0] - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const ella_real t14 = tip->p[1] - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const ella_real t15 = tip->p[2] - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
     const ella_real t16 = t10 + tip->p[3];
     const ella_real t17 = t11 + tip->p[4];
     const ella_real t18 = t12 + tip->p[5];
@@ -3120,8 +3087,8 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
 }
 
 /* inverse inward, links like forearm: 546 operations */
-ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
-    const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
+ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const ella_link_store *link, ella_node *base,
+    const ella_node *tip, const ella_real etaddot[7], const ella_real eta[7], const ella_real etadot[7],
     const ella_real w_ext[6], const ella_real m_eta[7], const ella_real f_eta[7], ella_real force_eta[7],
     ella_real force[1], ella_real wrench[6])
 {
@@ -3201,17 +3168,15 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
     const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz
-        - S_z * link->alpha_0[4];
+    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->alpha_0[4];
     const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * link->alpha_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
     const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
-        - t9 * link->omega[1];
+    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
+    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t9 * link->omega[1];
     const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
         + link->alpha_0[3] * c->mu;
     const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
@@ -3251,10 +3216,10 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
     const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
-    const ella_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        - S_z * link->delta[4] + S_y * link->delta[5];
-    const ella_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const ella_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2] - S_z * link->delta[4]
+        + S_y * link->delta[5];
+    const ella_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2] + S_z * link->delta[3]
+        - c->S_0_x * link->delta[5];
     const ella_real t19 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
     const ella_real t20 = L_y1 * etaddot[3] - (L_z1 * etaddot[0] + L_z2 * etaddot[1] + L_z3 * etaddot[2])
@@ -3266,10 +3231,10 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4;
     const ella_real wrench_1 = t17 + (t20 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]) + h_V_1
         + (link->r_T[0] * t16 - link->r_T[1] * t15 - t11);
-    const ella_real wrench_2 = t18 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
-        + h_V_2 + (link->r_T[1] * t14 - c->length * t16 - t12);
-    const ella_real force_1 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2])
-        + h_V_3 + (c->length * t15 - link->r_T[0] * t14 - t13);
+    const ella_real wrench_2 = t18 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]) + h_V_2
+        + (link->r_T[1] * t14 - c->length * t16 - t12);
+    const ella_real force_1 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]) + h_V_3
+        + (c->length * t15 - link->r_T[0] * t14 - t13);
     const ella_real wrench_4 = motion_4 + t14;
     const ella_real wrench_5 = t21 + h_V_5 + t15;
     const ella_real wrench_6 = t22 + h_V_6 + t16;
@@ -3331,8 +3296,8 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
 }
 
 /* kinematics, links like upper_arm: 77 operations */
-ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real q[2],
-    const ella_real eta[7])
+ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_link_store *link, ella_node *tip,
+    const ella_real q[2], const ella_real eta[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[1]);
@@ -3433,7 +3398,8 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
 }
 
 /* kinematics, links like forearm: 30 operations */
-ELLA_PART ella_status kinematics_forearm_2(ella_link_store *link, const ella_node *base, const ella_real q[1], const ella_real eta[7])
+ELLA_PART ella_status kinematics_forearm_2(ella_link_store *link, const ella_node *base, const ella_real q[1],
+    const ella_real eta[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -3469,9 +3435,9 @@ ELLA_PART ella_status kinematics_forearm_2(ella_link_store *link, const ella_nod
 }
 
 /* inverse inward, links like upper_arm: 174 operations */
-ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7], ella_real force_eta[7],
-    ella_real force[2])
+ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, const ella_link_store *link,
+    const ella_node *tip, const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7],
+    ella_real force_eta[7], ella_real force[2])
 {
     /* L: first moment weighted by each mode shape (85) */
     const ella_real L_y1 = c->mu * eta[0];
@@ -3540,9 +3506,9 @@ ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, c
 }
 
 /* inverse inward, links like forearm: 230 operations */
-ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link, ella_node *base, const ella_node *tip,
-    const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7], ella_real force_eta[7],
-    ella_real force[1])
+ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, const ella_link_store *link,
+    ella_node *base, const ella_node *tip, const ella_real etaddot[7], const ella_real eta[7], const ella_real m_eta[7],
+    ella_real force_eta[7], ella_real force[1])
 {
     /* S: first moment */
     const ella_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2 + eta[2] * c->sigma_y3;
@@ -3571,10 +3537,10 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     const ella_real t1 = c->body0_mass * tip->delta[3];
     const ella_real t2 = c->body0_mass * tip->delta[4];
     const ella_real t3 = c->body0_mass * tip->delta[5];
-    const ella_real t4 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
-        - S_z * link->delta[4] + S_y * link->delta[5];
-    const ella_real t5 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
-        + S_z * link->delta[3] - c->S_0_x * link->delta[5];
+    const ella_real t4 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2] - S_z * link->delta[4]
+        + S_y * link->delta[5];
+    const ella_real t5 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2] + S_z * link->delta[3]
+        - c->S_0_x * link->delta[5];
     const ella_real t6 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         - S_y * link->delta[3] + c->S_0_x * link->delta[4];
     const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3];
@@ -3638,8 +3604,8 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
 }
 
 /* velocities, links like upper_arm: 156 operations */
-ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real qdot[2],
-    const ella_real eta[7], const ella_real etadot[7])
+ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2],
+    const ella_real qdot[2], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[1]);
@@ -3744,8 +3710,8 @@ ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_no
 }
 
 /* velocities, links like forearm: 170 operations */
-ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
-    const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
+ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip,
+    const ella_real q[1], const ella_real qdot[1], const ella_real eta[7], const ella_real etadot[7])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -3857,8 +3823,8 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
 }
 
 /* poses, links like upper_arm: 119 operations */
-ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2], const ella_real eta[7],
-    ella_real R[9], ella_real r[3])
+ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *tip, const ella_real q[2],
+    const ella_real eta[7], ella_real R[9], ella_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -3965,8 +3931,8 @@ ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *t
 }
 
 /* poses, links like forearm: 140 operations */
-ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip, const ella_real q[1],
-    const ella_real eta[7], ella_real R[9], ella_real r[3])
+ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_node *base, ella_node *tip,
+    const ella_real q[1], const ella_real eta[7], ella_real R[9], ella_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -4137,10 +4103,10 @@ ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, c
 }
 
 /* joint rows, links like upper_arm: 657 operations */
-ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip, const ella_real twist[6],
-    const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[2], const int *place,
-    ella_real *M, ella_real H[12], ella_real W[12])
+ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip,
+    const ella_real twist[6], const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[2], const int *place, ella_real *M,
+    ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[1]);
@@ -4256,15 +4222,13 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
         + S_z * a_0_x;
     const ella_real t26 = c->I_s * twist[0];
     const ella_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
-    const ella_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * a_0_y;
+    const ella_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * a_0_y;
     const ella_real H_star_3 = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->mu;
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
     const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
     const ella_real h_V_1 = H_star_1 + h_c_1;
@@ -4433,7 +4397,7 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real a_T_y = omega_T_z * v_T_x - t64 - omega_T_x * v_T_z;
     const ella_real a_T_z = omega_T_x * v_T_y - t65 - omega_T_y * v_T_x;
 
-    /* h_T_F: force that the bodies' velocities and weight need */
+    /* h_T_F: bias force of the tip bodies, weight included */
     const ella_real h_T_F_x = a_T_x * c->body0_mass;
     const ella_real h_T_F_y = a_T_y * c->body0_mass;
     const ella_real h_T_F_z = a_T_z * c->body0_mass;
@@ -4448,7 +4412,7 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real P_c_11 = 1 - N_xx;
     const ella_real P_c_22 = 1 - N_yy;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const ella_real minus_joint_H_1 = N_xy * minus_beta_omega_y + P_c_11 * beta_omega_x;
     const ella_real t66 = -minus_joint_H_1;
     const ella_real joint_H_2 = N_yx * beta_omega_x + P_c_22 * minus_beta_omega_y;
@@ -4551,10 +4515,10 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
 }
 
 /* joint rows, links like forearm: 602 operations */
-ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base, const ella_real twist[6],
-    const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[1], const int *place,
-    ella_real *M, ella_real H[12], ella_real W[12])
+ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base,
+    const ella_real twist[6], const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[1], const int *place, ella_real *M,
+    ella_real H[12], ella_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
@@ -4675,15 +4639,13 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
         + S_z * a_0_x;
     const ella_real t22 = c->I_s * twist[0];
     const ella_real H_star_2 = t21 + t22 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
-    const ella_real t23 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * a_0_y;
+    const ella_real t23 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * a_0_y;
     const ella_real H_star_3 = t23 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t22 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->mu;
+    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
     const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->mu;
+    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
     const ella_real h_V_1 = H_star_1 + h_c_1;
@@ -4825,12 +4787,12 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real a_T_y = omega_T_z * v_T_x - t52 - omega_T_x * v_T_z;
     const ella_real a_T_z = omega_T_x * v_T_y - t53 - omega_T_y * v_T_x;
 
-    /* h_T_F: force that the bodies' velocities and weight need */
+    /* h_T_F: bias force of the tip bodies, weight included */
     const ella_real h_T_F_x = a_T_x * c->body0_mass;
     const ella_real h_T_F_y = a_T_y * c->body0_mass;
     const ella_real h_T_F_z = a_T_z * c->body0_mass;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const ella_real minus_joint_H_1 = R_rel_xx * base->b[0] + minus_R_rel_xy * base->b[1] + beta_omega_x;
     const ella_real t54 = -minus_joint_H_1;
     const ella_real joint_H_2 = minus_R_rel_xy * base->b[0] - R_rel_xx * base->b[1] + minus_beta_omega_y;
@@ -4930,9 +4892,9 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
 }
 
 /* link rows, links like upper_arm: 1159 operations */
-ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link, const ella_node *tip,
-    const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7],
-    ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
+ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link,
+    const ella_node *tip, const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6],
+    ella_real eta_H[7], ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
@@ -5323,23 +5285,23 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const ella_real t120 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
-        + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
+    const ella_real t120 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2] + J_Teta_41 * w_ext[3]
+        + J_Teta_51 * w_ext[4];
     const ella_real eta_W_1 = t120 + J_Teta_61 * w_ext[5];
-    const ella_real t121 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
-        + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
+    const ella_real t121 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2] + J_Teta_42 * w_ext[3]
+        + J_Teta_52 * w_ext[4];
     const ella_real eta_W_2 = t121 + J_Teta_62 * w_ext[5];
-    const ella_real t122 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
-        + J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const ella_real t122 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2] + J_Teta_43 * w_ext[3]
+        + J_Teta_53 * w_ext[4];
     const ella_real eta_W_3 = t122 + J_Teta_63 * w_ext[5];
-    const ella_real t123 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
-        + J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const ella_real t123 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2] + J_Teta_44 * w_ext[3]
+        + J_Teta_54 * w_ext[4];
     const ella_real eta_W_4 = t123 + J_Teta_64 * w_ext[5];
-    const ella_real t124 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2]
-        + J_Teta_45 * w_ext[3] + J_Teta_55 * w_ext[4];
+    const ella_real t124 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2] + J_Teta_45 * w_ext[3]
+        + J_Teta_55 * w_ext[4];
     const ella_real eta_W_5 = t124 + J_Teta_65 * w_ext[5];
-    const ella_real t125 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2]
-        + J_Teta_46 * w_ext[3] + J_Teta_56 * w_ext[4];
+    const ella_real t125 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2] + J_Teta_46 * w_ext[3]
+        + J_Teta_56 * w_ext[4];
     const ella_real eta_W_6 = t125 + J_Teta_66 * w_ext[5];
     const ella_real eta_W_7 = J_Teta_17 * w_ext[0] + J_Teta_27 * w_ext[1] + J_Teta_37 * w_ext[2];
 
@@ -5649,9 +5611,9 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
 }
 
 /* link rows, links like forearm: 839 operations */
-ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link, const ella_real m_eta[7],
-    const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7], ella_real eta_W[7],
-    const int *place, ella_real *M, ella_real H[12], ella_real W[12])
+ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link,
+    const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7],
+    ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
@@ -5890,23 +5852,23 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const ella_real t64 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2]
-        + J_Teta_41 * w_ext[3] + J_Teta_51 * w_ext[4];
+    const ella_real t64 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2] + J_Teta_41 * w_ext[3]
+        + J_Teta_51 * w_ext[4];
     const ella_real eta_W_1 = t64 + J_Teta_61 * w_ext[5];
-    const ella_real t65 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2]
-        + J_Teta_42 * w_ext[3] + J_Teta_52 * w_ext[4];
+    const ella_real t65 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2] + J_Teta_42 * w_ext[3]
+        + J_Teta_52 * w_ext[4];
     const ella_real eta_W_2 = t65 + J_Teta_62 * w_ext[5];
-    const ella_real t66 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2]
-        + J_Teta_43 * w_ext[3] + J_Teta_53 * w_ext[4];
+    const ella_real t66 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2] + J_Teta_43 * w_ext[3]
+        + J_Teta_53 * w_ext[4];
     const ella_real eta_W_3 = t66 + J_Teta_63 * w_ext[5];
-    const ella_real t67 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2]
-        + J_Teta_44 * w_ext[3] + J_Teta_54 * w_ext[4];
+    const ella_real t67 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2] + J_Teta_44 * w_ext[3]
+        + J_Teta_54 * w_ext[4];
     const ella_real eta_W_4 = t67 + J_Teta_64 * w_ext[5];
-    const ella_real t68 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2]
-        + J_Teta_45 * w_ext[3] + J_Teta_55 * w_ext[4];
+    const ella_real t68 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2] + J_Teta_45 * w_ext[3]
+        + J_Teta_55 * w_ext[4];
     const ella_real eta_W_5 = t68 + J_Teta_65 * w_ext[5];
-    const ella_real t69 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2]
-        + J_Teta_46 * w_ext[3] + J_Teta_56 * w_ext[4];
+    const ella_real t69 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2] + J_Teta_46 * w_ext[3]
+        + J_Teta_56 * w_ext[4];
     const ella_real eta_W_6 = t69 + J_Teta_66 * w_ext[5];
     const ella_real eta_W_7 = J_Teta_17 * w_ext[0] + J_Teta_27 * w_ext[1] + J_Teta_37 * w_ext[2];
 
@@ -6093,118 +6055,150 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     return ELLA_OK;
 }
 
-static ELLA_TARGETS ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_dae_kinematics(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     default:
-        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     }
 }
 
-static ELLA_TARGETS ella_status dae_dynamics_eliminate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_eliminate(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
+        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->eta + e,
+            call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
     default:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
+        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e,
+            call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->tau + q);
     }
 }
 
-static ELLA_TARGETS ella_status dae_dynamics_accelerate(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_accelerate(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q,
+            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     default:
-        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q,
+            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     }
 }
 
-static ELLA_TARGETS ella_status dae_dynamics_twist_rates(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status dae_dynamics_twist_rates(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
-    return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
+    return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i,
+        call->twist + 6 * i, call->Vdot + 6 * i);
 }
 
-static ELLA_TARGETS ella_status projection_project(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return project_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
-    default:
-        return project_forearm(&chain->nodes[i], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
-    }
-}
-
-static ELLA_TARGETS ella_status placement_forward_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status projection_project(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return forward_kinematics_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e,
+            call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i,
+            call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return forward_kinematics_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_forearm(&chain->nodes[i], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i,
+            call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
-static ELLA_TARGETS ella_status inverse_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status placement_forward_kinematics(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return forward_kinematics_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q,
+            call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i,
+            call->new_position + 3 * i);
     default:
-        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return forward_kinematics_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i,
+            call->new_position + 3 * i);
     }
 }
 
-static ELLA_TARGETS ella_status inverse_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e);
     default:
-        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e);
     }
 }
 
-static ELLA_TARGETS ella_status inverse_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_inverse_outward(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
+            call->given_etaddot + e);
     default:
-        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     }
 }
 
-static ELLA_TARGETS ella_status inertia_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inverse_inverse_inward(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
+{
+    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e,
+            call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->force_eta + e,
+            call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    default:
+        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e,
+            call->f_eta + e, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+    }
+}
+
+static ELLA_TARGETS ella_status inertia_kinematics(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -6217,99 +6211,123 @@ static ELLA_TARGETS ella_status inertia_kinematics(const ella_constants *c, cons
     }
 }
 
-static ELLA_TARGETS ella_status inertia_inverse_outward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inertia_inverse_outward(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
+            call->given_etaddot + e);
     default:
-        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     }
 }
 
-static ELLA_TARGETS ella_status inertia_inverse_inward(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status inertia_inverse_inward(const ella_constants *c, const ella_call *call,
+    ella_chain *chain, int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e,
+            call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
     default:
-        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
     }
 }
 
-static ELLA_TARGETS ella_status motion_of_velocities(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status motion_of_velocities(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return velocities_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return velocities_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e,
+            call->etadot + e);
     default:
-        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q,
+            call->eta + e, call->etadot + e);
     }
 }
 
-static ELLA_TARGETS ella_status motion_of_poses(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status motion_of_poses(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return poses_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i,
+            call->position + 3 * i);
     default:
-        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e,
+            call->rotation + 9 * i, call->position + 3 * i);
     }
 }
 
-static ELLA_TARGETS ella_status motion_of_tip_twist(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status motion_of_tip_twist(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     return tip_twist_upper_arm(&chain->nodes[i + 1], call->tip_twist + 6 * i);
 }
 
-static ELLA_TARGETS ella_status measuring_measure(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status measuring_measure(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
-    return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
+    return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e,
+        call->measures + 4 * i);
 }
 
-static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
-{
-    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
-    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
-    (void)c, (void)call, (void)chain, (void)q, (void)e;
-    switch (CLASS[i]) {
-    case 0:
-        return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
-    default:
-        return joint_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
-    }
-}
-
-static ELLA_TARGETS ella_status assembly_link_rows(const ella_constants *c, const ella_call *call, ella_chain *chain, int i)
+static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
 {
     static const int CLASS[ELLA_NLINKS] = { 0, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return link_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i, call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i,
+            call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
-        return link_rows_forearm(&c->links[i], &chain->links[i], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i, call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q,
+            call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     }
 }
 
-/* A base at rest falls up; all else that is known of base and last tip is folded into the code. */
+static ELLA_TARGETS ella_status assembly_link_rows(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int i)
+{
+    static const int CLASS[ELLA_NLINKS] = { 0, 1 };
+    const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
+    (void)c, (void)call, (void)chain, (void)q, (void)e;
+    switch (CLASS[i]) {
+    case 0:
+        return link_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e,
+            call->f_eta + e, call->w_ext + 6 * i, call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M,
+            call->H + 12 * i, call->W + 12 * i);
+    default:
+        return link_rows_forearm(&c->links[i], &chain->links[i], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i,
+            call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+    }
+}
+
+/* The base is at rest; in place of gravity on the links it accelerates by -g. */
 static void start(const ella_call *call, ella_chain *chain)
 {
     int k;
@@ -6318,7 +6336,8 @@ static void start(const ella_call *call, ella_chain *chain)
     }
 }
 
-ELLA_TARGETS ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int *fault)
 {
     ella_status status;
     int i;
@@ -6411,7 +6430,8 @@ ELLA_TARGETS ella_status ella_inverse(const ella_constants *c, const ella_call *
     return ELLA_OK;
 }
 
-ELLA_TARGETS ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_inertia_posture(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int *fault)
 {
     ella_status status;
     int i;
@@ -6425,7 +6445,8 @@ ELLA_TARGETS ella_status ella_inertia_posture(const ella_constants *c, const ell
     return ELLA_OK;
 }
 
-ELLA_TARGETS ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault)
+ELLA_TARGETS ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, ella_chain *chain,
+    int *fault)
 {
     ella_status status;
     int i;

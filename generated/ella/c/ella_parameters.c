@@ -1,4 +1,4 @@
-/* ella_parameters.c: the robot file's values, and what follows from them. */
+/* ella_parameters.c: the robot file's values, and the constants that depend on them. */
 #include <string.h>
 
 #include "ella_real.h"
@@ -27,7 +27,8 @@ void ella_parameters_default(ella_parameters *p)
 }
 
 /* links like upper_arm; returns the sum of all, which is finite if they are */
-static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
+static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[],
+    ella_real K[], ella_real D[])
 {
     /* I_s: spin inertia of the beam */
     const ella_real I_s = p->length * p->rhoIp;
@@ -60,7 +61,7 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
     /* EI_ratio: bending stiffness, y over z */
     const ella_real EI_ratio = p->EIz / p->EIy;
 
-    /* EI_gap: how far the planes differ */
+    /* EI_gap: relative difference of EIy and EIz, squared */
     const ella_real t4 = 1 - EI_ratio;
     const ella_real EI_gap = t4 * t4;
 
@@ -150,7 +151,8 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
 }
 
 /* links like forearm; returns the sum of all, which is finite if they are */
-static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[], ella_real K[], ella_real D[])
+static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_constants *c, ella_real M_eta[],
+    ella_real K[], ella_real D[])
 {
     /* I_s: spin inertia of the beam */
     const ella_real I_s = p->length * p->rhoIp;
@@ -183,7 +185,7 @@ static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_c
     /* EI_ratio: bending stiffness, y over z */
     const ella_real EI_ratio = p->EIz / p->EIy;
 
-    /* EI_gap: how far the planes differ */
+    /* EI_gap: relative difference of EIy and EIz, squared */
     const ella_real t4 = 1 - EI_ratio;
     const ella_real EI_gap = t4 * t4;
 

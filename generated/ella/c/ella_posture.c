@@ -1,4 +1,4 @@
-/* ella_posture.c: where the arm is and how it moves; what holds it at rest. */
+/* ella_posture.c: poses and twists, equilibrium. */
 #include "ella_links.h"
 
 static ella_call call_for(const ella_state *state, ella_motion *motion)

@@ -1,8 +1,8 @@
-/* ella_real.c: elementary functions, in one place: code that is short stays in the instruction cache.
+/* ella_real.c: elementary functions. They are not inlined, so that the code stays in the instruction cache.
  *
- * Sine and cosine are polynomials (in double fdlibm's) of the angle less whole quarter turns, which are taken off in four
- * parts; within one unit in the last place. Angles beyond ELLA_FAR are libm's. Stumpff functions are their series,
- * with more terms above 1/4 (half a radian), and sine and cosine above 4.
+ * Sine and cosine are polynomials (in double fdlibm's) of the angle less whole quarter turns, which are subtracted in
+ * four parts. Their error is below one unit in the last place. libm is used for angles beyond ELLA_FAR. Stumpff
+ * functions are series, with more terms above 1/4 (half a radian); above 4 they use sine and cosine.
  */
 #include "ella_real.h"
 
@@ -62,7 +62,8 @@ ELLA_TARGETS ella_real ella_c4(ella_real x)
         tail = REAL(4.779477332387385e-14) - x * tail;
     }
     return (REAL(0.041666666666666664) - x * REAL(0.001388888888888889))
-        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07)) + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
+        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07))
+            + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
 }
 
 ELLA_TARGETS ella_real ella_c5(ella_real x)
@@ -84,5 +85,6 @@ ELLA_TARGETS ella_real ella_c5(ella_real x)
         tail = REAL(2.8114572543455206e-15) - x * tail;
     }
     return (REAL(0.008333333333333333) - x * REAL(0.0001984126984126984))
-        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08)) + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
+        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08))
+            + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
 }

@@ -1,8 +1,8 @@
 /* ella_step.c: forward dynamics and the integrators of the joint form. */
 #include "ella_links.h"
 
-/* Inertia and force of every mode; returns where the inertia is. Implicit over dt: m = M + dt D + dt^2 K and
- * f = K (eta + dt etadot) + D etadot, the modal force that the accelerations lead to dt after the state s.
+/* Inertia and force of every mode; returns the inertia. Implicit over dt: m = M + dt D + dt^2 K and
+ * f = K (eta + dt etadot) + D etadot, so that m etaddot + f is inertia and modal force dt after the state s.
  */
 static const ella_real *modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
 {
@@ -21,7 +21,7 @@ static const ella_real *modal_terms(const ella_constants *c, const ella_state *s
     return work->m_eta;
 }
 
-/* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
+/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
 static int sound(const ella_state *s, const ella_input *u, const ella_real *m_eta)
 {
     return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES)
@@ -29,7 +29,7 @@ static int sound(const ella_state *s, const ella_input *u, const ella_real *m_et
         && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(m_eta, ELLA_NMODES);
 }
 
-/* vdot at s with the modal terms m_eta and work->f_eta, and what is wanted; numbers that are not finite may be left. */
+/* vdot at s with the modal terms m_eta and work->f_eta, and the wanted results; they may be non-finite. */
 static ella_status accelerate(const ella_constants *c, const ella_state *s, const ella_input *u,
     const ella_real *m_eta, ella_work *work, int wanted, ella_output *y)
 {
@@ -37,7 +37,7 @@ static ella_status accelerate(const ella_constants *c, const ella_state *s, cons
     return status == ELLA_OK || sound(s, u, m_eta) ? status : ELLA_NONFINITE;
 }
 
-/* vdot at a state, finite, and what is wanted. */
+/* vdot at a state and the wanted results, checked to be finite. */
 static ella_status evaluate(const ella_constants *c, const ella_state *s, const ella_input *u, ella_work *work,
     int wanted, ella_output *y)
 {
@@ -45,13 +45,13 @@ static ella_status evaluate(const ella_constants *c, const ella_state *s, const 
     return status != ELLA_OK || ella_finite(y->vdot, ELLA_NV) ? status : ELLA_NONFINITE;
 }
 
-/* A force that no acceleration feels would show in the joint wrenches alone. */
-static int wild(const ella_input *u)
+/* Forces without effect on the accelerations appear in the joint wrenches alone, so they are checked too. */
+static int non_finite(const ella_input *u)
 {
     return !ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 
-/* All of output, and what else is wanted. */
+/* All of output, and the other wanted results. */
 static ella_status complete(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, int wanted, ella_output *output)
 {
@@ -60,7 +60,7 @@ static ella_status complete(const ella_constants *c, const ella_state *state, co
         return ELLA_BAD_ARGUMENT;
     }
     status = evaluate(c, state, input, work, wanted | ELLA_WRENCHES | ELLA_TIP_POSE, output);
-    if (status == ELLA_OK && (wild(input) || !ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
+    if (status == ELLA_OK && (non_finite(input) || !ella_finite(&output->wrench[0][0], 6 * ELLA_NLINKS)
         || !ella_finite(&output->tip_rotation[0][0], 9) || !ella_finite(output->tip_position, 3))) {
         return ELLA_NONFINITE;
     }
@@ -85,10 +85,11 @@ ella_status ella_accelerations(const ella_constants *c, const ella_state *state,
     if (!c || !state || !input || !work || !output) {
         return ELLA_BAD_ARGUMENT;
     }
-    return wild(input) ? ELLA_NONFINITE : evaluate(c, state, input, work, 0, output);
+    return non_finite(input) ? ELLA_NONFINITE : evaluate(c, state, input, work, 0, output);
 }
 
-static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt, const ella_work *work)
+static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt,
+    const ella_work *work)
 {
     return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
 }
@@ -103,7 +104,7 @@ static void advance(const ella_state *x, ella_real dt, const ella_real *qdot, co
     }
 }
 
-/* y from x over dt: coordinates by the rates after `kick`, rates over all of dt. */
+/* y from x: the rates over dt, and the coordinates over dt by the rates that the acceleration gives after `kick`. */
 static void leap(const ella_state *x, ella_real dt, ella_real kick, const ella_real *vdot, ella_state *y)
 {
     int k;
@@ -113,10 +114,10 @@ static void leap(const ella_state *x, ella_real dt, ella_real kick, const ella_r
     }
 }
 
-/* The new state is taken only if it is finite, and the input that led to it. */
+/* The new state is accepted only if it and the input are finite. */
 static ella_status accept(const ella_state *next, const ella_input *input, ella_state *state)
 {
-    if (wild(input) || !ella_finite(next->q, ELLA_NQ) || !ella_finite(next->v, ELLA_NV)) {
+    if (non_finite(input) || !ella_finite(next->q, ELLA_NQ) || !ella_finite(next->v, ELLA_NV)) {
         return ELLA_NONFINITE;
     }
     *state = *next;

@@ -49,7 +49,25 @@ int main(int argc, char **argv)
     }
     steps = (long)(duration / dt + (ella_real)0.5);
     every = steps >= 100 ? steps / 100 : 1;
-    printf("t,upper_arm.joint[0],upper_arm.joint[1],forearm.joint[0],upper_arm.eta.bending_y[0],upper_arm.eta.bending_y[1],upper_arm.eta.bending_y[2],upper_arm.eta.bending_z[0],upper_arm.eta.bending_z[1],upper_arm.eta.bending_z[2],upper_arm.eta.torsion[0],forearm.eta.bending_y[0],forearm.eta.bending_y[1],forearm.eta.bending_y[2],forearm.eta.bending_z[0],forearm.eta.bending_z[1],forearm.eta.bending_z[2],forearm.eta.torsion[0],tip_x,tip_y,tip_z\n");
+    printf("t"
+        ",upper_arm.joint[0]"
+        ",upper_arm.joint[1]"
+        ",forearm.joint[0]"
+        ",upper_arm.eta.bending_y[0]"
+        ",upper_arm.eta.bending_y[1]"
+        ",upper_arm.eta.bending_y[2]"
+        ",upper_arm.eta.bending_z[0]"
+        ",upper_arm.eta.bending_z[1]"
+        ",upper_arm.eta.bending_z[2]"
+        ",upper_arm.eta.torsion[0]"
+        ",forearm.eta.bending_y[0]"
+        ",forearm.eta.bending_y[1]"
+        ",forearm.eta.bending_y[2]"
+        ",forearm.eta.bending_z[0]"
+        ",forearm.eta.bending_z[1]"
+        ",forearm.eta.bending_z[2]"
+        ",forearm.eta.torsion[0]"
+        ",tip_x,tip_y,tip_z\n");
     for (n = 0; n <= steps; ++n) {
         for (k = 0; k < ELLA_NTAU; ++k) {
             input.tau[k] = -200 * state.q[k] - 20 * state.v[k];

@@ -1,14 +1,16 @@
 /* check.c: compares the compiled model with recorded reference values; exit status 0 if all agree.
  *
- * Both forms; of every integrator the rates, in double its order, and that it refuses bad arguments, non-finite input
- * and non-finite results.
+ * It checks both forms, the rates of every integrator, its order (in double), and the refusal of bad arguments,
+ * non-finite input and non-finite results.
  */
 #include <stdio.h>
 #include <string.h>
 
 #include "six_link_reference.h"
 
-/* Five times the rounding error that the reference states have in this precision, at least 1e-10 and 1e-4, at most 1e-2. */
+/* Five times the rounding error of the reference states in this precision; at least 1e-10 (double) or 1e-4 (float), at
+ * most 1e-2.
+ */
 static const six_link_real TOLERANCE = sizeof(six_link_real) == sizeof(float) ? REAL(1e-04) : REAL(1e-10);
 
 static six_link_parameters parameters;
@@ -35,7 +37,7 @@ static six_link_real larger(six_link_real a, six_link_real b)
     return a > b || a != a ? a : b; /* NaN is the largest of all */
 }
 
-/* The largest deviation of count numbers, stride apart from first on, over the largest reference among them. */
+/* The largest deviation of count numbers, beginning at first with a stride, over the largest reference among them. */
 static six_link_real deviation(const six_link_real *x, const six_link_real *reference, int count, int stride)
 {
     six_link_real error = 0, scale = 0;
@@ -120,15 +122,17 @@ static six_link_real run_case(int number)
     return larger(form, joint);
 }
 
-/* A step short enough for stiff modes; in float it would drown in rounding, so it is looked at in double. */
+/* A step short enough for stiff modes. Rounding would hide its effect in float, so it is checked in double only. */
 static const six_link_real SHORT = REAL(1e-8);
 static const six_link_real SLACK = REAL(0.01);
 
-typedef six_link_status (*step)(const six_link_constants *, six_link_state *, const six_link_input *, six_link_real, six_link_work *);
-typedef six_link_status (*dae_step)(const six_link_constants *, six_link_dae_state *, const six_link_input *, six_link_real,
+typedef six_link_status (*step)(const six_link_constants *, six_link_state *, const six_link_input *, six_link_real,
+    six_link_work *);
+typedef six_link_status (*dae_step)(const six_link_constants *, six_link_dae_state *, const six_link_input *,
+    six_link_real,
     six_link_dae_work *);
 
-/* A short step moves the state by its rates: the speed that a step shows, over the rates. */
+/* A short step moves the state by its rates: deviation of the observed rates, over the rates. */
 static void check_speed(int number, step method)
 {
     const six_link_case *r = &six_link_cases[SIX_LINK_CASES - 1];
@@ -152,7 +156,7 @@ static void check_speed(int number, step method)
     verdict("speed of the coordinates", number, error <= SLACK * scale + 2 * slip);
 }
 
-/* A short step of the DAE form goes where the joint form's goes. */
+/* A short step of the DAE form agrees with the joint form's. */
 static void check_dae_speed(int number, dae_step method, step joint)
 {
     const six_link_case *r = &six_link_cases[SIX_LINK_CASES - 1];
@@ -184,15 +188,17 @@ static void check_dae_speed(int number, dae_step method, step joint)
     verdict("speed of the poses", number, error <= SLACK * scale);
 }
 
-/* ---- The order of an integrator: what halving a step takes off its error. A wrong weight or length leaves order one. */
+/* ---- The order of an integrator, from the error's reduction when a step is halved. A wrong weight or length leaves
+ * order one.
+ */
 
 enum { SIX_LINK_MOVED = 6 * SIX_LINK_NLINKS + SIX_LINK_NV };
 
-/* What a step moves: of the joint form, or of the DAE form where dae_method is not null. */
+/* The state of a step: of the joint form, or of the DAE form if dae_method is not null. */
 typedef struct {
     step method;
     dae_step dae_method;
-    int rates; /* v, or twists and modal rates; else the coordinates */
+    int rates; /* 1: v, or twists and modal rates; 0: the coordinates */
 } motion;
 
 static const six_link_real *after_joint(const motion *m, six_link_real dt, int n, six_link_status *status)
@@ -223,7 +229,7 @@ static const six_link_real *after_dae(const motion *m, six_link_real dt, int n, 
     return moved;
 }
 
-/* How far one step over dt ends from two halves, each number to change; scale: the largest of them. */
+/* The difference between one step over dt and two half steps; scale: the largest change of a number. */
 static six_link_real halving(const motion *m, six_link_real dt, six_link_real *change, six_link_real *scale)
 {
     const int count = m->dae_method ? SIX_LINK_MOVED : SIX_LINK_NV;
@@ -244,7 +250,7 @@ static six_link_real halving(const motion *m, six_link_real dt, six_link_real *c
     return worst;
 }
 
-/* A step over which no acceleration changes much: Euler's steps show it. */
+/* A step over which no acceleration changes much, found by Euler steps. */
 static six_link_real shortness(void)
 {
     static const motion euler = { six_link_step_euler, 0, 1 };
@@ -265,11 +271,11 @@ static six_link_real shortness(void)
     return dt;
 }
 
-/* Good if so at one of three lengths: the leading term of an error may happen to vanish. Rounding hides what is tiny. */
+/* One of three step lengths suffices, because the leading error term may vanish. Errors below rounding are ignored. */
 static int has_order(int order, const motion *m, six_link_real dt)
 {
     static six_link_real change[SIX_LINK_MOVED];
-    six_link_real gain = REAL(1.4); /* ideally 2, times 2 for every order */
+    six_link_real gain = REAL(1.4); /* ideally 2, times 2 for every further order */
     six_link_real scale, half, whole = halving(m, dt, change, &scale);
     int tries, good = whole <= 20000 * SIX_LINK_REAL_EPSILON * scale;
     for (tries = 0; tries < order; ++tries) {
@@ -284,7 +290,7 @@ static int has_order(int order, const motion *m, six_link_real dt)
     return good;
 }
 
-/* Of order one are all methods whose rates are right. */
+/* All methods with correct rates are of order one. */
 static void check_order(int number, int order, step method, dae_step dae_method, six_link_real dt)
 {
     motion m = { 0 };
@@ -302,7 +308,8 @@ static void check_refusals(int number, step method)
     const six_link_case *r = &six_link_cases[0];
     six_link_state state = r->state;
     six_link_input input = r->input;
-    verdict("refusal of a null pointer", number, method(&constants, 0, &input, REAL(1e-3), &work) == SIX_LINK_BAD_ARGUMENT);
+    verdict("refusal of a null pointer", number,
+        method(&constants, 0, &input, REAL(1e-3), &work) == SIX_LINK_BAD_ARGUMENT);
     verdict("refusal of a zero step", number, method(&constants, &state, &input, 0, &work) == SIX_LINK_BAD_ARGUMENT);
     input.w_ext[SIX_LINK_NLINKS - 1][5] = (six_link_real)NAN;
     verdict("refusal of NaN", number, method(&constants, &state, &input, REAL(1e-3), &work) == SIX_LINK_NONFINITE);
@@ -317,17 +324,21 @@ static void check_dae_refusals(int number, dae_step method)
     six_link_input input = r->input;
     six_link_dae_from_state(&constants, &r->state, &dae_work, &state);
     before = state;
-    verdict("DAE refusal of a zero step", number, method(&constants, &state, &input, 0, &dae_work) == SIX_LINK_BAD_ARGUMENT);
+    verdict("DAE refusal of a zero step", number,
+        method(&constants, &state, &input, 0, &dae_work) == SIX_LINK_BAD_ARGUMENT);
     input.w_ext[0][0] = (six_link_real)NAN;
-    verdict("DAE refusal of NaN", number, method(&constants, &state, &input, REAL(1e-3), &dae_work) == SIX_LINK_NONFINITE);
+    verdict("DAE refusal of NaN", number,
+        method(&constants, &state, &input, REAL(1e-3), &dae_work) == SIX_LINK_NONFINITE);
     verdict("DAE state left as it was", number, memcmp(&state, &before, sizeof state) == 0);
     verdict("DAE step", number, method(&constants, &state, &r->input, REAL(1e-4), &dae_work) == SIX_LINK_OK);
 }
 
 int main(void)
 {
-    static const step steps[] = { six_link_step_euler, six_link_step_semi_implicit, six_link_step_modal_implicit, six_link_step_modal_midpoint, six_link_step_rk4 };
-    static const dae_step dae_steps[] = { six_link_dae_step_euler, six_link_dae_step_semi_implicit, six_link_dae_step_modal_implicit, six_link_dae_step_modal_midpoint, six_link_dae_step_rk4 };
+    static const step steps[] = { six_link_step_euler, six_link_step_semi_implicit, six_link_step_modal_implicit,
+        six_link_step_modal_midpoint, six_link_step_rk4 };
+    static const dae_step dae_steps[] = { six_link_dae_step_euler, six_link_dae_step_semi_implicit,
+        six_link_dae_step_modal_implicit, six_link_dae_step_modal_midpoint, six_link_dae_step_rk4 };
     static const int ORDERS[] = { 1, 1, 1, 2, 4 };
     six_link_real worst = 0;
     int i;

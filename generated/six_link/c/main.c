@@ -49,7 +49,23 @@ int main(int argc, char **argv)
     }
     steps = (long)(duration / dt + (six_link_real)0.5);
     every = steps >= 100 ? steps / 100 : 1;
-    printf("t,shoulder.joint[0],upper_arm.joint[0],forearm.joint[0],wrist_roll.joint[0],wrist_pitch.joint[0],flange.joint[0],upper_arm.eta.bending_y[0],upper_arm.eta.bending_y[1],upper_arm.eta.bending_z[0],upper_arm.eta.bending_z[1],upper_arm.eta.torsion[0],forearm.eta.bending_y[0],forearm.eta.bending_y[1],forearm.eta.bending_z[0],forearm.eta.bending_z[1],tip_x,tip_y,tip_z\n");
+    printf("t"
+        ",shoulder.joint[0]"
+        ",upper_arm.joint[0]"
+        ",forearm.joint[0]"
+        ",wrist_roll.joint[0]"
+        ",wrist_pitch.joint[0]"
+        ",flange.joint[0]"
+        ",upper_arm.eta.bending_y[0]"
+        ",upper_arm.eta.bending_y[1]"
+        ",upper_arm.eta.bending_z[0]"
+        ",upper_arm.eta.bending_z[1]"
+        ",upper_arm.eta.torsion[0]"
+        ",forearm.eta.bending_y[0]"
+        ",forearm.eta.bending_y[1]"
+        ",forearm.eta.bending_z[0]"
+        ",forearm.eta.bending_z[1]"
+        ",tip_x,tip_y,tip_z\n");
     for (n = 0; n <= steps; ++n) {
         for (k = 0; k < SIX_LINK_NTAU; ++k) {
             input.tau[k] = -200 * state.q[k] - 20 * state.v[k];

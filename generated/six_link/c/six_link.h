@@ -6,14 +6,14 @@
  * Scratch in double precision: six_link_work 1424 bytes, six_link_dae_work 20296 bytes;
  * half of it in float (-DSIX_LINK_REAL_FLOAT).
  *
- * A light link between a joint and a heavy load costs digits, about as many as their inertias differ by; nothing is said
- * of them at run time. For the robot file's parameters they were looked at when this was generated.
+ * A light link between a joint and a heavy load costs accuracy: about as many digits as their inertias differ by. This
+ * is not detected at run time; it was checked for the robot file's parameters when this file was generated.
  *
- * C99, libm only; no heap, no globals, no recursion, no I/O. Functions return a status; on anything but
- * SIX_LINK_OK the state is as it was. One six_link_work per thread makes them re-entrant.
+ * C99, libm only; no heap, no globals, no recursion, no I/O. Functions return a status; unless it is
+ * SIX_LINK_OK the state is unchanged. They are re-entrant with one six_link_work per thread.
  *
  * SI units, radians. Twists are [omega; v], wrenches [tau; F], angular part first. F_i is the frame of link
- * i, with x along its undeformed centreline; the tip frame turns with the tip section.
+ * i, with x along its undeformed centreline; the tip frame is fixed to the tip section.
  */
 #ifndef SIX_LINK_H
 #define SIX_LINK_H
@@ -26,7 +26,7 @@ extern "C" {
 
 #ifdef SIX_LINK_REAL_FLOAT
 typedef float six_link_real;
-/* A program and a library of different precision do not link: this symbol is missing. */
+/* A symbol that is missing when a program and a library of different precision are linked. */
 #define six_link_prepare six_link_prepare_float
 #else
 typedef double six_link_real;
@@ -41,10 +41,10 @@ enum {
     SIX_LINK_NX = 102, /* states of the DAE form */
     SIX_LINK_NZ = 81, /* unknowns of the DAE form, rows of M_sys */
     SIX_LINK_NNZ = 625, /* structural nonzeros of M_sys */
-    SIX_LINK_ROUNDS = 4 /* in which modes settle in six_link_gravity */
+    SIX_LINK_ROUNDS = 4 /* iterations of the modes' equilibrium in six_link_gravity */
 };
 
-/* The links' places in every array of links. */
+/* The indices of the links in every array of links. */
 enum {
     SIX_LINK_LINK_SHOULDER = 0,
     SIX_LINK_LINK_UPPER_ARM = 1,
@@ -54,7 +54,7 @@ enum {
     SIX_LINK_LINK_FLANGE = 5
 };
 
-/* An array of nothing has length 1. */
+/* Length of an array; an empty one has length 1. */
 #define SIX_LINK_LENGTH(n) ((n) > 0 ? (n) : 1)
 
 typedef enum {
@@ -82,7 +82,7 @@ typedef struct {
     six_link_real mount_rpy[3]; /* rad: turn of the joint, Rz(y) Ry(p) Rx(r) */
 } six_link_joint_parameters;
 
-/* What the robot file states of a link; a link that does not state a member leaves it unused. */
+/* The parameters of a link; members that the robot file does not state for a link are unused. */
 typedef struct {
     six_link_real length; /* m: length of the undeformed centreline */
     six_link_real rhoA; /* kg/m: mass per length */
@@ -106,7 +106,7 @@ void six_link_parameters_default(six_link_parameters *p);
 
 /* ------------------------------------------------------------------------------------- constants */
 
-/* What follows from the parameters of a link; a link that does not need a member leaves it unused. */
+/* Constants that depend on the parameters of a link; members that a link does not need are unused. */
 typedef struct {
     six_link_real I_T_xx; /* kg*m^2: their inertia about the tip point */
     six_link_real I_T_yy; /* kg*m^2: their inertia about the tip point */
@@ -171,7 +171,7 @@ typedef struct {
     six_link_real D[SIX_LINK_NV]; /* N*s/m (torsion: N*m*s/rad): damping */
 } six_link_constants;
 
-/* Prepare the constants, once per change of a parameter; after anything but SIX_LINK_OK they are of no use. */
+/* Prepare the constants, once per change of a parameter; they are invalid unless the result is SIX_LINK_OK. */
 six_link_status six_link_prepare(const six_link_parameters *p, six_link_constants *c);
 
 /* ------------------------------------------------------------------------------ state, input, output */
@@ -206,21 +206,22 @@ typedef struct {
 
 typedef struct {
     six_link_real vdot[SIX_LINK_LENGTH(SIX_LINK_NV)]; /* rad/s^2, m/s^2: rate of v */
-    six_link_real wrench[SIX_LINK_NLINKS][6]; /* N*m, N: on link i by what carries it, at the joint point, in F_i */
+    six_link_real wrench[SIX_LINK_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
     six_link_real tip_rotation[3][3]; /* last tip frame to the inertial frame */
     six_link_real tip_position[3]; /* m: last tip point, inertial frame */
 } six_link_output;
 
-/* Where all links are, and how their tips move. */
+/* Poses of all links and tips, and twists of the tips. */
 typedef struct {
     six_link_real rotation[SIX_LINK_NLINKS][3][3]; /* F_i to the inertial frame */
     six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, inertial frame */
     six_link_real tip_rotation[SIX_LINK_NLINKS][3][3]; /* tip frame of each link to the inertial frame */
     six_link_real tip_position[SIX_LINK_NLINKS][3]; /* m: tip point of each link, inertial frame */
-    six_link_real tip_twist[SIX_LINK_NLINKS][6]; /* rad/s, m/s: [omega; v] of tip section and tip point, inertial frame */
+    /* rad/s, m/s: [omega; v] of tip section and tip point, inertial frame */
+    six_link_real tip_twist[SIX_LINK_NLINKS][6];
 } six_link_motion;
 
-/* DAE form: poses and twists of all links are state, the joint coordinates are memory. */
+/* DAE form: poses, twists and modal coordinates are the state; the joint coordinates are redundant. */
 typedef struct {
     six_link_real quaternion[SIX_LINK_NLINKS][4]; /* (w, x, y, z): F_i to the inertial frame */
     six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, inertial frame */
@@ -232,49 +233,56 @@ typedef struct {
 
 /* ----------------------------------------------------------------------------------------- scratch */
 
-/* A node of the chain: the base, or the tip section of a link. */
+/* A node of the chain: the base, or the tip section of a link. Axes of the base node are those of the inertial frame.
+ */
 typedef struct {
-    six_link_real Lambda[21]; /* kg*m^2, kg*m, kg: inertia of what the tip carries, upper triangle row by row, in axes of the F_i that carries the node */
-    six_link_real PX[36]; /* see the joint's rows: columns of this tip in the next joint's rows, in next F_i */
+    /* kg*m^2, kg*m, kg: articulated inertia of the links carried, upper triangle, in F_i of the node's link */
+    six_link_real Lambda[21];
+    /* see the joint's rows: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
+    six_link_real PX[36];
     six_link_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in inertial frame */
     six_link_real R[9]; /* rotation of the tip frame, row by row, in inertial frame */
-    six_link_real R_T[9]; /* rotation of the tip frame, row by row, in axes of the F_i that carries the node */
+    six_link_real R_T[9]; /* rotation of the tip frame, row by row, in F_i of the node's link */
     six_link_real R_m[9]; /* rotation of the tip frame before projection, row by row, in inertial frame */
-    six_link_real X[36]; /* -, m: twist of the next joint point from that of the tip, in next F_i */
-    six_link_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in axes of the F_i that carries the node */
-    six_link_real b[6]; /* rad/s^2, m/s^2: acceleration of the tip section that the velocities cause, in tip frame */
-    six_link_real delta[6]; /* rad/s^2, m/s^2: what the accelerations of joints and modes add, in axes of the F_i that carries the node */
-    six_link_real omega[3]; /* rad/s: angular velocity of the tip section, in axes of the F_i that carries the node */
+    /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
+    six_link_real X[36];
+    /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
+    six_link_real alpha_0[6];
+    six_link_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
+    six_link_real delta[6];
+    six_link_real omega[3]; /* rad/s: angular velocity of the tip section, in F_i of the node's link */
     six_link_real omega_T[3]; /* rad/s: angular velocity of the tip section, in tip frame */
     six_link_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in tip frame */
-    six_link_real p[6]; /* N*m, N: wrench that it needs while no joint and no mode accelerates, in axes of the F_i that carries the node */
+    /* N*m, N: their bias force, or in inverse dynamics the wrench on them, in F_i of the node's link */
+    six_link_real p[6];
     six_link_real r[3]; /* m: position of the tip point, in inertial frame */
     six_link_real v_T[3]; /* m/s: velocity of the tip point, in tip frame */
 } six_link_node;
 
-/* What a link keeps between the phases of an algorithm. */
+/* The quantities that a link keeps between the phases of an algorithm. Entries that are constant have no place. */
 typedef struct {
-    six_link_real J_l[9]; /* left Jacobian of the tip section's turn, in F_i */
-    six_link_real Lambda_i[21]; /* kg*m^2, kg*m, kg: articulated inertia of the link and what it carries, in F_i */
-    six_link_real M_D[4]; /* kg*m, kg: wrench that modal accelerations need, in F_i */
+    six_link_real J_l[9]; /* left Jacobian of the tip section's rotation vector, in F_i */
+    six_link_real Lambda_i[21]; /* kg*m^2, kg*m, kg: articulated inertia of the link and all that it carries, in F_i */
+    six_link_real M_D[4]; /* kg*m, kg: inertial coupling of twist and modal rows, in F_i */
     six_link_real M_V[8]; /* kg*m^2, kg*m, kg: inertia in the twist rows, in F_i */
     six_link_real R_P[9]; /* rotation of F_i, in parent's F_i */
     six_link_real R_T[9]; /* rotation of the tip frame, in F_i */
     six_link_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
-    six_link_real b_T[6]; /* rad/s^2, m/s^2: acceleration of the tip section that the velocities cause, in tip frame */
-    six_link_real delta[6]; /* rad/s^2, m/s^2: what the accelerations of joints and modes add, in F_i */
-    six_link_real h_T[6]; /* N*m, N: bias of the bodies at the tip, in tip frame */
-    six_link_real h_V[6]; /* N*m, N: bias of the twist rows, in F_i */
+    six_link_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    six_link_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
+    six_link_real h_T[6]; /* N*m, N: bias force of the bodies at the tip, in tip frame */
+    six_link_real h_V[6]; /* N*m, N: bias force of the twist rows, in F_i */
     six_link_real h_eta[4]; /* N: gyroscopic force and weight on the modes */
-    six_link_real joint_W[6]; /* -, 1/m: joint accelerations by those of F_i, in F_i */
-    six_link_real joint_w[1]; /* rad/s^2: joint accelerations by the torques */
-    six_link_real lever[3]; /* m: origin of F_i from the parent's tip point, in F_i */
-    six_link_real modes_L[10]; /* unit lower factor of the modes' inertia */
-    six_link_real modes_W[30]; /* 1/m: modal accelerations by those of F_i, in F_i */
-    six_link_real modes_w[5]; /* m/s^2: modal accelerations by the forces */
+    six_link_real joint_W[6]; /* -, 1/m: factor W in qddot = L^-T (w - W delta), delta of the parent, in F_i */
+    six_link_real joint_w[1]; /* rad/s^2: term w in qddot = L^-T (w - W delta) */
+    six_link_real lever[3]; /* m: from the parent's tip point to the origin of F_i, in F_i */
+    six_link_real modes_L[10]; /* unit lower factor L of the modal inertia */
+    six_link_real modes_W[30]; /* 1/m: factor W in etaddot = -L^-T (w + W delta), in F_i */
+    six_link_real modes_w[5]; /* m/s^2: term w in etaddot = -L^-T (w + W delta) */
     six_link_real omega[3]; /* rad/s: angular velocity, in F_i */
-    six_link_real p_i[6]; /* N*m, N: its bias, in F_i */
-    six_link_real r_T[2]; /* m: tip point, in F_i */
+    six_link_real p_i[6]; /* N*m, N: bias force of the same, in F_i */
+    six_link_real r_T[2]; /* m: position of the tip point, in F_i */
 } six_link_link_store;
 
 typedef struct {
@@ -282,12 +290,13 @@ typedef struct {
     six_link_link_store links[SIX_LINK_NLINKS];
 } six_link_chain;
 
-/* Scratch of the joint form; its contents mean nothing between calls, except for fault, and motion for validity. */
+/* Scratch of the joint form; only fault is valid after a call, and motion for six_link_validity. */
 typedef struct {
     int fault; /* after SIX_LINK_SINGULAR: the link whose joint cannot be solved for, from 0 */
     six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
     six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
-    six_link_real motion[SIX_LINK_NLINKS][4]; /* rad/s, rad/s, m/s^2, N, in F_i: turn about y, z; acceleration, own force along x */
+    /* rad/s, rad/s, m/s^2, N, in F_i: angular velocity y, z; acceleration and force along x */
+    six_link_real motion[SIX_LINK_NLINKS][4];
     six_link_state stage, next;
     six_link_output output;
 } six_link_work;
@@ -301,25 +310,27 @@ typedef struct {
     six_link_real etaddot[SIX_LINK_LENGTH(SIX_LINK_NMODES)];
     six_link_real alpha[SIX_LINK_NLINKS][6], Vdot[SIX_LINK_NLINKS][6], wrench[SIX_LINK_NLINKS][6];
     six_link_dae_state stage, next;
-    six_link_real stage_turn[SIX_LINK_NLINKS][6], next_turn[SIX_LINK_NLINKS][6]; /* what moves their poses */
+    six_link_real stage_turn[SIX_LINK_NLINKS][6], next_turn[SIX_LINK_NLINKS][6]; /* vectors u of pose exp(u) */
     six_link_chain chain;
 } six_link_dae_work;
 
 /* --------------------------------------------------------------------------------------- joint form */
 
-/* vdot, joint wrenches and tip pose; what output holds means something only after SIX_LINK_OK. */
-six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+/* vdot, joint wrenches and tip pose; output is valid only after SIX_LINK_OK. */
+six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output);
 
-/* How far a link is from the limits of the model, which is first order in its deformation: large deflections,
- * buckling and centrifugal stiffening are not in it. At a bound it costs about 1 % of the tip deflection or of the
- * lowest frequency. A link without bending modes has zeros.
+/* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
+ * and
+ * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
+ * frequency. A link without bending modes has zeros.
  */
 enum {
     SIX_LINK_DEFLECTION, /* transverse deflection of the tip over the length */
-    SIX_LINK_SLOPE, /* rad: turn of the tip section across the centreline */
+    SIX_LINK_SLOPE, /* rad: rotation of the tip section about the transverse axes */
     SIX_LINK_AXIAL_LOAD, /* axial load over the buckling load, compression > 0; from 1 the straight link is unstable */
-    SIX_LINK_ROTATION, /* Omega^2 rhoA l^4 / EI of the turn across the centreline */
+    SIX_LINK_ROTATION, /* Omega^2 rhoA l^4 / EI of the angular velocity about the transverse axes */
     SIX_LINK_NMEASURES
 };
 
@@ -329,30 +340,35 @@ typedef struct {
 
 extern const six_link_real six_link_measure_bounds[SIX_LINK_NMEASURES]; /* of the measures' absolute values */
 
-/* six_link_forward_dynamics that leaves in work, besides, what six_link_validity reads. */
-six_link_status six_link_watched_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+/* six_link_forward_dynamics that also stores in work the quantities that six_link_validity needs. */
+six_link_status six_link_watched_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output);
 
-/* The measures of all links at a state: output and work as six_link_watched_dynamics left them there. */
-six_link_status six_link_validity(const six_link_constants *c, const six_link_state *state, const six_link_output *output,
+/* The measures of all links at a state: output and work are those of six_link_watched_dynamics. */
+six_link_status six_link_validity(const six_link_constants *c, const six_link_state *state,
+    const six_link_output *output,
     const six_link_work *work, six_link_measures *measures);
 
 /* vdot alone: wrenches and pose are neither computed nor written. The integrators call this. */
-six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output);
 
-/* What a motion needs: force[NV] on the coordinates in the order of v, so that tau are its first NTAU entries, and
- * the joint wrenches where wrench is not null. tau of input is not read.
+/* Inverse dynamics: the generalised forces, force[NV], in the order of v, so its first NTAU entries are tau; and the
+ * joint wrenches if wrench is not null. tau of input is not read.
  */
-six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     const six_link_real vdot[], six_link_chain *chain, six_link_real force[], six_link_real wrench[][6]);
 
-/* What holds the arm at rest at the joint angles of state, under gravity, springs and w_ext of input: force, of which
- * the first NTAU entries are the torques, and the posture, rest, which may be state. Modes settle in SIX_LINK_ROUNDS
- * rounds from those of state: each is moved by its unbalanced force over its stiffness, which leaves of that force what
- * gravity changes along the way: a small part in every round. The modal entries of force are what is left unbalanced, N:
- * look at them where a link sags by a tenth of its length, for then the rounds need not converge. Start from zero, or
- * from the rest of the period before. Rates of state and tau do not matter. Costs 5 inverse dynamics.
+/* The equilibrium at the joint angles of state, under gravity, springs and w_ext of input. The first NTAU entries of
+ * force are the torques that hold the arm; rest is the posture and may be state. The modes are found in
+ * SIX_LINK_ROUNDS iterations from those of state, each of which moves a mode by its unbalanced force over its stiffness
+ * and reduces that force to a small fraction. The modal entries of force are the unbalanced forces that remain, N.
+ * Check
+ * them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero, or from
+ * the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
  */
 six_link_status six_link_gravity(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     six_link_chain *chain, six_link_real force[], six_link_state *rest);
@@ -361,11 +377,11 @@ six_link_status six_link_gravity(const six_link_constants *c, const six_link_sta
 six_link_status six_link_kinematics(const six_link_constants *c, const six_link_state *state, six_link_chain *chain,
     six_link_motion *motion);
 
-/* J, with which J v is the twist of the last tip; motion as above. Costs NV + 1 kinematics. */
+/* The Jacobian J: J v is the twist of the last tip; motion as above. Costs NV + 1 kinematics. */
 six_link_status six_link_tip_jacobian(const six_link_constants *c, const six_link_state *state, six_link_chain *chain,
     six_link_motion *motion, six_link_real J[6][SIX_LINK_LENGTH(SIX_LINK_NV)]);
 
-/* The mass matrix, of which vdot is multiplied: NV rows, symmetric; rates and input do not matter. */
+/* The mass matrix of vdot: NV rows, symmetric; rates are not read. */
 six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link_state *state, six_link_chain *chain,
     six_link_real M[][SIX_LINK_LENGTH(SIX_LINK_NV)]);
 
@@ -376,16 +392,20 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
  * modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2.
  * rk4: classical Runge-Kutta, four forward dynamics, order 4.
  * Elastic forces are the modes' stress and damping, and the springs and dampers of the joints.
- * No method takes the turning of the joints, the weight or the input implicitly: steps must be short against a
- * joint's turn by a radian (some 0.02 rad a step), and a stiff control law needs short steps with any of them.
+ * All methods treat joint rotation, gravity and input explicitly. A joint should turn by no more than about 0.02 rad
+ * per
+ * step, and stiff control laws need short steps.
  */
 six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work);
-six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work);
-six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work);
-six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work);
 six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work);
@@ -393,23 +413,29 @@ six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *s
 /* ----------------------------------------------------------------------------------------- DAE form */
 
 /* The state of the DAE form from coordinates and rates. */
-six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state, six_link_dae_work *work,
+six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state,
+    six_link_dae_work *work,
     six_link_dae_state *dae);
 
 /* Rates of q and eta (vdot) and joint wrenches at a state of the DAE form. */
 six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const six_link_dae_state *state,
     const six_link_input *input, six_link_dae_work *work, six_link_output *output);
 
-/* The same methods on SE(3), each followed by a projection back onto the joints. */
-six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+/* The same methods on SE(3), each followed by a projection onto the joint constraints. */
+six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work);
-six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work);
-six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work);
-six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work);
-six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work);
 
 /* M_sys z + H_sys = W_sys with z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]. M_sys holds the structural
@@ -417,7 +443,8 @@ six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_
  */
 extern const short six_link_M_row[SIX_LINK_NNZ];
 extern const int six_link_M_column[SIX_LINK_NZ + 1];
-six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state,
+    const six_link_input *input,
     six_link_dae_work *work, six_link_real M_sys[SIX_LINK_NNZ], six_link_real H_sys[SIX_LINK_NZ],
     six_link_real W_sys[SIX_LINK_NZ]);
 

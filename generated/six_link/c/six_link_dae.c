@@ -1,9 +1,10 @@
-/* six_link_dae.c: the DAE form. Poses move by the exponential of SE(3); every step ends on the joints. */
+/* six_link_dae.c: the DAE form. Poses move by the exponential map of SE(3); every step ends with a projection. */
 #include "six_link_links.h"
 #include "six_link_se3.h"
 
-/* Inertia and force of coordinates x, implicit over dt; their columns begin at first. */
-static void own_terms(const six_link_constants *c, int first, int count, const six_link_real *x, const six_link_real *xdot,
+/* Inertia and force of the coordinates x, implicit over dt; `first` is the first of their columns. */
+static void own_terms(const six_link_constants *c, int first, int count, const six_link_real *x,
+    const six_link_real *xdot,
     six_link_real dt, six_link_dae_work *work)
 {
     int k;
@@ -14,12 +15,14 @@ static void own_terms(const six_link_constants *c, int first, int count, const s
     }
 }
 
-static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt, six_link_dae_work *work)
+static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt,
+    six_link_dae_work *work)
 {
     own_terms(c, SIX_LINK_NTAU, SIX_LINK_NMODES, s->eta, s->etadot, dt, work);
 }
 
-static six_link_call call_of(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u, six_link_dae_work *work)
+static six_link_call call_of(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u,
+    six_link_dae_work *work)
 {
     six_link_call call = { 0 };
     call.gravity = c->gravity;
@@ -43,27 +46,31 @@ static six_link_call call_of(const six_link_constants *c, const six_link_dae_sta
 
 static int finite_state(const six_link_dae_state *s)
 {
-    return six_link_finite(&s->quaternion[0][0], 4 * SIX_LINK_NLINKS) && six_link_finite(&s->position[0][0], 3 * SIX_LINK_NLINKS)
+    return six_link_finite(&s->quaternion[0][0], 4 * SIX_LINK_NLINKS)
+        && six_link_finite(&s->position[0][0], 3 * SIX_LINK_NLINKS)
         && six_link_finite(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(s->eta, SIX_LINK_NMODES)
         && six_link_finite(s->etadot, SIX_LINK_NMODES) && six_link_finite(s->q, SIX_LINK_NTAU);
 }
 
-/* Whether products of three entries stay finite: where they do not, a failed pivot says nothing of the posture. */
+/* Whether products of three entries are finite. If not, a failed pivot does not mean a singular posture. */
 static int moderate_state(const six_link_dae_state *s, const six_link_dae_work *work)
 {
     return six_link_moderate(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_moderate(s->eta, SIX_LINK_NMODES)
-        && six_link_moderate(s->etadot, SIX_LINK_NMODES) && six_link_finite(&work->m_eta[SIX_LINK_NTAU], SIX_LINK_NMODES);
+        && six_link_moderate(s->etadot, SIX_LINK_NMODES)
+            && six_link_finite(&work->m_eta[SIX_LINK_NTAU], SIX_LINK_NMODES);
 }
 
 static int finite_input(const six_link_dae_state *s, const six_link_input *u)
 {
-    return finite_state(s) && six_link_finite(u->tau, SIX_LINK_NTAU) && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
+    return finite_state(s) && six_link_finite(u->tau, SIX_LINK_NTAU)
+        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
-/* Vdot, etaddot, qdot and the wrenches at s, with the forces of joints and modes that they lead to dt after the state
- * from; where that is not s, the joints' are still those of the call before, which was at from.
+/* Vdot, etaddot, qdot and the wrenches at s, with the forces of joints and modes implicit, dt after the state from. If
+ * from is not s, the joint rates at from are those of the call before.
  */
-static six_link_status accelerate(const six_link_constants *c, const six_link_dae_state *s, const six_link_dae_state *from,
+static six_link_status accelerate(const six_link_constants *c, const six_link_dae_state *s,
+    const six_link_dae_state *from,
     const six_link_input *u, six_link_real dt, six_link_dae_work *work)
 {
     six_link_status status;
@@ -95,7 +102,7 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_da
     return SIX_LINK_OK;
 }
 
-/* The state back onto the joints: q from the poses, then forward kinematics. */
+/* Projection of the state onto the joint constraints: q from the poses, then forward kinematics. */
 static six_link_status project(const six_link_constants *c, six_link_dae_state *s, six_link_dae_work *work)
 {
     six_link_call call = call_of(c, s, 0, work);
@@ -111,7 +118,8 @@ static six_link_status project(const six_link_constants *c, six_link_dae_state *
     return status;
 }
 
-six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state, six_link_dae_work *work,
+six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state,
+    six_link_dae_work *work,
     six_link_dae_state *dae)
 {
     six_link_call call;
@@ -181,8 +189,9 @@ six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const
     return status;
 }
 
-/* y = x + dt * rates for all but the poses; rates of eta are taken from etadot of the given state. */
-static void advance(const six_link_dae_state *x, six_link_real dt, const six_link_real *etadot, const six_link_dae_work *work,
+/* y = x + dt * rates for all but the poses; the rates of eta are the given state's etadot. */
+static void advance(const six_link_dae_state *x, six_link_real dt, const six_link_real *etadot,
+    const six_link_dae_work *work,
     six_link_dae_state *y)
 {
     int i, k;
@@ -200,7 +209,7 @@ static void advance(const six_link_dae_state *x, six_link_real dt, const six_lin
     }
 }
 
-/* What moves the poses to a state: u = dt V, or more of it. */
+/* The vectors u that move the poses: u = dt V, or u += dt V. */
 static void set_turn(six_link_real dt, six_link_real V[][6], six_link_real u[][6])
 {
     int i, k;
@@ -221,7 +230,7 @@ static void add_turn(six_link_real dt, six_link_real V[][6], six_link_real u[][6
     }
 }
 
-/* The rate of u at the twists of the state to which it moves the poses, in its place. */
+/* Replaces u by its rate at the twists of the state to which it moves the poses. */
 static void turn_rates(const six_link_dae_state *s, six_link_real u[][6])
 {
     six_link_real rate[6];
@@ -234,7 +243,7 @@ static void turn_rates(const six_link_dae_state *s, six_link_real u[][6])
     }
 }
 
-/* The poses of y: those of x times exp(u). */
+/* The poses of y are those of x times exp(u). */
 static void move(const six_link_dae_state *x, six_link_real u[][6], six_link_dae_state *y)
 {
     int i;
@@ -246,7 +255,8 @@ static void move(const six_link_dae_state *x, six_link_real u[][6], six_link_dae
 /* y from x over dt: poses and modal coordinates by the rates after `kick`, rates over all of dt; joint coordinates by
  * the rates of the last accelerations `lead` later. u is what moves the poses.
  */
-static void leap(const six_link_dae_state *x, six_link_real dt, six_link_real kick, six_link_real lead, const six_link_dae_work *work,
+static void leap(const six_link_dae_state *x, six_link_real dt, six_link_real kick, six_link_real lead,
+    const six_link_dae_work *work,
     six_link_real u[][6], six_link_dae_state *y)
 {
     int i, k;
@@ -272,7 +282,7 @@ static int bad_step(const six_link_constants *c, const six_link_dae_state *s, co
     return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
 }
 
-/* Onto the joints, and taken only if that succeeds. */
+/* Projects the new state, which is accepted only if that succeeds. */
 static six_link_status accept(const six_link_constants *c, six_link_dae_work *work, six_link_dae_state *state)
 {
     const six_link_status status = project(c, &work->next, work);
@@ -283,7 +293,8 @@ static six_link_status accept(const six_link_constants *c, six_link_dae_work *wo
 }
 
 /* euler: forward Euler, explicit, order 1. */
-six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work)
 {
     six_link_status status;
@@ -301,7 +312,8 @@ six_link_status six_link_dae_step_euler(const six_link_constants *c, six_link_da
 }
 
 /* semi_implicit: rates first, then coordinates with the new rates, order 1. */
-six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work)
 {
     six_link_status status;
@@ -317,7 +329,8 @@ six_link_status six_link_dae_step_semi_implicit(const six_link_constants *c, six
 }
 
 /* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
-six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work)
 {
     six_link_status status;
@@ -333,7 +346,8 @@ six_link_status six_link_dae_step_modal_implicit(const six_link_constants *c, si
 }
 
 /* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
-six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work)
 {
     const six_link_real half = dt / 2;
@@ -357,7 +371,8 @@ six_link_status six_link_dae_step_modal_midpoint(const six_link_constants *c, si
 }
 
 /* rk4: classical Runge-Kutta, four forward dynamics, order 4. */
-six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_dae_step_rk4(const six_link_constants *c, six_link_dae_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_dae_work *work)
 {
     const six_link_real half = dt / 2, third = dt / 3, sixth = dt / 6;
@@ -454,7 +469,8 @@ const int six_link_M_column[SIX_LINK_NZ + 1] = {
     615, 625,
 };
 
-six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state, const six_link_input *input,
+six_link_status six_link_assemble(const six_link_constants *c, const six_link_dae_state *state,
+    const six_link_input *input,
     six_link_dae_work *work, six_link_real M_sys[SIX_LINK_NNZ], six_link_real H_sys[SIX_LINK_NZ],
     six_link_real W_sys[SIX_LINK_NZ])
 {
@@ -475,7 +491,8 @@ six_link_status six_link_assemble(const six_link_constants *c, const six_link_da
     if (status != SIX_LINK_OK) {
         return moderate_state(state, work) ? status : SIX_LINK_NONFINITE;
     }
-    if (!six_link_finite(M_sys, SIX_LINK_NNZ) || !six_link_finite(H_sys, SIX_LINK_NZ) || !six_link_finite(W_sys, SIX_LINK_NZ)) {
+    if (!six_link_finite(M_sys, SIX_LINK_NNZ) || !six_link_finite(H_sys, SIX_LINK_NZ)
+        || !six_link_finite(W_sys, SIX_LINK_NZ)) {
         return SIX_LINK_NONFINITE;
     }
     return SIX_LINK_OK;

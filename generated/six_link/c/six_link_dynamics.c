@@ -3,8 +3,9 @@
  */
 #include "six_link_links.h"
 
-/* The whole chain in one piece: outward to the tip, inward with the eliminations, outward with the results. */
-SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+/* The whole chain in one function: outward kinematics, inward elimination, outward accelerations. */
+SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *output)
 {
     unsigned long bad = 0; /* bit i: the joint or a mode of link i cannot be solved for */
@@ -17,13 +18,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* acceleration of the parent's tip in F_i axes_shoulder */
     const six_link_real minus_a_J_shoulder_x = R_rel_shoulder_xx * c->gravity[0]
         + minus_R_rel_shoulder_xy * c->gravity[1];
-    const six_link_real a_J_shoulder_y = minus_R_rel_shoulder_xy * c->gravity[0]
-        - R_rel_shoulder_xx * c->gravity[1];
+    const six_link_real a_J_shoulder_y = minus_R_rel_shoulder_xy * c->gravity[0] - R_rel_shoulder_xx * c->gravity[1];
 
     /* shoulder, a_t: acceleration of the tip point (accconst1b) */
     const six_link_real minus_Omega_shoulder_xx = state->v[0] * state->v[0];
-    const six_link_real minus_a_t_shoulder_x = minus_a_J_shoulder_x
-        + c->links[0].length * minus_Omega_shoulder_xx;
+    const six_link_real minus_a_t_shoulder_x = minus_a_J_shoulder_x + c->links[0].length * minus_Omega_shoulder_xx;
 
     /* upper_arm, R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn_2 = six_link_sine_cosine(state->q[1]);
@@ -63,10 +62,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* upper_arm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
     const six_link_real theta_upper_arm_x = state->q[10] * REAL(1.7320508075688772);
-    const six_link_real theta_upper_arm_y = c->links[1].Psi_c_y3 * state->q[8]
-        + c->links[1].Psi_c_y4 * state->q[9];
-    const six_link_real theta_upper_arm_z = c->links[1].Psi_c_z1 * state->q[6]
-        + c->links[1].Psi_c_z2 * state->q[7];
+    const six_link_real theta_upper_arm_y = c->links[1].Psi_c_y3 * state->q[8] + c->links[1].Psi_c_y4 * state->q[9];
+    const six_link_real theta_upper_arm_z = c->links[1].Psi_c_z1 * state->q[6] + c->links[1].Psi_c_z2 * state->q[7];
 
     /* upper_arm, x: squared angle of the tip section */
     const six_link_real t4 = theta_upper_arm_x * theta_upper_arm_x;
@@ -91,10 +88,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* upper_arm, thetadot: rate of the tip's rotation vector */
     const six_link_real thetadot_upper_arm_x = state->v[10] * REAL(1.7320508075688772);
-    const six_link_real thetadot_upper_arm_y = c->links[1].Psi_c_y3 * state->v[8]
-        + c->links[1].Psi_c_y4 * state->v[9];
-    const six_link_real thetadot_upper_arm_z = c->links[1].Psi_c_z1 * state->v[6]
-        + c->links[1].Psi_c_z2 * state->v[7];
+    const six_link_real thetadot_upper_arm_y = c->links[1].Psi_c_y3 * state->v[8] + c->links[1].Psi_c_y4 * state->v[9];
+    const six_link_real thetadot_upper_arm_z = c->links[1].Psi_c_z1 * state->v[6] + c->links[1].Psi_c_z2 * state->v[7];
 
     /* upper_arm, omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t9 = theta_upper_arm_y * thetadot_upper_arm_z - theta_upper_arm_z * thetadot_upper_arm_y;
@@ -209,24 +204,24 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real R_rel_forearm_zz = c->links[2].R_m_zx * t33 + c->links[2].R_m_zz * t34;
 
     /* forearm, R: rotation of F_i relative to the parent's F_i (Ad) */
-    const six_link_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx
-        + R_T_upper_arm_xy * R_rel_forearm_yx + R_T_upper_arm_xz * R_rel_forearm_zx;
-    const six_link_real R_P_forearm_12 = R_T_upper_arm_xx * c->links[2].R_m_xy
-        + R_T_upper_arm_xy * c->links[2].R_m_yy + R_T_upper_arm_xz * c->links[2].R_m_zy;
-    const six_link_real R_P_forearm_13 = R_T_upper_arm_xx * R_rel_forearm_xz
-        + R_T_upper_arm_xy * R_rel_forearm_yz + R_T_upper_arm_xz * R_rel_forearm_zz;
-    const six_link_real R_P_forearm_21 = R_T_upper_arm_yx * R_rel_forearm_xx
-        + R_T_upper_arm_yy * R_rel_forearm_yx + R_T_upper_arm_yz * R_rel_forearm_zx;
-    const six_link_real R_P_forearm_22 = R_T_upper_arm_yx * c->links[2].R_m_xy
-        + R_T_upper_arm_yy * c->links[2].R_m_yy + R_T_upper_arm_yz * c->links[2].R_m_zy;
-    const six_link_real R_P_forearm_23 = R_T_upper_arm_yx * R_rel_forearm_xz
-        + R_T_upper_arm_yy * R_rel_forearm_yz + R_T_upper_arm_yz * R_rel_forearm_zz;
-    const six_link_real R_P_forearm_31 = R_T_upper_arm_zx * R_rel_forearm_xx
-        + R_T_upper_arm_zy * R_rel_forearm_yx + R_T_upper_arm_zz * R_rel_forearm_zx;
-    const six_link_real R_P_forearm_32 = R_T_upper_arm_zx * c->links[2].R_m_xy
-        + R_T_upper_arm_zy * c->links[2].R_m_yy + R_T_upper_arm_zz * c->links[2].R_m_zy;
-    const six_link_real R_P_forearm_33 = R_T_upper_arm_zx * R_rel_forearm_xz
-        + R_T_upper_arm_zy * R_rel_forearm_yz + R_T_upper_arm_zz * R_rel_forearm_zz;
+    const six_link_real R_P_forearm_11 = R_T_upper_arm_xx * R_rel_forearm_xx + R_T_upper_arm_xy * R_rel_forearm_yx
+        + R_T_upper_arm_xz * R_rel_forearm_zx;
+    const six_link_real R_P_forearm_12 = R_T_upper_arm_xx * c->links[2].R_m_xy + R_T_upper_arm_xy * c->links[2].R_m_yy
+        + R_T_upper_arm_xz * c->links[2].R_m_zy;
+    const six_link_real R_P_forearm_13 = R_T_upper_arm_xx * R_rel_forearm_xz + R_T_upper_arm_xy * R_rel_forearm_yz
+        + R_T_upper_arm_xz * R_rel_forearm_zz;
+    const six_link_real R_P_forearm_21 = R_T_upper_arm_yx * R_rel_forearm_xx + R_T_upper_arm_yy * R_rel_forearm_yx
+        + R_T_upper_arm_yz * R_rel_forearm_zx;
+    const six_link_real R_P_forearm_22 = R_T_upper_arm_yx * c->links[2].R_m_xy + R_T_upper_arm_yy * c->links[2].R_m_yy
+        + R_T_upper_arm_yz * c->links[2].R_m_zy;
+    const six_link_real R_P_forearm_23 = R_T_upper_arm_yx * R_rel_forearm_xz + R_T_upper_arm_yy * R_rel_forearm_yz
+        + R_T_upper_arm_yz * R_rel_forearm_zz;
+    const six_link_real R_P_forearm_31 = R_T_upper_arm_zx * R_rel_forearm_xx + R_T_upper_arm_zy * R_rel_forearm_yx
+        + R_T_upper_arm_zz * R_rel_forearm_zx;
+    const six_link_real R_P_forearm_32 = R_T_upper_arm_zx * c->links[2].R_m_xy + R_T_upper_arm_zy * c->links[2].R_m_yy
+        + R_T_upper_arm_zz * c->links[2].R_m_zy;
+    const six_link_real R_P_forearm_33 = R_T_upper_arm_zx * R_rel_forearm_xz + R_T_upper_arm_zy * R_rel_forearm_yz
+        + R_T_upper_arm_zz * R_rel_forearm_zz;
     const six_link_real omega_R_forearm_1 = R_P_forearm_11 * omega_t_upper_arm_x
         + R_P_forearm_21 * omega_t_upper_arm_y + R_P_forearm_31 * omega_t_upper_arm_z;
     const six_link_real omega_R_forearm_2 = R_P_forearm_12 * omega_t_upper_arm_x
@@ -281,10 +276,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + state->q[13] * REAL(2.0195202782688155);
 
     /* forearm, theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const six_link_real theta_forearm_y = c->links[2].Psi_c_y3 * state->q[13]
-        + c->links[2].Psi_c_y4 * state->q[14];
-    const six_link_real theta_forearm_z = c->links[2].Psi_c_z1 * state->q[11]
-        + c->links[2].Psi_c_z2 * state->q[12];
+    const six_link_real theta_forearm_y = c->links[2].Psi_c_y3 * state->q[13] + c->links[2].Psi_c_y4 * state->q[14];
+    const six_link_real theta_forearm_z = c->links[2].Psi_c_z1 * state->q[11] + c->links[2].Psi_c_z2 * state->q[12];
 
     /* forearm, x: squared angle of the tip section */
     const six_link_real minus_theta_hat2_forearm_33 = theta_forearm_y * theta_forearm_y;
@@ -306,10 +299,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + state->v[13] * REAL(2.0195202782688155);
 
     /* forearm, thetadot: rate of the tip's rotation vector */
-    const six_link_real thetadot_forearm_y = c->links[2].Psi_c_y3 * state->v[13]
-        + c->links[2].Psi_c_y4 * state->v[14];
-    const six_link_real thetadot_forearm_z = c->links[2].Psi_c_z1 * state->v[11]
-        + c->links[2].Psi_c_z2 * state->v[12];
+    const six_link_real thetadot_forearm_y = c->links[2].Psi_c_y3 * state->v[13] + c->links[2].Psi_c_y4 * state->v[14];
+    const six_link_real thetadot_forearm_z = c->links[2].Psi_c_z1 * state->v[11] + c->links[2].Psi_c_z2 * state->v[12];
 
     /* forearm, omega_s: angular velocity of the tip section relative to F_i */
     const six_link_real t45 = theta_forearm_y * thetadot_forearm_z - theta_forearm_z * thetadot_forearm_y;
@@ -340,8 +331,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real omega_t_forearm_z = omega_s_forearm_z + omega_R_forearm_3;
 
     /* forearm, alpha_t: angular acceleration of the tip section (accconst1b) */
-    const six_link_real alpha_t_forearm_x = alpha_s_forearm_x + alpha_forearm_x
-        + omega_s_forearm_z * omega_forearm_y - omega_s_forearm_y * omega_R_forearm_3;
+    const six_link_real alpha_t_forearm_x = alpha_s_forearm_x + alpha_forearm_x + omega_s_forearm_z * omega_forearm_y
+        - omega_s_forearm_y * omega_R_forearm_3;
     const six_link_real alpha_t_forearm_y = alpha_s_forearm_y + alpha_0_forearm_2
         + omega_s_forearm_x * omega_R_forearm_3 - omega_s_forearm_z * omega_R_forearm_1;
     const six_link_real alpha_t_forearm_z = alpha_forearm_z - minus_alpha_s_forearm_z
@@ -413,12 +404,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_P_wrist_roll_32 * alpha_t_forearm_z;
     const six_link_real t55 = R_P_wrist_roll_13 * alpha_t_forearm_x + R_P_wrist_roll_23 * alpha_t_forearm_y
         + R_P_wrist_roll_33 * alpha_t_forearm_z;
-    const six_link_real alpha_0_wrist_roll_4 = R_T_forearm_xx * a_t_forearm_x
-        + minus_R_T_forearm_xy * a_t_forearm_y - R_T_forearm_xz * a_t_forearm_z;
-    const six_link_real alpha_0_wrist_roll_5 = R_P_wrist_roll_12 * a_t_forearm_x
-        + R_P_wrist_roll_22 * a_t_forearm_y + R_P_wrist_roll_32 * a_t_forearm_z;
-    const six_link_real alpha_0_wrist_roll_6 = R_P_wrist_roll_13 * a_t_forearm_x
-        + R_P_wrist_roll_23 * a_t_forearm_y + R_P_wrist_roll_33 * a_t_forearm_z;
+    const six_link_real alpha_0_wrist_roll_4 = R_T_forearm_xx * a_t_forearm_x + minus_R_T_forearm_xy * a_t_forearm_y
+        - R_T_forearm_xz * a_t_forearm_z;
+    const six_link_real alpha_0_wrist_roll_5 = R_P_wrist_roll_12 * a_t_forearm_x + R_P_wrist_roll_22 * a_t_forearm_y
+        + R_P_wrist_roll_32 * a_t_forearm_z;
+    const six_link_real alpha_0_wrist_roll_6 = R_P_wrist_roll_13 * a_t_forearm_x + R_P_wrist_roll_23 * a_t_forearm_y
+        + R_P_wrist_roll_33 * a_t_forearm_z;
 
     /* wrist_roll, omega: angular velocity of the link (45) */
     const six_link_real omega_wrist_roll_x = omega_R_wrist_roll_1 + state->v[3];
@@ -430,8 +421,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* wrist_roll, a_t: acceleration of the tip point (accconst1b) */
     const six_link_real t56 = omega_R_wrist_roll_2 * omega_R_wrist_roll_2;
     const six_link_real t57 = omega_R_wrist_roll_3 * omega_R_wrist_roll_3;
-    const six_link_real a_t_wrist_roll_x = alpha_0_wrist_roll_4 - c->links[3].length * t56
-        - c->links[3].length * t57;
+    const six_link_real a_t_wrist_roll_x = alpha_0_wrist_roll_4 - c->links[3].length * t56 - c->links[3].length * t57;
     const six_link_real t58 = c->links[3].length * omega_wrist_roll_x;
     const six_link_real a_t_wrist_roll_y = alpha_0_wrist_roll_5 + alpha_wrist_roll_z * c->links[3].length
         + t58 * omega_R_wrist_roll_2;
@@ -449,10 +439,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_rel_wrist_pitch_xx * omega_R_wrist_roll_3;
 
     /* acceleration of the parent's tip in F_i axes_wrist_pitch */
-    const six_link_real t59 = R_rel_wrist_pitch_xx * alpha_0_wrist_roll_1
-        - R_rel_wrist_pitch_xz * alpha_wrist_roll_z;
-    const six_link_real t60 = R_rel_wrist_pitch_xz * alpha_0_wrist_roll_1
-        + R_rel_wrist_pitch_xx * alpha_wrist_roll_z;
+    const six_link_real t59 = R_rel_wrist_pitch_xx * alpha_0_wrist_roll_1 - R_rel_wrist_pitch_xz * alpha_wrist_roll_z;
+    const six_link_real t60 = R_rel_wrist_pitch_xz * alpha_0_wrist_roll_1 + R_rel_wrist_pitch_xx * alpha_wrist_roll_z;
     const six_link_real alpha_0_wrist_pitch_4 = R_rel_wrist_pitch_xx * a_t_wrist_roll_x
         - R_rel_wrist_pitch_xz * a_t_wrist_roll_z;
     const six_link_real alpha_0_wrist_pitch_6 = R_rel_wrist_pitch_xz * a_t_wrist_roll_x
@@ -468,8 +456,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* wrist_pitch, a_t: acceleration of the tip point (accconst1b) */
     const six_link_real t61 = omega_wrist_pitch_y * omega_wrist_pitch_y;
     const six_link_real t62 = omega_R_wrist_pitch_3 * omega_R_wrist_pitch_3;
-    const six_link_real a_t_wrist_pitch_x = alpha_0_wrist_pitch_4 - c->links[4].length * t61
-        - c->links[4].length * t62;
+    const six_link_real a_t_wrist_pitch_x = alpha_0_wrist_pitch_4 - c->links[4].length * t61 - c->links[4].length * t62;
     const six_link_real t63 = c->links[4].length * omega_R_wrist_pitch_1;
     const six_link_real a_t_wrist_pitch_y = a_t_wrist_roll_y + alpha_wrist_pitch_z * c->links[4].length
         + t63 * omega_wrist_pitch_y;
@@ -506,10 +493,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t67 = omega_R_flange_3 * omega_R_flange_3;
     const six_link_real a_t_flange_x = a_t_wrist_pitch_x - c->links[5].length * t66 - c->links[5].length * t67;
     const six_link_real t68 = c->links[5].length * omega_flange_x;
-    const six_link_real a_t_flange_y = alpha_0_flange_5 + alpha_flange_z * c->links[5].length
-        + t68 * omega_R_flange_2;
-    const six_link_real a_t_flange_z = alpha_0_flange_6 + t68 * omega_R_flange_3
-        - alpha_flange_y * c->links[5].length;
+    const six_link_real a_t_flange_y = alpha_0_flange_5 + alpha_flange_z * c->links[5].length + t68 * omega_R_flange_2;
+    const six_link_real a_t_flange_z = alpha_0_flange_6 + t68 * omega_R_flange_3 - alpha_flange_y * c->links[5].length;
 
     /* flange, Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_flange_xx = t66 + t67;
@@ -521,8 +506,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t69 = c->links[5].I_s * omega_flange_x;
     const six_link_real H_star_flange_2 = t69 * omega_R_flange_3 - c->links[5].J_0_xx * Omega_flange_zx
         - c->links[5].S_0_x * alpha_0_flange_6;
-    const six_link_real H_star_flange_3 = c->links[5].J_0_xx * Omega_flange_yx
-        + c->links[5].S_0_x * alpha_0_flange_5 - t69 * omega_R_flange_2;
+    const six_link_real H_star_flange_3 = c->links[5].J_0_xx * Omega_flange_yx + c->links[5].S_0_x * alpha_0_flange_5
+        - t69 * omega_R_flange_2;
     const six_link_real H_star_flange_4 = a_t_wrist_pitch_x * c->links[5].mu
         - minus_Omega_flange_xx * c->links[5].S_0_x;
     const six_link_real H_star_flange_5 = Omega_flange_yx * c->links[5].S_0_x + alpha_0_flange_5 * c->links[5].mu;
@@ -584,7 +569,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* flange, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_flange_11 = M_loaded_flange_11 + m_eta[5];
     const six_link_real t88 = SIX_LINK_REAL_EPSILON * 8;
-    bad |= (unsigned long)(!(joint_inertia_flange_11 - t88 * (M_loaded_flange_11 + M_loaded_flange_22 + M_loaded_flange_33) > 0)) << 5;
+    bad |= (unsigned long)(!(joint_inertia_flange_11
+        - t88 * (M_loaded_flange_11 + M_loaded_flange_22 + M_loaded_flange_33) > 0)) << 5;
     const six_link_real joint_inverse_flange_1 = 1 / joint_inertia_flange_11;
     const six_link_real joint_W_flange_11 = M_loaded_flange_11 * joint_inverse_flange_1;
     const six_link_real minus_joint_W_flange_12 = minus_M_loaded_flange_12 * joint_inverse_flange_1;
@@ -594,21 +580,16 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real joint_w_flange_1 = (input->tau[5] - work->f_eta[5] - h_loaded_flange_1)
         * joint_inverse_flange_1;
     const six_link_real Lambda_i_flange_11 = M_loaded_flange_11 - M_loaded_flange_11 * joint_W_flange_11;
-    const six_link_real Lambda_i_flange_12 = M_loaded_flange_11 * minus_joint_W_flange_12
-        - minus_M_loaded_flange_12;
-    const six_link_real Lambda_i_flange_13 = M_loaded_flange_11 * minus_joint_W_flange_13
-        - minus_M_loaded_flange_13;
+    const six_link_real Lambda_i_flange_12 = M_loaded_flange_11 * minus_joint_W_flange_12 - minus_M_loaded_flange_12;
+    const six_link_real Lambda_i_flange_13 = M_loaded_flange_11 * minus_joint_W_flange_13 - minus_M_loaded_flange_13;
     const six_link_real Lambda_i_flange_15 = M_loaded_flange_11 * minus_joint_W_flange_15 - c->links[5].S_T_z;
     const six_link_real Lambda_i_flange_16 = c->links[5].S_T_y - M_loaded_flange_11 * joint_W_flange_16;
-    const six_link_real Lambda_i_flange_22 = M_loaded_flange_22
-        - minus_M_loaded_flange_12 * minus_joint_W_flange_12;
+    const six_link_real Lambda_i_flange_22 = M_loaded_flange_22 - minus_M_loaded_flange_12 * minus_joint_W_flange_12;
     const six_link_real minus_Lambda_i_flange_23 = c->links[5].J_T_yz
         + minus_M_loaded_flange_12 * minus_joint_W_flange_13;
     const six_link_real minus_Lambda_i_flange_25 = minus_M_loaded_flange_12 * minus_joint_W_flange_15;
-    const six_link_real Lambda_i_flange_26 = minus_M_loaded_flange_12 * joint_W_flange_16
-        - minus_M_loaded_flange_26;
-    const six_link_real Lambda_i_flange_33 = M_loaded_flange_33
-        - minus_M_loaded_flange_13 * minus_joint_W_flange_13;
+    const six_link_real Lambda_i_flange_26 = minus_M_loaded_flange_12 * joint_W_flange_16 - minus_M_loaded_flange_26;
+    const six_link_real Lambda_i_flange_33 = M_loaded_flange_33 - minus_M_loaded_flange_13 * minus_joint_W_flange_13;
     const six_link_real Lambda_i_flange_35 = minus_M_loaded_flange_26
         - minus_M_loaded_flange_13 * minus_joint_W_flange_15;
     const six_link_real Lambda_i_flange_36 = minus_M_loaded_flange_13 * joint_W_flange_16;
@@ -636,10 +617,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - Lambda_i_flange_16 * minus_R_rel_flange_yz;
     const six_link_real Lambda_flange_6 = Lambda_i_flange_15 * minus_R_rel_flange_yz
         + Lambda_i_flange_16 * R_rel_flange_yy;
-    const six_link_real t92 = minus_Lambda_i_flange_25 * R_rel_flange_yy
-        + Lambda_i_flange_26 * minus_R_rel_flange_yz;
-    const six_link_real t93 = Lambda_i_flange_26 * R_rel_flange_yy
-        - minus_Lambda_i_flange_25 * minus_R_rel_flange_yz;
+    const six_link_real t92 = minus_Lambda_i_flange_25 * R_rel_flange_yy + Lambda_i_flange_26 * minus_R_rel_flange_yz;
+    const six_link_real t93 = Lambda_i_flange_26 * R_rel_flange_yy - minus_Lambda_i_flange_25 * minus_R_rel_flange_yz;
     const six_link_real t94 = Lambda_i_flange_35 * R_rel_flange_yy - Lambda_i_flange_36 * minus_R_rel_flange_yz;
     const six_link_real t95 = Lambda_i_flange_35 * minus_R_rel_flange_yz + Lambda_i_flange_36 * R_rel_flange_yy;
     const six_link_real Lambda_flange_9 = R_rel_flange_yy * c->links[5].S_T_z
@@ -669,8 +648,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* wrist_pitch, H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real H_star_wrist_pitch_1 = c->links[4].I_s * alpha_wrist_pitch_x;
     const six_link_real t99 = c->links[4].I_s * omega_R_wrist_pitch_1;
-    const six_link_real H_star_wrist_pitch_2 = t99 * omega_R_wrist_pitch_3
-        - c->links[4].J_0_xx * Omega_wrist_pitch_zx - c->links[4].S_0_x * alpha_0_wrist_pitch_6;
+    const six_link_real H_star_wrist_pitch_2 = t99 * omega_R_wrist_pitch_3 - c->links[4].J_0_xx * Omega_wrist_pitch_zx
+        - c->links[4].S_0_x * alpha_0_wrist_pitch_6;
     const six_link_real H_star_wrist_pitch_3 = c->links[4].J_0_xx * Omega_wrist_pitch_yx
         + c->links[4].S_0_x * a_t_wrist_roll_y - t99 * omega_wrist_pitch_y;
     const six_link_real H_star_wrist_pitch_4 = alpha_0_wrist_pitch_4 * c->links[4].mu
@@ -719,14 +698,14 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* wrist_pitch, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_wrist_pitch_11 = M_loaded_wrist_pitch_22 + m_eta[4];
-    bad |= (unsigned long)(!(joint_inertia_wrist_pitch_11 - t88 * (M_loaded_wrist_pitch_11 + M_loaded_wrist_pitch_22 + M_loaded_wrist_pitch_33) > 0)) << 4;
+    bad |= (unsigned long)(!(joint_inertia_wrist_pitch_11
+        - t88 * (M_loaded_wrist_pitch_11 + M_loaded_wrist_pitch_22 + M_loaded_wrist_pitch_33) > 0)) << 4;
     const six_link_real joint_inverse_wrist_pitch_1 = 1 / joint_inertia_wrist_pitch_11;
     const six_link_real joint_W_wrist_pitch_11 = M_loaded_wrist_pitch_12 * joint_inverse_wrist_pitch_1;
     const six_link_real joint_W_wrist_pitch_12 = M_loaded_wrist_pitch_22 * joint_inverse_wrist_pitch_1;
     const six_link_real joint_W_wrist_pitch_13 = M_loaded_wrist_pitch_23 * joint_inverse_wrist_pitch_1;
     const six_link_real joint_W_wrist_pitch_14 = Lambda_flange_9 * joint_inverse_wrist_pitch_1;
-    const six_link_real minus_joint_W_wrist_pitch_15 = minus_M_loaded_wrist_pitch_25
-        * joint_inverse_wrist_pitch_1;
+    const six_link_real minus_joint_W_wrist_pitch_15 = minus_M_loaded_wrist_pitch_25 * joint_inverse_wrist_pitch_1;
     const six_link_real joint_W_wrist_pitch_16 = M_loaded_wrist_pitch_26 * joint_inverse_wrist_pitch_1;
     const six_link_real joint_w_wrist_pitch_1 = (input->tau[4] - work->f_eta[4] - h_loaded_wrist_pitch_2)
         * joint_inverse_wrist_pitch_1;
@@ -739,28 +718,24 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_Lambda_i_wrist_pitch_14 = M_loaded_wrist_pitch_12 * joint_W_wrist_pitch_14;
     const six_link_real Lambda_i_wrist_pitch_15 = Lambda_flange_5
         + M_loaded_wrist_pitch_12 * minus_joint_W_wrist_pitch_15;
-    const six_link_real Lambda_i_wrist_pitch_16 = Lambda_flange_6
-        - M_loaded_wrist_pitch_12 * joint_W_wrist_pitch_16;
+    const six_link_real Lambda_i_wrist_pitch_16 = Lambda_flange_6 - M_loaded_wrist_pitch_12 * joint_W_wrist_pitch_16;
     const six_link_real Lambda_i_wrist_pitch_22 = M_loaded_wrist_pitch_22
         - M_loaded_wrist_pitch_22 * joint_W_wrist_pitch_12;
     const six_link_real Lambda_i_wrist_pitch_23 = M_loaded_wrist_pitch_23
         - M_loaded_wrist_pitch_22 * joint_W_wrist_pitch_13;
-    const six_link_real Lambda_i_wrist_pitch_24 = Lambda_flange_9
-        - M_loaded_wrist_pitch_22 * joint_W_wrist_pitch_14;
+    const six_link_real Lambda_i_wrist_pitch_24 = Lambda_flange_9 - M_loaded_wrist_pitch_22 * joint_W_wrist_pitch_14;
     const six_link_real Lambda_i_wrist_pitch_25 = M_loaded_wrist_pitch_22 * minus_joint_W_wrist_pitch_15
         - minus_M_loaded_wrist_pitch_25;
     const six_link_real Lambda_i_wrist_pitch_26 = M_loaded_wrist_pitch_26
         - M_loaded_wrist_pitch_22 * joint_W_wrist_pitch_16;
     const six_link_real Lambda_i_wrist_pitch_33 = M_loaded_wrist_pitch_33
         - M_loaded_wrist_pitch_23 * joint_W_wrist_pitch_13;
-    const six_link_real Lambda_i_wrist_pitch_34 = Lambda_flange_13
-        - M_loaded_wrist_pitch_23 * joint_W_wrist_pitch_14;
+    const six_link_real Lambda_i_wrist_pitch_34 = Lambda_flange_13 - M_loaded_wrist_pitch_23 * joint_W_wrist_pitch_14;
     const six_link_real Lambda_i_wrist_pitch_35 = M_loaded_wrist_pitch_35
         + M_loaded_wrist_pitch_23 * minus_joint_W_wrist_pitch_15;
     const six_link_real Lambda_i_wrist_pitch_36 = M_loaded_wrist_pitch_36
         - M_loaded_wrist_pitch_23 * joint_W_wrist_pitch_16;
-    const six_link_real Lambda_i_wrist_pitch_44 = M_loaded_wrist_pitch_44
-        - Lambda_flange_9 * joint_W_wrist_pitch_14;
+    const six_link_real Lambda_i_wrist_pitch_44 = M_loaded_wrist_pitch_44 - Lambda_flange_9 * joint_W_wrist_pitch_14;
     const six_link_real Lambda_i_wrist_pitch_45 = Lambda_flange_9 * minus_joint_W_wrist_pitch_15;
     const six_link_real minus_Lambda_i_wrist_pitch_46 = Lambda_flange_9 * joint_W_wrist_pitch_16;
     const six_link_real Lambda_i_wrist_pitch_55 = M_loaded_wrist_pitch_55
@@ -769,17 +744,13 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + minus_M_loaded_wrist_pitch_25 * joint_W_wrist_pitch_16;
     const six_link_real Lambda_i_wrist_pitch_66 = M_loaded_wrist_pitch_66
         - M_loaded_wrist_pitch_26 * joint_W_wrist_pitch_16;
-    const six_link_real p_i_wrist_pitch_1 = h_loaded_wrist_pitch_1
-        + M_loaded_wrist_pitch_12 * joint_w_wrist_pitch_1;
-    const six_link_real p_i_wrist_pitch_2 = h_loaded_wrist_pitch_2
-        + M_loaded_wrist_pitch_22 * joint_w_wrist_pitch_1;
-    const six_link_real p_i_wrist_pitch_3 = h_loaded_wrist_pitch_3
-        + M_loaded_wrist_pitch_23 * joint_w_wrist_pitch_1;
+    const six_link_real p_i_wrist_pitch_1 = h_loaded_wrist_pitch_1 + M_loaded_wrist_pitch_12 * joint_w_wrist_pitch_1;
+    const six_link_real p_i_wrist_pitch_2 = h_loaded_wrist_pitch_2 + M_loaded_wrist_pitch_22 * joint_w_wrist_pitch_1;
+    const six_link_real p_i_wrist_pitch_3 = h_loaded_wrist_pitch_3 + M_loaded_wrist_pitch_23 * joint_w_wrist_pitch_1;
     const six_link_real p_i_wrist_pitch_4 = h_loaded_wrist_pitch_4 + Lambda_flange_9 * joint_w_wrist_pitch_1;
     const six_link_real p_i_wrist_pitch_5 = h_loaded_wrist_pitch_5
         - minus_M_loaded_wrist_pitch_25 * joint_w_wrist_pitch_1;
-    const six_link_real p_i_wrist_pitch_6 = h_loaded_wrist_pitch_6
-        + M_loaded_wrist_pitch_26 * joint_w_wrist_pitch_1;
+    const six_link_real p_i_wrist_pitch_6 = h_loaded_wrist_pitch_6 + M_loaded_wrist_pitch_26 * joint_w_wrist_pitch_1;
 
     /* wrist_pitch, handed up: inertia and bias that the joint shows to the parent's tip (49) */
     const six_link_real t103 = (Lambda_i_wrist_pitch_11 - Lambda_i_wrist_pitch_33) * REAL(0.5);
@@ -839,8 +810,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* wrist_roll, H_star: gyroscopic wrench and weight, angular acceleration included */
     const six_link_real H_star_wrist_roll_1 = c->links[3].I_s * alpha_0_wrist_roll_1;
     const six_link_real t113 = c->links[3].I_s * omega_wrist_roll_x;
-    const six_link_real H_star_wrist_roll_2 = t113 * omega_R_wrist_roll_3
-        - c->links[3].J_0_xx * Omega_wrist_roll_zx - c->links[3].S_0_x * alpha_0_wrist_roll_6;
+    const six_link_real H_star_wrist_roll_2 = t113 * omega_R_wrist_roll_3 - c->links[3].J_0_xx * Omega_wrist_roll_zx
+        - c->links[3].S_0_x * alpha_0_wrist_roll_6;
     const six_link_real H_star_wrist_roll_3 = c->links[3].J_0_xx * Omega_wrist_roll_yx
         + c->links[3].S_0_x * alpha_0_wrist_roll_5 - t113 * omega_R_wrist_roll_2;
     const six_link_real H_star_wrist_roll_4 = alpha_0_wrist_roll_4 * c->links[3].mu
@@ -864,14 +835,13 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + c->links[3].length * minus_Lambda_wrist_pitch_18;
     const six_link_real M_loaded_wrist_roll_25 = Lambda_i_wrist_pitch_25 - t114;
     const six_link_real t115 = Lambda_wrist_pitch_11 - c->links[3].length * Lambda_wrist_pitch_21;
-    const six_link_real M_loaded_wrist_roll_34 = Lambda_wrist_pitch_13
-        + c->links[3].length * Lambda_wrist_pitch_17;
+    const six_link_real M_loaded_wrist_roll_34 = Lambda_wrist_pitch_13 + c->links[3].length * Lambda_wrist_pitch_17;
     const six_link_real t116 = Lambda_wrist_pitch_14 + c->links[3].length * Lambda_i_wrist_pitch_55;
     const six_link_real M_loaded_wrist_roll_36 = Lambda_wrist_pitch_15 + t114;
     const six_link_real M_loaded_wrist_roll_12 = Lambda_wrist_pitch_2 - Lambda_wrist_pitch_6 * c->links[3].length;
     const six_link_real M_loaded_wrist_roll_13 = Lambda_wrist_pitch_3 + Lambda_wrist_pitch_5 * c->links[3].length;
-    const six_link_real M_loaded_wrist_roll_23 = Lambda_wrist_pitch_8
-        + Lambda_i_wrist_pitch_25 * c->links[3].length - c->links[3].length * M_loaded_wrist_roll_36;
+    const six_link_real M_loaded_wrist_roll_23 = Lambda_wrist_pitch_8 + Lambda_i_wrist_pitch_25 * c->links[3].length
+        - c->links[3].length * M_loaded_wrist_roll_36;
     const six_link_real M_loaded_wrist_roll_11 = c->links[3].I_s + Lambda_wrist_pitch_1;
     const six_link_real M_loaded_wrist_roll_22 = c->links[3].J_0_xx
         + (Lambda_i_wrist_pitch_22 - Lambda_wrist_pitch_11 * c->links[3].length - c->links[3].length * t115);
@@ -893,7 +863,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* wrist_roll, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_wrist_roll_11 = M_loaded_wrist_roll_11 + m_eta[3];
-    bad |= (unsigned long)(!(joint_inertia_wrist_roll_11 - t88 * (M_loaded_wrist_roll_11 + M_loaded_wrist_roll_22 + M_loaded_wrist_roll_33) > 0)) << 3;
+    bad |= (unsigned long)(!(joint_inertia_wrist_roll_11
+        - t88 * (M_loaded_wrist_roll_11 + M_loaded_wrist_roll_22 + M_loaded_wrist_roll_33) > 0)) << 3;
     const six_link_real joint_inverse_wrist_roll_1 = 1 / joint_inertia_wrist_roll_11;
     const six_link_real joint_W_wrist_roll_11 = M_loaded_wrist_roll_11 * joint_inverse_wrist_roll_1;
     const six_link_real joint_W_wrist_roll_12 = M_loaded_wrist_roll_12 * joint_inverse_wrist_roll_1;
@@ -909,12 +880,9 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - M_loaded_wrist_roll_11 * joint_W_wrist_roll_12;
     const six_link_real Lambda_i_wrist_roll_13 = M_loaded_wrist_roll_13
         - M_loaded_wrist_roll_11 * joint_W_wrist_roll_13;
-    const six_link_real Lambda_i_wrist_roll_14 = Lambda_wrist_pitch_4
-        - M_loaded_wrist_roll_11 * joint_W_wrist_roll_14;
-    const six_link_real Lambda_i_wrist_roll_15 = Lambda_wrist_pitch_5
-        - M_loaded_wrist_roll_11 * joint_W_wrist_roll_15;
-    const six_link_real Lambda_i_wrist_roll_16 = Lambda_wrist_pitch_6
-        - M_loaded_wrist_roll_11 * joint_W_wrist_roll_16;
+    const six_link_real Lambda_i_wrist_roll_14 = Lambda_wrist_pitch_4 - M_loaded_wrist_roll_11 * joint_W_wrist_roll_14;
+    const six_link_real Lambda_i_wrist_roll_15 = Lambda_wrist_pitch_5 - M_loaded_wrist_roll_11 * joint_W_wrist_roll_15;
+    const six_link_real Lambda_i_wrist_roll_16 = Lambda_wrist_pitch_6 - M_loaded_wrist_roll_11 * joint_W_wrist_roll_16;
     const six_link_real Lambda_i_wrist_roll_22 = M_loaded_wrist_roll_22
         - M_loaded_wrist_roll_12 * joint_W_wrist_roll_12;
     const six_link_real Lambda_i_wrist_roll_23 = M_loaded_wrist_roll_23
@@ -933,18 +901,13 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - M_loaded_wrist_roll_13 * joint_W_wrist_roll_15;
     const six_link_real Lambda_i_wrist_roll_36 = M_loaded_wrist_roll_36
         - M_loaded_wrist_roll_13 * joint_W_wrist_roll_16;
-    const six_link_real Lambda_i_wrist_roll_44 = M_loaded_wrist_roll_44
-        - Lambda_wrist_pitch_4 * joint_W_wrist_roll_14;
-    const six_link_real Lambda_i_wrist_roll_45 = Lambda_wrist_pitch_17
-        - Lambda_wrist_pitch_4 * joint_W_wrist_roll_15;
+    const six_link_real Lambda_i_wrist_roll_44 = M_loaded_wrist_roll_44 - Lambda_wrist_pitch_4 * joint_W_wrist_roll_14;
+    const six_link_real Lambda_i_wrist_roll_45 = Lambda_wrist_pitch_17 - Lambda_wrist_pitch_4 * joint_W_wrist_roll_15;
     const six_link_real minus_Lambda_i_wrist_roll_46 = minus_Lambda_wrist_pitch_18
         + Lambda_wrist_pitch_4 * joint_W_wrist_roll_16;
-    const six_link_real Lambda_i_wrist_roll_55 = M_loaded_wrist_roll_55
-        - Lambda_wrist_pitch_5 * joint_W_wrist_roll_15;
-    const six_link_real Lambda_i_wrist_roll_56 = Lambda_wrist_pitch_20
-        - Lambda_wrist_pitch_5 * joint_W_wrist_roll_16;
-    const six_link_real Lambda_i_wrist_roll_66 = M_loaded_wrist_roll_66
-        - Lambda_wrist_pitch_6 * joint_W_wrist_roll_16;
+    const six_link_real Lambda_i_wrist_roll_55 = M_loaded_wrist_roll_55 - Lambda_wrist_pitch_5 * joint_W_wrist_roll_15;
+    const six_link_real Lambda_i_wrist_roll_56 = Lambda_wrist_pitch_20 - Lambda_wrist_pitch_5 * joint_W_wrist_roll_16;
+    const six_link_real Lambda_i_wrist_roll_66 = M_loaded_wrist_roll_66 - Lambda_wrist_pitch_6 * joint_W_wrist_roll_16;
     const six_link_real p_i_wrist_roll_1 = h_loaded_wrist_roll_1 + M_loaded_wrist_roll_11 * joint_w_wrist_roll_1;
     const six_link_real p_i_wrist_roll_2 = h_loaded_wrist_roll_2 + M_loaded_wrist_roll_12 * joint_w_wrist_roll_1;
     const six_link_real p_i_wrist_roll_3 = h_loaded_wrist_roll_3 + M_loaded_wrist_roll_13 * joint_w_wrist_roll_1;
@@ -976,24 +939,24 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (R_P_wrist_roll_32 * t123 - R_T_forearm_xz * t119);
     const six_link_real Lambda_wrist_roll_12 = (R_P_wrist_roll_32 * t124 - R_T_forearm_xz * t120) * 2
         + Lambda_i_wrist_roll_33;
-    const six_link_real t125 = Lambda_i_wrist_roll_14 * R_T_forearm_xx
-        + Lambda_i_wrist_roll_15 * R_P_wrist_roll_12 + Lambda_i_wrist_roll_16 * R_P_wrist_roll_13;
+    const six_link_real t125 = Lambda_i_wrist_roll_14 * R_T_forearm_xx + Lambda_i_wrist_roll_15 * R_P_wrist_roll_12
+        + Lambda_i_wrist_roll_16 * R_P_wrist_roll_13;
     const six_link_real t126 = Lambda_i_wrist_roll_14 * minus_R_T_forearm_xy
         + Lambda_i_wrist_roll_15 * R_P_wrist_roll_22 + Lambda_i_wrist_roll_16 * R_P_wrist_roll_23;
-    const six_link_real t127 = Lambda_i_wrist_roll_15 * R_P_wrist_roll_32
-        - Lambda_i_wrist_roll_14 * R_T_forearm_xz + Lambda_i_wrist_roll_16 * R_P_wrist_roll_33;
-    const six_link_real t128 = Lambda_i_wrist_roll_24 * R_T_forearm_xx
-        + Lambda_i_wrist_roll_25 * R_P_wrist_roll_12 + Lambda_i_wrist_roll_26 * R_P_wrist_roll_13;
+    const six_link_real t127 = Lambda_i_wrist_roll_15 * R_P_wrist_roll_32 - Lambda_i_wrist_roll_14 * R_T_forearm_xz
+        + Lambda_i_wrist_roll_16 * R_P_wrist_roll_33;
+    const six_link_real t128 = Lambda_i_wrist_roll_24 * R_T_forearm_xx + Lambda_i_wrist_roll_25 * R_P_wrist_roll_12
+        + Lambda_i_wrist_roll_26 * R_P_wrist_roll_13;
     const six_link_real t129 = Lambda_i_wrist_roll_24 * minus_R_T_forearm_xy
         + Lambda_i_wrist_roll_25 * R_P_wrist_roll_22 + Lambda_i_wrist_roll_26 * R_P_wrist_roll_23;
-    const six_link_real t130 = Lambda_i_wrist_roll_25 * R_P_wrist_roll_32
-        - Lambda_i_wrist_roll_24 * R_T_forearm_xz + Lambda_i_wrist_roll_26 * R_P_wrist_roll_33;
-    const six_link_real t131 = Lambda_i_wrist_roll_34 * R_T_forearm_xx
-        + Lambda_i_wrist_roll_35 * R_P_wrist_roll_12 + Lambda_i_wrist_roll_36 * R_P_wrist_roll_13;
+    const six_link_real t130 = Lambda_i_wrist_roll_25 * R_P_wrist_roll_32 - Lambda_i_wrist_roll_24 * R_T_forearm_xz
+        + Lambda_i_wrist_roll_26 * R_P_wrist_roll_33;
+    const six_link_real t131 = Lambda_i_wrist_roll_34 * R_T_forearm_xx + Lambda_i_wrist_roll_35 * R_P_wrist_roll_12
+        + Lambda_i_wrist_roll_36 * R_P_wrist_roll_13;
     const six_link_real t132 = Lambda_i_wrist_roll_34 * minus_R_T_forearm_xy
         + Lambda_i_wrist_roll_35 * R_P_wrist_roll_22 + Lambda_i_wrist_roll_36 * R_P_wrist_roll_23;
-    const six_link_real t133 = Lambda_i_wrist_roll_35 * R_P_wrist_roll_32
-        - Lambda_i_wrist_roll_34 * R_T_forearm_xz + Lambda_i_wrist_roll_36 * R_P_wrist_roll_33;
+    const six_link_real t133 = Lambda_i_wrist_roll_35 * R_P_wrist_roll_32 - Lambda_i_wrist_roll_34 * R_T_forearm_xz
+        + Lambda_i_wrist_roll_36 * R_P_wrist_roll_33;
     const six_link_real Lambda_wrist_roll_4 = R_T_forearm_xx * t125 + R_P_wrist_roll_12 * t128
         + R_P_wrist_roll_13 * t131;
     const six_link_real Lambda_wrist_roll_5 = R_T_forearm_xx * t126 + R_P_wrist_roll_12 * t129
@@ -1055,10 +1018,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + state->q[14] * c->links[2].sigma_y2;
 
     /* forearm, Sdot: rate of the first moment */
-    const six_link_real Sdot_forearm_y = state->v[11] * c->links[2].sigma_y1
-        + state->v[12] * c->links[2].sigma_y2;
-    const six_link_real Sdot_forearm_z = state->v[13] * c->links[2].sigma_y1
-        + state->v[14] * c->links[2].sigma_y2;
+    const six_link_real Sdot_forearm_y = state->v[11] * c->links[2].sigma_y1 + state->v[12] * c->links[2].sigma_y2;
+    const six_link_real Sdot_forearm_z = state->v[13] * c->links[2].sigma_y1 + state->v[14] * c->links[2].sigma_y2;
 
     /* forearm, L: first moment weighted by each mode shape (85) */
     const six_link_real L_forearm_y1 = c->links[2].mu * state->q[11];
@@ -1077,12 +1038,9 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + c->links[2].chi_2 * state->q[12];
     const six_link_real J_forearm_xz = c->links[2].J_B_xz + c->links[2].chi_1 * state->q[13]
         + c->links[2].chi_2 * state->q[14];
-    const six_link_real J_forearm_yy = c->links[2].J_B_yy + L_forearm_y1 * state->q[11]
-        + L_forearm_y2 * state->q[12];
-    const six_link_real J_forearm_yz = c->links[2].J_B_yz + L_forearm_z1 * state->q[11]
-        + L_forearm_z2 * state->q[12];
-    const six_link_real J_forearm_zz = c->links[2].J_B_zz + L_forearm_z1 * state->q[13]
-        + L_forearm_z2 * state->q[14];
+    const six_link_real J_forearm_yy = c->links[2].J_B_yy + L_forearm_y1 * state->q[11] + L_forearm_y2 * state->q[12];
+    const six_link_real J_forearm_yz = c->links[2].J_B_yz + L_forearm_z1 * state->q[11] + L_forearm_z2 * state->q[12];
+    const six_link_real J_forearm_zz = c->links[2].J_B_zz + L_forearm_z1 * state->q[13] + L_forearm_z2 * state->q[14];
 
     /* forearm, I: inertia about the origin, deformed */
     const six_link_real I_forearm_xx = c->links[2].I_s + J_forearm_yy + J_forearm_zz;
@@ -1125,19 +1083,18 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_c_forearm_6 = Sdot_forearm_y * omega_R_forearm_1;
 
     /* forearm, H_star: gyroscopic wrench and weight, angular acceleration included */
-    const six_link_real t148 = h_c_forearm_1 + c->links[2].I_s * alpha_forearm_x
-        + J_forearm_xy * Omega_forearm_zx + J_forearm_yy * Omega_forearm_zy;
+    const six_link_real t148 = h_c_forearm_1 + c->links[2].I_s * alpha_forearm_x + J_forearm_xy * Omega_forearm_zx
+        + J_forearm_yy * Omega_forearm_zy;
     const six_link_real t149 = t148 + J_forearm_yz * (minus_Omega_forearm_yy - minus_Omega_forearm_zz)
         + S_forearm_y * a_J_forearm_z;
-    const six_link_real H_star_forearm_1 = t149 - J_forearm_xz * Omega_forearm_yx
-        - J_forearm_zz * Omega_forearm_yz - S_forearm_z * a_J_forearm_y;
+    const six_link_real H_star_forearm_1 = t149 - J_forearm_xz * Omega_forearm_yx - J_forearm_zz * Omega_forearm_yz
+        - S_forearm_z * a_J_forearm_y;
     const six_link_real t150 = h_c_forearm_2 + J_forearm_xz * (minus_Omega_forearm_zz - minus_Omega_forearm_xx)
         + J_forearm_yz * Omega_forearm_xy;
     const six_link_real t151 = c->links[2].I_s * omega_R_forearm_1;
     const six_link_real t152 = t150 + J_forearm_zz * Omega_forearm_xz + S_forearm_z * a_J_forearm_x
         + t151 * omega_R_forearm_3 - c->links[2].J_0_xx * Omega_forearm_zx;
-    const six_link_real H_star_forearm_2 = t152 - J_forearm_xy * Omega_forearm_zy
-        - c->links[2].S_0_x * a_J_forearm_z;
+    const six_link_real H_star_forearm_2 = t152 - J_forearm_xy * Omega_forearm_zy - c->links[2].S_0_x * a_J_forearm_z;
     const six_link_real t153 = h_c_forearm_3 + c->links[2].J_0_xx * Omega_forearm_yx
         + J_forearm_xy * (minus_Omega_forearm_xx - minus_Omega_forearm_yy);
     const six_link_real t154 = t153 + J_forearm_xz * Omega_forearm_yz + c->links[2].S_0_x * a_J_forearm_y
@@ -1150,8 +1107,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t156 = Omega_forearm_yx * c->links[2].S_0_x - minus_h_c_forearm_5
         - minus_Omega_forearm_yy * S_forearm_y;
     const six_link_real H_star_forearm_5 = t156 + Omega_forearm_yz * S_forearm_z + a_J_forearm_y * c->links[2].m;
-    const six_link_real t157 = h_c_forearm_6 + Omega_forearm_zx * c->links[2].S_0_x
-        + Omega_forearm_zy * S_forearm_y - minus_Omega_forearm_zz * S_forearm_z;
+    const six_link_real t157 = h_c_forearm_6 + Omega_forearm_zx * c->links[2].S_0_x + Omega_forearm_zy * S_forearm_y
+        - minus_Omega_forearm_zz * S_forearm_z;
     const six_link_real H_star_forearm_6 = t157 + a_J_forearm_z * c->links[2].m;
 
     /* forearm, h_V: bias of the twist rows, angular acceleration included */
@@ -1243,8 +1200,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         - (Lambda_wrist_roll_9 * r_T_forearm_y - Lambda_wrist_roll_10 * c->links[2].length);
     const six_link_real t182 = Lambda_wrist_roll_12
         - (Lambda_wrist_roll_13 * r_T_forearm_y - Lambda_wrist_roll_14 * c->links[2].length);
-    const six_link_real M_loaded_forearm_11 = I_forearm_xx
-        + (t177 + (r_T_forearm_y * t172 - r_T_forearm_z * t171));
+    const six_link_real M_loaded_forearm_11 = I_forearm_xx + (t177 + (r_T_forearm_y * t172 - r_T_forearm_z * t171));
     const six_link_real M_loaded_forearm_12 = t178 + (r_T_forearm_y * t174 - r_T_forearm_z * M_loaded_forearm_25)
         - J_forearm_xy;
     const six_link_real M_loaded_forearm_13 = t179 + (r_T_forearm_y * M_loaded_forearm_36 - r_T_forearm_z * t176)
@@ -1253,8 +1209,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real M_loaded_forearm_16 = S_forearm_y + t172;
     const six_link_real M_loaded_forearm_22 = I_forearm_yy
         + (t180 + (r_T_forearm_z * t173 - c->links[2].length * t174));
-    const six_link_real M_loaded_forearm_23 = t181
-        + (r_T_forearm_z * t175 - c->links[2].length * M_loaded_forearm_36) - J_forearm_yz;
+    const six_link_real M_loaded_forearm_23 = t181 + (r_T_forearm_z * t175 - c->links[2].length * M_loaded_forearm_36)
+        - J_forearm_yz;
     const six_link_real M_loaded_forearm_24 = S_forearm_z + t173;
     const six_link_real M_loaded_forearm_26 = t174 - c->links[2].S_0_x;
     const six_link_real M_loaded_forearm_33 = I_forearm_zz
@@ -1279,11 +1235,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t185 = Lambda_wrist_roll_1 * Theta_forearm_12 + Lambda_wrist_roll_2 * Theta_forearm_22
         + Lambda_wrist_roll_3 * Theta_forearm_32;
     const six_link_real t186 = t185 + Lambda_wrist_roll_5 * REAL(2.8145226674626453);
-    const six_link_real t187 = Lambda_wrist_roll_2 * Theta_forearm_23
-        - Lambda_wrist_roll_1 * minus_Theta_forearm_13 + Lambda_wrist_roll_3 * Theta_forearm_33;
+    const six_link_real t187 = Lambda_wrist_roll_2 * Theta_forearm_23 - Lambda_wrist_roll_1 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_3 * Theta_forearm_33;
     const six_link_real t188 = t187 + Lambda_wrist_roll_6 * REAL(2.0195202782688155);
-    const six_link_real t189 = Lambda_wrist_roll_2 * Theta_forearm_24
-        - Lambda_wrist_roll_1 * minus_Theta_forearm_14 + Lambda_wrist_roll_3 * Theta_forearm_34;
+    const six_link_real t189 = Lambda_wrist_roll_2 * Theta_forearm_24 - Lambda_wrist_roll_1 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_3 * Theta_forearm_34;
     const six_link_real t190 = t189 + Lambda_wrist_roll_6 * REAL(2.8145226674626453);
     const six_link_real t191 = Lambda_wrist_roll_2 * Theta_forearm_11 + Lambda_wrist_roll_7 * Theta_forearm_21
         + Lambda_wrist_roll_8 * Theta_forearm_31;
@@ -1291,11 +1247,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t193 = Lambda_wrist_roll_2 * Theta_forearm_12 + Lambda_wrist_roll_7 * Theta_forearm_22
         + Lambda_wrist_roll_8 * Theta_forearm_32;
     const six_link_real t194 = t193 + Lambda_wrist_roll_10 * REAL(2.8145226674626453);
-    const six_link_real t195 = Lambda_wrist_roll_7 * Theta_forearm_23
-        - Lambda_wrist_roll_2 * minus_Theta_forearm_13 + Lambda_wrist_roll_8 * Theta_forearm_33;
+    const six_link_real t195 = Lambda_wrist_roll_7 * Theta_forearm_23 - Lambda_wrist_roll_2 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_8 * Theta_forearm_33;
     const six_link_real t196 = t195 + Lambda_wrist_roll_11 * REAL(2.0195202782688155);
-    const six_link_real t197 = Lambda_wrist_roll_7 * Theta_forearm_24
-        - Lambda_wrist_roll_2 * minus_Theta_forearm_14 + Lambda_wrist_roll_8 * Theta_forearm_34;
+    const six_link_real t197 = Lambda_wrist_roll_7 * Theta_forearm_24 - Lambda_wrist_roll_2 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_8 * Theta_forearm_34;
     const six_link_real t198 = t197 + Lambda_wrist_roll_11 * REAL(2.8145226674626453);
     const six_link_real t199 = Lambda_wrist_roll_3 * Theta_forearm_11 + Lambda_wrist_roll_8 * Theta_forearm_21
         + Lambda_wrist_roll_12 * Theta_forearm_31;
@@ -1303,11 +1259,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t201 = Lambda_wrist_roll_3 * Theta_forearm_12 + Lambda_wrist_roll_8 * Theta_forearm_22
         + Lambda_wrist_roll_12 * Theta_forearm_32;
     const six_link_real t202 = t201 + Lambda_wrist_roll_14 * REAL(2.8145226674626453);
-    const six_link_real t203 = Lambda_wrist_roll_8 * Theta_forearm_23
-        - Lambda_wrist_roll_3 * minus_Theta_forearm_13 + Lambda_wrist_roll_12 * Theta_forearm_33;
+    const six_link_real t203 = Lambda_wrist_roll_8 * Theta_forearm_23 - Lambda_wrist_roll_3 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_12 * Theta_forearm_33;
     const six_link_real t204 = t203 + Lambda_wrist_roll_15 * REAL(2.0195202782688155);
-    const six_link_real t205 = Lambda_wrist_roll_8 * Theta_forearm_24
-        - Lambda_wrist_roll_3 * minus_Theta_forearm_14 + Lambda_wrist_roll_12 * Theta_forearm_34;
+    const six_link_real t205 = Lambda_wrist_roll_8 * Theta_forearm_24 - Lambda_wrist_roll_3 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_12 * Theta_forearm_34;
     const six_link_real t206 = t205 + Lambda_wrist_roll_15 * REAL(2.8145226674626453);
     const six_link_real t207 = Lambda_wrist_roll_4 * Theta_forearm_11 + Lambda_wrist_roll_9 * Theta_forearm_21
         + Lambda_wrist_roll_13 * Theta_forearm_31;
@@ -1315,11 +1271,11 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t208 = Lambda_wrist_roll_4 * Theta_forearm_12 + Lambda_wrist_roll_9 * Theta_forearm_22
         + Lambda_wrist_roll_13 * Theta_forearm_32;
     const six_link_real C_forearm_42 = t208 + Lambda_wrist_roll_17 * REAL(2.8145226674626453);
-    const six_link_real t209 = Lambda_wrist_roll_9 * Theta_forearm_23
-        - Lambda_wrist_roll_4 * minus_Theta_forearm_13 + Lambda_wrist_roll_13 * Theta_forearm_33;
+    const six_link_real t209 = Lambda_wrist_roll_9 * Theta_forearm_23 - Lambda_wrist_roll_4 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_13 * Theta_forearm_33;
     const six_link_real C_forearm_43 = t209 + Lambda_wrist_roll_18 * REAL(2.0195202782688155);
-    const six_link_real t210 = Lambda_wrist_roll_9 * Theta_forearm_24
-        - Lambda_wrist_roll_4 * minus_Theta_forearm_14 + Lambda_wrist_roll_13 * Theta_forearm_34;
+    const six_link_real t210 = Lambda_wrist_roll_9 * Theta_forearm_24 - Lambda_wrist_roll_4 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_13 * Theta_forearm_34;
     const six_link_real C_forearm_44 = t210 + Lambda_wrist_roll_18 * REAL(2.8145226674626453);
     const six_link_real t211 = Lambda_wrist_roll_5 * Theta_forearm_11 + Lambda_wrist_roll_10 * Theta_forearm_21
         + Lambda_wrist_roll_14 * Theta_forearm_31;
@@ -1327,12 +1283,12 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t213 = Lambda_wrist_roll_5 * Theta_forearm_12 + Lambda_wrist_roll_10 * Theta_forearm_22
         + Lambda_wrist_roll_14 * Theta_forearm_32;
     const six_link_real t214 = t213 + Lambda_wrist_roll_19 * REAL(2.8145226674626453);
-    const six_link_real t215 = Lambda_wrist_roll_10 * Theta_forearm_23
-        - Lambda_wrist_roll_5 * minus_Theta_forearm_13 + Lambda_wrist_roll_14 * Theta_forearm_33;
+    const six_link_real t215 = Lambda_wrist_roll_10 * Theta_forearm_23 - Lambda_wrist_roll_5 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_14 * Theta_forearm_33;
     const six_link_real t216 = Lambda_wrist_roll_20 * REAL(2.0195202782688155);
     const six_link_real C_forearm_53 = t215 + t216;
-    const six_link_real t217 = Lambda_wrist_roll_10 * Theta_forearm_24
-        - Lambda_wrist_roll_5 * minus_Theta_forearm_14 + Lambda_wrist_roll_14 * Theta_forearm_34;
+    const six_link_real t217 = Lambda_wrist_roll_10 * Theta_forearm_24 - Lambda_wrist_roll_5 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_14 * Theta_forearm_34;
     const six_link_real t218 = Lambda_wrist_roll_20 * REAL(2.8145226674626453);
     const six_link_real C_forearm_54 = t217 + t218;
     const six_link_real t219 = Lambda_wrist_roll_6 * Theta_forearm_11 + Lambda_wrist_roll_11 * Theta_forearm_21
@@ -1341,24 +1297,20 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t220 = Lambda_wrist_roll_6 * Theta_forearm_12 + Lambda_wrist_roll_11 * Theta_forearm_22
         + Lambda_wrist_roll_15 * Theta_forearm_32;
     const six_link_real C_forearm_62 = t220 + t218;
-    const six_link_real t221 = Lambda_wrist_roll_11 * Theta_forearm_23
-        - Lambda_wrist_roll_6 * minus_Theta_forearm_13 + Lambda_wrist_roll_15 * Theta_forearm_33;
+    const six_link_real t221 = Lambda_wrist_roll_11 * Theta_forearm_23 - Lambda_wrist_roll_6 * minus_Theta_forearm_13
+        + Lambda_wrist_roll_15 * Theta_forearm_33;
     const six_link_real t222 = t221 + Lambda_wrist_roll_21 * REAL(2.0195202782688155);
-    const six_link_real t223 = Lambda_wrist_roll_11 * Theta_forearm_24
-        - Lambda_wrist_roll_6 * minus_Theta_forearm_14 + Lambda_wrist_roll_15 * Theta_forearm_34;
+    const six_link_real t223 = Lambda_wrist_roll_11 * Theta_forearm_24 - Lambda_wrist_roll_6 * minus_Theta_forearm_14
+        + Lambda_wrist_roll_15 * Theta_forearm_34;
     const six_link_real t224 = t223 + Lambda_wrist_roll_21 * REAL(2.8145226674626453);
     const six_link_real C_forearm_21 = t192 + (r_T_forearm_z * C_forearm_41 - c->links[2].length * C_forearm_61);
     const six_link_real C_forearm_22 = t194 + (r_T_forearm_z * C_forearm_42 - c->links[2].length * C_forearm_62);
     const six_link_real C_forearm_33 = t204 + (c->links[2].length * C_forearm_53 - r_T_forearm_y * C_forearm_43);
     const six_link_real C_forearm_34 = t206 + (c->links[2].length * C_forearm_54 - r_T_forearm_y * C_forearm_44);
-    const six_link_real C_forearm_11 = t184 + (r_T_forearm_y * C_forearm_61 - r_T_forearm_z * t212)
-        - L_forearm_z1;
-    const six_link_real C_forearm_12 = t186 + (r_T_forearm_y * C_forearm_62 - r_T_forearm_z * t214)
-        - L_forearm_z2;
-    const six_link_real C_forearm_13 = L_forearm_y1
-        + (t188 + (r_T_forearm_y * t222 - r_T_forearm_z * C_forearm_53));
-    const six_link_real C_forearm_14 = L_forearm_y2
-        + (t190 + (r_T_forearm_y * t224 - r_T_forearm_z * C_forearm_54));
+    const six_link_real C_forearm_11 = t184 + (r_T_forearm_y * C_forearm_61 - r_T_forearm_z * t212) - L_forearm_z1;
+    const six_link_real C_forearm_12 = t186 + (r_T_forearm_y * C_forearm_62 - r_T_forearm_z * t214) - L_forearm_z2;
+    const six_link_real C_forearm_13 = L_forearm_y1 + (t188 + (r_T_forearm_y * t222 - r_T_forearm_z * C_forearm_53));
+    const six_link_real C_forearm_14 = L_forearm_y2 + (t190 + (r_T_forearm_y * t224 - r_T_forearm_z * C_forearm_54));
     const six_link_real C_forearm_23 = t196 + (r_T_forearm_z * C_forearm_43 - c->links[2].length * t222)
         - c->links[2].chi_1;
     const six_link_real C_forearm_24 = t198 + (r_T_forearm_z * C_forearm_44 - c->links[2].length * t224)
@@ -1575,7 +1527,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* forearm, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_forearm_11 = M_i_forearm_22 + m_eta[2];
-    bad |= (unsigned long)(!(joint_inertia_forearm_11 - t88 * (M_i_forearm_11 + M_i_forearm_22 + M_i_forearm_33) > 0)) << 2;
+    bad |= (unsigned long)(!(joint_inertia_forearm_11
+        - t88 * (M_i_forearm_11 + M_i_forearm_22 + M_i_forearm_33) > 0)) << 2;
     const six_link_real joint_inverse_forearm_1 = 1 / joint_inertia_forearm_11;
     const six_link_real joint_W_forearm_11 = M_i_forearm_12 * joint_inverse_forearm_1;
     const six_link_real joint_W_forearm_12 = M_i_forearm_22 * joint_inverse_forearm_1;
@@ -1583,8 +1536,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real joint_W_forearm_14 = M_i_forearm_24 * joint_inverse_forearm_1;
     const six_link_real joint_W_forearm_15 = M_i_forearm_25 * joint_inverse_forearm_1;
     const six_link_real joint_W_forearm_16 = M_i_forearm_26 * joint_inverse_forearm_1;
-    const six_link_real joint_w_forearm_1 = (input->tau[2] - work->f_eta[2] - h_i_forearm_2)
-        * joint_inverse_forearm_1;
+    const six_link_real joint_w_forearm_1 = (input->tau[2] - work->f_eta[2] - h_i_forearm_2) * joint_inverse_forearm_1;
     const six_link_real Lambda_i_forearm_11 = M_i_forearm_11 - M_i_forearm_12 * joint_W_forearm_11;
     const six_link_real Lambda_i_forearm_12 = M_i_forearm_12 - M_i_forearm_12 * joint_W_forearm_12;
     const six_link_real Lambda_i_forearm_13 = M_i_forearm_13 - M_i_forearm_12 * joint_W_forearm_13;
@@ -1694,18 +1646,15 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t332 = t331 * R_P_forearm_12 + Lambda_i_forearm_56 * R_P_forearm_13;
     const six_link_real t333 = t331 * R_P_forearm_22 + Lambda_i_forearm_56 * R_P_forearm_23;
     const six_link_real t334 = t331 * R_P_forearm_32 + Lambda_i_forearm_56 * R_P_forearm_33;
-    const six_link_real Lambda_forearm_16 = (R_P_forearm_11 * t328 + R_P_forearm_12 * t332) * 2
-        + Lambda_i_forearm_66;
+    const six_link_real Lambda_forearm_16 = (R_P_forearm_11 * t328 + R_P_forearm_12 * t332) * 2 + Lambda_i_forearm_66;
     const six_link_real Lambda_forearm_17 = R_P_forearm_11 * t329 + R_P_forearm_12 * t333
         + (R_P_forearm_21 * t328 + R_P_forearm_22 * t332);
     const six_link_real Lambda_forearm_18 = R_P_forearm_11 * t330 + R_P_forearm_12 * t334
         + (R_P_forearm_31 * t328 + R_P_forearm_32 * t332);
-    const six_link_real Lambda_forearm_19 = (R_P_forearm_21 * t329 + R_P_forearm_22 * t333) * 2
-        + Lambda_i_forearm_66;
+    const six_link_real Lambda_forearm_19 = (R_P_forearm_21 * t329 + R_P_forearm_22 * t333) * 2 + Lambda_i_forearm_66;
     const six_link_real Lambda_forearm_20 = R_P_forearm_21 * t330 + R_P_forearm_22 * t334
         + (R_P_forearm_31 * t329 + R_P_forearm_32 * t333);
-    const six_link_real Lambda_forearm_21 = (R_P_forearm_31 * t330 + R_P_forearm_32 * t334) * 2
-        + Lambda_i_forearm_66;
+    const six_link_real Lambda_forearm_21 = (R_P_forearm_31 * t330 + R_P_forearm_32 * t334) * 2 + Lambda_i_forearm_66;
     const six_link_real t335 = p_i_forearm_1 + (r_R_forearm_y * p_i_forearm_6 - r_R_forearm_z * p_i_forearm_5);
     const six_link_real t336 = p_i_forearm_2 + (r_R_forearm_z * p_i_forearm_4 - r_R_forearm_x * p_i_forearm_6);
     const six_link_real t337 = p_i_forearm_3 + (r_R_forearm_x * p_i_forearm_5 - r_R_forearm_y * p_i_forearm_4);
@@ -1724,10 +1673,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real S_upper_arm_z = state->q[8] * c->links[1].sigma_y1 + state->q[9] * c->links[1].sigma_y2;
 
     /* upper_arm, Sdot: rate of the first moment */
-    const six_link_real Sdot_upper_arm_y = state->v[6] * c->links[1].sigma_y1
-        + state->v[7] * c->links[1].sigma_y2;
-    const six_link_real Sdot_upper_arm_z = state->v[8] * c->links[1].sigma_y1
-        + state->v[9] * c->links[1].sigma_y2;
+    const six_link_real Sdot_upper_arm_y = state->v[6] * c->links[1].sigma_y1 + state->v[7] * c->links[1].sigma_y2;
+    const six_link_real Sdot_upper_arm_z = state->v[8] * c->links[1].sigma_y1 + state->v[9] * c->links[1].sigma_y2;
 
     /* upper_arm, L: first moment weighted by each mode shape (85) */
     const six_link_real L_upper_arm_y1 = c->links[1].mu * state->q[6];
@@ -1775,8 +1722,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     /* upper_arm, h_c: half of the Coriolis wrench */
     const six_link_real minus_h_c_upper_arm_1 = B_upper_arm_yy * minus_omega_R_upper_arm_1
         + B_upper_arm_zz * minus_omega_R_upper_arm_1;
-    const six_link_real h_c_upper_arm_2 = B_upper_arm_zz * state->v[1]
-        + B_upper_arm_yx * minus_omega_R_upper_arm_1 - B_upper_arm_yz * omega_R_upper_arm_3;
+    const six_link_real h_c_upper_arm_2 = B_upper_arm_zz * state->v[1] + B_upper_arm_yx * minus_omega_R_upper_arm_1
+        - B_upper_arm_yz * omega_R_upper_arm_3;
     const six_link_real h_c_upper_arm_3 = B_upper_arm_yy * omega_R_upper_arm_3
         + B_upper_arm_zx * minus_omega_R_upper_arm_1 - B_upper_arm_zy * state->v[1];
     const six_link_real h_c_upper_arm_4 = Sdot_upper_arm_z * state->v[1] - Sdot_upper_arm_y * omega_R_upper_arm_3;
@@ -1784,8 +1731,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real minus_h_c_upper_arm_6 = Sdot_upper_arm_y * minus_omega_R_upper_arm_1;
 
     /* upper_arm, h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const six_link_real h_MD_upper_arm_2 = h_c_upper_arm_2
-        + state->v[10] * omega_R_upper_arm_3 * c->links[1].sigma_t_5;
+    const six_link_real h_MD_upper_arm_2 = h_c_upper_arm_2 + state->v[10] * omega_R_upper_arm_3 * c->links[1].sigma_t_5;
     const six_link_real h_MD_upper_arm_3 = h_c_upper_arm_3 - state->v[10] * state->v[1] * c->links[1].sigma_t_5;
 
     /* upper_arm, H_star: gyroscopic wrench and weight, angular acceleration included */
@@ -1901,18 +1847,15 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + R_T_upper_arm_yz * input->w_ext[1][5];
     const six_link_real t378 = R_T_upper_arm_zx * input->w_ext[1][3] + R_T_upper_arm_zy * input->w_ext[1][4]
         + R_T_upper_arm_zz * input->w_ext[1][5];
-    const six_link_real t379 = t367 * alpha_t_upper_arm_x + t368 * alpha_t_upper_arm_y
-        + t369 * alpha_t_upper_arm_z - (t356 * minus_a_t_upper_arm_z + t357 * a_t_upper_arm_y);
+    const six_link_real t379 = t367 * alpha_t_upper_arm_x + t368 * alpha_t_upper_arm_y + t369 * alpha_t_upper_arm_z
+        - (t356 * minus_a_t_upper_arm_z + t357 * a_t_upper_arm_y);
     const six_link_real t380 = t357 * a_t_upper_arm_x + t355 * minus_a_t_upper_arm_z
         + (t368 * alpha_t_upper_arm_x + t370 * alpha_t_upper_arm_y + t371 * alpha_t_upper_arm_z);
     const six_link_real t381 = t355 * a_t_upper_arm_y - t356 * a_t_upper_arm_x
         + (t369 * alpha_t_upper_arm_x + t371 * alpha_t_upper_arm_y + t372 * alpha_t_upper_arm_z);
-    const six_link_real t382 = t367 * omega_t_upper_arm_x + t368 * omega_t_upper_arm_y
-        + t369 * omega_t_upper_arm_z;
-    const six_link_real t383 = t368 * omega_t_upper_arm_x + t370 * omega_t_upper_arm_y
-        + t371 * omega_t_upper_arm_z;
-    const six_link_real t384 = t369 * omega_t_upper_arm_x + t371 * omega_t_upper_arm_y
-        + t372 * omega_t_upper_arm_z;
+    const six_link_real t382 = t367 * omega_t_upper_arm_x + t368 * omega_t_upper_arm_y + t369 * omega_t_upper_arm_z;
+    const six_link_real t383 = t368 * omega_t_upper_arm_x + t370 * omega_t_upper_arm_y + t371 * omega_t_upper_arm_z;
+    const six_link_real t384 = t369 * omega_t_upper_arm_x + t371 * omega_t_upper_arm_y + t372 * omega_t_upper_arm_z;
     const six_link_real t385 = omega_t_upper_arm_y * t357 - omega_t_upper_arm_z * t356;
     const six_link_real t386 = omega_t_upper_arm_z * t355 - omega_t_upper_arm_x * t357;
     const six_link_real t387 = omega_t_upper_arm_x * t356 - omega_t_upper_arm_y * t355;
@@ -1930,8 +1873,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (t381 + (omega_t_upper_arm_x * t383 - omega_t_upper_arm_y * t382)) - t375;
     const six_link_real p_T_upper_arm_4 = p_forearm_4 + (c->links[1].body0_mass * a_t_upper_arm_x + t388) - t376;
     const six_link_real p_T_upper_arm_5 = p_forearm_5 + (c->links[1].body0_mass * a_t_upper_arm_y + t389) - t377;
-    const six_link_real p_T_upper_arm_6 = p_forearm_6 + (t390 - c->links[1].body0_mass * minus_a_t_upper_arm_z)
-        - t378;
+    const six_link_real p_T_upper_arm_6 = p_forearm_6 + (t390 - c->links[1].body0_mass * minus_a_t_upper_arm_z) - t378;
 
     /* upper_arm, modes: the tip load folded in, modal accelerations eliminated (83) */
     const six_link_real Theta_upper_arm_11 = J_l_upper_arm_xz * c->links[1].Psi_c_z1;
@@ -2009,48 +1951,48 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real h_loaded_upper_arm_4 = h_V_upper_arm_4 + p_T_upper_arm_4;
     const six_link_real h_loaded_upper_arm_5 = h_V_upper_arm_5 + p_T_upper_arm_5;
     const six_link_real h_loaded_upper_arm_6 = p_T_upper_arm_6 - minus_h_V_upper_arm_6;
-    const six_link_real t406 = Lambda_T_upper_arm_11 * Theta_upper_arm_11
-        + Lambda_T_upper_arm_12 * Theta_upper_arm_21 + Lambda_T_upper_arm_13 * Theta_upper_arm_31;
+    const six_link_real t406 = Lambda_T_upper_arm_11 * Theta_upper_arm_11 + Lambda_T_upper_arm_12 * Theta_upper_arm_21
+        + Lambda_T_upper_arm_13 * Theta_upper_arm_31;
     const six_link_real t407 = t406 + Lambda_T_upper_arm_15 * REAL(2.0195202782688155);
-    const six_link_real t408 = Lambda_T_upper_arm_11 * Theta_upper_arm_12
-        + Lambda_T_upper_arm_12 * Theta_upper_arm_22 + Lambda_T_upper_arm_13 * Theta_upper_arm_32;
+    const six_link_real t408 = Lambda_T_upper_arm_11 * Theta_upper_arm_12 + Lambda_T_upper_arm_12 * Theta_upper_arm_22
+        + Lambda_T_upper_arm_13 * Theta_upper_arm_32;
     const six_link_real t409 = t408 + Lambda_T_upper_arm_15 * REAL(2.8145226674626453);
-    const six_link_real t410 = Lambda_T_upper_arm_11 * Theta_upper_arm_13
-        + Lambda_T_upper_arm_12 * Theta_upper_arm_23 + Lambda_T_upper_arm_13 * Theta_upper_arm_33;
+    const six_link_real t410 = Lambda_T_upper_arm_11 * Theta_upper_arm_13 + Lambda_T_upper_arm_12 * Theta_upper_arm_23
+        + Lambda_T_upper_arm_13 * Theta_upper_arm_33;
     const six_link_real t411 = t410 + Lambda_T_upper_arm_16 * REAL(2.0195202782688155);
-    const six_link_real t412 = Lambda_T_upper_arm_11 * Theta_upper_arm_14
-        + Lambda_T_upper_arm_12 * Theta_upper_arm_24 + Lambda_T_upper_arm_13 * Theta_upper_arm_34;
+    const six_link_real t412 = Lambda_T_upper_arm_11 * Theta_upper_arm_14 + Lambda_T_upper_arm_12 * Theta_upper_arm_24
+        + Lambda_T_upper_arm_13 * Theta_upper_arm_34;
     const six_link_real t413 = t412 + Lambda_T_upper_arm_16 * REAL(2.8145226674626453);
-    const six_link_real t414 = Lambda_T_upper_arm_11 * Theta_upper_arm_15
-        + Lambda_T_upper_arm_12 * Theta_upper_arm_25 + Lambda_T_upper_arm_13 * Theta_upper_arm_35;
-    const six_link_real t415 = Lambda_T_upper_arm_12 * Theta_upper_arm_11
-        + Lambda_T_upper_arm_22 * Theta_upper_arm_21 + Lambda_T_upper_arm_23 * Theta_upper_arm_31;
+    const six_link_real t414 = Lambda_T_upper_arm_11 * Theta_upper_arm_15 + Lambda_T_upper_arm_12 * Theta_upper_arm_25
+        + Lambda_T_upper_arm_13 * Theta_upper_arm_35;
+    const six_link_real t415 = Lambda_T_upper_arm_12 * Theta_upper_arm_11 + Lambda_T_upper_arm_22 * Theta_upper_arm_21
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_31;
     const six_link_real t416 = t415 + Lambda_forearm_10 * REAL(2.0195202782688155);
-    const six_link_real t417 = Lambda_T_upper_arm_12 * Theta_upper_arm_12
-        + Lambda_T_upper_arm_22 * Theta_upper_arm_22 + Lambda_T_upper_arm_23 * Theta_upper_arm_32;
+    const six_link_real t417 = Lambda_T_upper_arm_12 * Theta_upper_arm_12 + Lambda_T_upper_arm_22 * Theta_upper_arm_22
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_32;
     const six_link_real t418 = t417 + Lambda_forearm_10 * REAL(2.8145226674626453);
-    const six_link_real t419 = Lambda_T_upper_arm_12 * Theta_upper_arm_13
-        + Lambda_T_upper_arm_22 * Theta_upper_arm_23 + Lambda_T_upper_arm_23 * Theta_upper_arm_33;
+    const six_link_real t419 = Lambda_T_upper_arm_12 * Theta_upper_arm_13 + Lambda_T_upper_arm_22 * Theta_upper_arm_23
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_33;
     const six_link_real t420 = t419 + Lambda_T_upper_arm_26 * REAL(2.0195202782688155);
-    const six_link_real t421 = Lambda_T_upper_arm_12 * Theta_upper_arm_14
-        + Lambda_T_upper_arm_22 * Theta_upper_arm_24 + Lambda_T_upper_arm_23 * Theta_upper_arm_34;
+    const six_link_real t421 = Lambda_T_upper_arm_12 * Theta_upper_arm_14 + Lambda_T_upper_arm_22 * Theta_upper_arm_24
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_34;
     const six_link_real t422 = t421 + Lambda_T_upper_arm_26 * REAL(2.8145226674626453);
-    const six_link_real t423 = Lambda_T_upper_arm_12 * Theta_upper_arm_15
-        + Lambda_T_upper_arm_22 * Theta_upper_arm_25 + Lambda_T_upper_arm_23 * Theta_upper_arm_35;
-    const six_link_real t424 = Lambda_T_upper_arm_13 * Theta_upper_arm_11
-        + Lambda_T_upper_arm_23 * Theta_upper_arm_21 + Lambda_T_upper_arm_33 * Theta_upper_arm_31;
+    const six_link_real t423 = Lambda_T_upper_arm_12 * Theta_upper_arm_15 + Lambda_T_upper_arm_22 * Theta_upper_arm_25
+        + Lambda_T_upper_arm_23 * Theta_upper_arm_35;
+    const six_link_real t424 = Lambda_T_upper_arm_13 * Theta_upper_arm_11 + Lambda_T_upper_arm_23 * Theta_upper_arm_21
+        + Lambda_T_upper_arm_33 * Theta_upper_arm_31;
     const six_link_real t425 = t424 + Lambda_T_upper_arm_35 * REAL(2.0195202782688155);
-    const six_link_real t426 = Lambda_T_upper_arm_13 * Theta_upper_arm_12
-        + Lambda_T_upper_arm_23 * Theta_upper_arm_22 + Lambda_T_upper_arm_33 * Theta_upper_arm_32;
+    const six_link_real t426 = Lambda_T_upper_arm_13 * Theta_upper_arm_12 + Lambda_T_upper_arm_23 * Theta_upper_arm_22
+        + Lambda_T_upper_arm_33 * Theta_upper_arm_32;
     const six_link_real t427 = t426 + Lambda_T_upper_arm_35 * REAL(2.8145226674626453);
-    const six_link_real t428 = Lambda_T_upper_arm_13 * Theta_upper_arm_13
-        + Lambda_T_upper_arm_23 * Theta_upper_arm_23 + Lambda_T_upper_arm_33 * Theta_upper_arm_33;
+    const six_link_real t428 = Lambda_T_upper_arm_13 * Theta_upper_arm_13 + Lambda_T_upper_arm_23 * Theta_upper_arm_23
+        + Lambda_T_upper_arm_33 * Theta_upper_arm_33;
     const six_link_real t429 = t428 + Lambda_forearm_15 * REAL(2.0195202782688155);
-    const six_link_real t430 = Lambda_T_upper_arm_13 * Theta_upper_arm_14
-        + Lambda_T_upper_arm_23 * Theta_upper_arm_24 + Lambda_T_upper_arm_33 * Theta_upper_arm_34;
+    const six_link_real t430 = Lambda_T_upper_arm_13 * Theta_upper_arm_14 + Lambda_T_upper_arm_23 * Theta_upper_arm_24
+        + Lambda_T_upper_arm_33 * Theta_upper_arm_34;
     const six_link_real t431 = t430 + Lambda_forearm_15 * REAL(2.8145226674626453);
-    const six_link_real t432 = Lambda_T_upper_arm_13 * Theta_upper_arm_15
-        + Lambda_T_upper_arm_23 * Theta_upper_arm_25 + Lambda_T_upper_arm_33 * Theta_upper_arm_35;
+    const six_link_real t432 = Lambda_T_upper_arm_13 * Theta_upper_arm_15 + Lambda_T_upper_arm_23 * Theta_upper_arm_25
+        + Lambda_T_upper_arm_33 * Theta_upper_arm_35;
     const six_link_real t433 = Lambda_forearm_4 * Theta_upper_arm_11 + Lambda_T_upper_arm_24 * Theta_upper_arm_21
         + Lambda_T_upper_arm_34 * Theta_upper_arm_31;
     const six_link_real C_upper_arm_41 = t433 + Lambda_forearm_17 * REAL(2.0195202782688155);
@@ -2065,33 +2007,33 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real C_upper_arm_44 = t436 + Lambda_forearm_18 * REAL(2.8145226674626453);
     const six_link_real C_upper_arm_45 = Lambda_forearm_4 * Theta_upper_arm_15
         + Lambda_T_upper_arm_24 * Theta_upper_arm_25 + Lambda_T_upper_arm_34 * Theta_upper_arm_35;
-    const six_link_real t437 = Lambda_T_upper_arm_15 * Theta_upper_arm_11
-        + Lambda_forearm_10 * Theta_upper_arm_21 + Lambda_T_upper_arm_35 * Theta_upper_arm_31;
+    const six_link_real t437 = Lambda_T_upper_arm_15 * Theta_upper_arm_11 + Lambda_forearm_10 * Theta_upper_arm_21
+        + Lambda_T_upper_arm_35 * Theta_upper_arm_31;
     const six_link_real t438 = t437 + Lambda_T_upper_arm_55 * REAL(2.0195202782688155);
-    const six_link_real t439 = Lambda_T_upper_arm_15 * Theta_upper_arm_12
-        + Lambda_forearm_10 * Theta_upper_arm_22 + Lambda_T_upper_arm_35 * Theta_upper_arm_32;
+    const six_link_real t439 = Lambda_T_upper_arm_15 * Theta_upper_arm_12 + Lambda_forearm_10 * Theta_upper_arm_22
+        + Lambda_T_upper_arm_35 * Theta_upper_arm_32;
     const six_link_real t440 = t439 + Lambda_T_upper_arm_55 * REAL(2.8145226674626453);
-    const six_link_real t441 = Lambda_T_upper_arm_15 * Theta_upper_arm_13
-        + Lambda_forearm_10 * Theta_upper_arm_23 + Lambda_T_upper_arm_35 * Theta_upper_arm_33;
+    const six_link_real t441 = Lambda_T_upper_arm_15 * Theta_upper_arm_13 + Lambda_forearm_10 * Theta_upper_arm_23
+        + Lambda_T_upper_arm_35 * Theta_upper_arm_33;
     const six_link_real t442 = Lambda_forearm_20 * REAL(2.0195202782688155);
     const six_link_real C_upper_arm_53 = t441 + t442;
-    const six_link_real t443 = Lambda_T_upper_arm_15 * Theta_upper_arm_14
-        + Lambda_forearm_10 * Theta_upper_arm_24 + Lambda_T_upper_arm_35 * Theta_upper_arm_34;
+    const six_link_real t443 = Lambda_T_upper_arm_15 * Theta_upper_arm_14 + Lambda_forearm_10 * Theta_upper_arm_24
+        + Lambda_T_upper_arm_35 * Theta_upper_arm_34;
     const six_link_real t444 = Lambda_forearm_20 * REAL(2.8145226674626453);
     const six_link_real C_upper_arm_54 = t443 + t444;
     const six_link_real C_upper_arm_55 = Lambda_T_upper_arm_15 * Theta_upper_arm_15
         + Lambda_forearm_10 * Theta_upper_arm_25 + Lambda_T_upper_arm_35 * Theta_upper_arm_35;
-    const six_link_real t445 = Lambda_T_upper_arm_16 * Theta_upper_arm_11
-        + Lambda_T_upper_arm_26 * Theta_upper_arm_21 + Lambda_forearm_15 * Theta_upper_arm_31;
+    const six_link_real t445 = Lambda_T_upper_arm_16 * Theta_upper_arm_11 + Lambda_T_upper_arm_26 * Theta_upper_arm_21
+        + Lambda_forearm_15 * Theta_upper_arm_31;
     const six_link_real C_upper_arm_61 = t445 + t442;
-    const six_link_real t446 = Lambda_T_upper_arm_16 * Theta_upper_arm_12
-        + Lambda_T_upper_arm_26 * Theta_upper_arm_22 + Lambda_forearm_15 * Theta_upper_arm_32;
+    const six_link_real t446 = Lambda_T_upper_arm_16 * Theta_upper_arm_12 + Lambda_T_upper_arm_26 * Theta_upper_arm_22
+        + Lambda_forearm_15 * Theta_upper_arm_32;
     const six_link_real C_upper_arm_62 = t446 + t444;
-    const six_link_real t447 = Lambda_T_upper_arm_16 * Theta_upper_arm_13
-        + Lambda_T_upper_arm_26 * Theta_upper_arm_23 + Lambda_forearm_15 * Theta_upper_arm_33;
+    const six_link_real t447 = Lambda_T_upper_arm_16 * Theta_upper_arm_13 + Lambda_T_upper_arm_26 * Theta_upper_arm_23
+        + Lambda_forearm_15 * Theta_upper_arm_33;
     const six_link_real t448 = t447 + Lambda_T_upper_arm_66 * REAL(2.0195202782688155);
-    const six_link_real t449 = Lambda_T_upper_arm_16 * Theta_upper_arm_14
-        + Lambda_T_upper_arm_26 * Theta_upper_arm_24 + Lambda_forearm_15 * Theta_upper_arm_34;
+    const six_link_real t449 = Lambda_T_upper_arm_16 * Theta_upper_arm_14 + Lambda_T_upper_arm_26 * Theta_upper_arm_24
+        + Lambda_forearm_15 * Theta_upper_arm_34;
     const six_link_real t450 = t449 + Lambda_T_upper_arm_66 * REAL(2.8145226674626453);
     const six_link_real C_upper_arm_65 = Lambda_T_upper_arm_16 * Theta_upper_arm_15
         + Lambda_T_upper_arm_26 * Theta_upper_arm_25 + Lambda_forearm_15 * Theta_upper_arm_35;
@@ -2227,42 +2169,36 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t476 = C_upper_arm_42 - modes_L_upper_arm_21 * C_upper_arm_41;
     const six_link_real t477 = C_upper_arm_52 - modes_L_upper_arm_21 * C_upper_arm_51;
     const six_link_real t478 = C_upper_arm_62 - modes_L_upper_arm_21 * C_upper_arm_61;
-    const six_link_real t479 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11
-        - modes_L_upper_arm_32 * t473;
-    const six_link_real t480 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21
-        - modes_L_upper_arm_32 * t474;
-    const six_link_real t481 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31
-        - modes_L_upper_arm_32 * t475;
-    const six_link_real t482 = C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41
-        - modes_L_upper_arm_32 * t476;
-    const six_link_real t483 = C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51
-        - modes_L_upper_arm_32 * t477;
-    const six_link_real t484 = C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61
-        - modes_L_upper_arm_32 * t478;
-    const six_link_real t485 = C_upper_arm_14 - modes_L_upper_arm_41 * C_upper_arm_11
-        - modes_L_upper_arm_42 * t473 - modes_L_upper_arm_43 * t479;
-    const six_link_real t486 = C_upper_arm_24 - modes_L_upper_arm_41 * C_upper_arm_21
-        - modes_L_upper_arm_42 * t474 - modes_L_upper_arm_43 * t480;
-    const six_link_real t487 = C_upper_arm_34 - modes_L_upper_arm_41 * C_upper_arm_31
-        - modes_L_upper_arm_42 * t475 - modes_L_upper_arm_43 * t481;
-    const six_link_real t488 = C_upper_arm_44 - modes_L_upper_arm_41 * C_upper_arm_41
-        - modes_L_upper_arm_42 * t476 - modes_L_upper_arm_43 * t482;
-    const six_link_real t489 = C_upper_arm_54 - modes_L_upper_arm_41 * C_upper_arm_51
-        - modes_L_upper_arm_42 * t477 - modes_L_upper_arm_43 * t483;
-    const six_link_real t490 = C_upper_arm_64 - modes_L_upper_arm_41 * C_upper_arm_61
-        - modes_L_upper_arm_42 * t478 - modes_L_upper_arm_43 * t484;
-    const six_link_real t491 = C_upper_arm_15 - modes_L_upper_arm_51 * C_upper_arm_11
-        - modes_L_upper_arm_52 * t473 - modes_L_upper_arm_53 * t479;
-    const six_link_real t492 = C_upper_arm_25 - modes_L_upper_arm_51 * C_upper_arm_21
-        - modes_L_upper_arm_52 * t474 - modes_L_upper_arm_53 * t480;
-    const six_link_real t493 = C_upper_arm_35 - modes_L_upper_arm_51 * C_upper_arm_31
-        - modes_L_upper_arm_52 * t475 - modes_L_upper_arm_53 * t481;
-    const six_link_real t494 = C_upper_arm_45 - modes_L_upper_arm_51 * C_upper_arm_41
-        - modes_L_upper_arm_52 * t476 - modes_L_upper_arm_53 * t482;
-    const six_link_real t495 = C_upper_arm_55 - modes_L_upper_arm_51 * C_upper_arm_51
-        - modes_L_upper_arm_52 * t477 - modes_L_upper_arm_53 * t483;
-    const six_link_real t496 = C_upper_arm_65 - modes_L_upper_arm_51 * C_upper_arm_61
-        - modes_L_upper_arm_52 * t478 - modes_L_upper_arm_53 * t484;
+    const six_link_real t479 = C_upper_arm_13 - modes_L_upper_arm_31 * C_upper_arm_11 - modes_L_upper_arm_32 * t473;
+    const six_link_real t480 = C_upper_arm_23 - modes_L_upper_arm_31 * C_upper_arm_21 - modes_L_upper_arm_32 * t474;
+    const six_link_real t481 = C_upper_arm_33 - modes_L_upper_arm_31 * C_upper_arm_31 - modes_L_upper_arm_32 * t475;
+    const six_link_real t482 = C_upper_arm_43 - modes_L_upper_arm_31 * C_upper_arm_41 - modes_L_upper_arm_32 * t476;
+    const six_link_real t483 = C_upper_arm_53 - modes_L_upper_arm_31 * C_upper_arm_51 - modes_L_upper_arm_32 * t477;
+    const six_link_real t484 = C_upper_arm_63 - modes_L_upper_arm_31 * C_upper_arm_61 - modes_L_upper_arm_32 * t478;
+    const six_link_real t485 = C_upper_arm_14 - modes_L_upper_arm_41 * C_upper_arm_11 - modes_L_upper_arm_42 * t473
+        - modes_L_upper_arm_43 * t479;
+    const six_link_real t486 = C_upper_arm_24 - modes_L_upper_arm_41 * C_upper_arm_21 - modes_L_upper_arm_42 * t474
+        - modes_L_upper_arm_43 * t480;
+    const six_link_real t487 = C_upper_arm_34 - modes_L_upper_arm_41 * C_upper_arm_31 - modes_L_upper_arm_42 * t475
+        - modes_L_upper_arm_43 * t481;
+    const six_link_real t488 = C_upper_arm_44 - modes_L_upper_arm_41 * C_upper_arm_41 - modes_L_upper_arm_42 * t476
+        - modes_L_upper_arm_43 * t482;
+    const six_link_real t489 = C_upper_arm_54 - modes_L_upper_arm_41 * C_upper_arm_51 - modes_L_upper_arm_42 * t477
+        - modes_L_upper_arm_43 * t483;
+    const six_link_real t490 = C_upper_arm_64 - modes_L_upper_arm_41 * C_upper_arm_61 - modes_L_upper_arm_42 * t478
+        - modes_L_upper_arm_43 * t484;
+    const six_link_real t491 = C_upper_arm_15 - modes_L_upper_arm_51 * C_upper_arm_11 - modes_L_upper_arm_52 * t473
+        - modes_L_upper_arm_53 * t479;
+    const six_link_real t492 = C_upper_arm_25 - modes_L_upper_arm_51 * C_upper_arm_21 - modes_L_upper_arm_52 * t474
+        - modes_L_upper_arm_53 * t480;
+    const six_link_real t493 = C_upper_arm_35 - modes_L_upper_arm_51 * C_upper_arm_31 - modes_L_upper_arm_52 * t475
+        - modes_L_upper_arm_53 * t481;
+    const six_link_real t494 = C_upper_arm_45 - modes_L_upper_arm_51 * C_upper_arm_41 - modes_L_upper_arm_52 * t476
+        - modes_L_upper_arm_53 * t482;
+    const six_link_real t495 = C_upper_arm_55 - modes_L_upper_arm_51 * C_upper_arm_51 - modes_L_upper_arm_52 * t477
+        - modes_L_upper_arm_53 * t483;
+    const six_link_real t496 = C_upper_arm_65 - modes_L_upper_arm_51 * C_upper_arm_61 - modes_L_upper_arm_52 * t478
+        - modes_L_upper_arm_53 * t484;
     const six_link_real t497 = t491 - modes_L_upper_arm_54 * t485;
     const six_link_real t498 = t492 - modes_L_upper_arm_54 * t486;
     const six_link_real t499 = t493 - modes_L_upper_arm_54 * t487;
@@ -2423,7 +2359,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* upper_arm, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_upper_arm_11 = M_i_upper_arm_22 + m_eta[1];
-    bad |= (unsigned long)(!(joint_inertia_upper_arm_11 - t88 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33) > 0)) << 1;
+    bad |= (unsigned long)(!(joint_inertia_upper_arm_11
+        - t88 * (M_i_upper_arm_11 + M_i_upper_arm_22 + M_i_upper_arm_33) > 0)) << 1;
     const six_link_real joint_inverse_upper_arm_1 = 1 / joint_inertia_upper_arm_11;
     const six_link_real joint_W_upper_arm_11 = M_i_upper_arm_12 * joint_inverse_upper_arm_1;
     const six_link_real joint_W_upper_arm_12 = M_i_upper_arm_22 * joint_inverse_upper_arm_1;
@@ -2484,8 +2421,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real t548 = Lambda_i_upper_arm_33
         - (Lambda_i_upper_arm_34 * c->links[1].mount_xyz_y - Lambda_i_upper_arm_35 * r_R_upper_arm_x);
     const six_link_real t549 = t548 + (r_R_upper_arm_x * t542 - c->links[1].mount_xyz_y * t541);
-    const six_link_real t550 = (t544 + (c->links[1].mount_xyz_y * t538 - r_R_upper_arm_z * t537) - t549)
-        * REAL(0.5);
+    const six_link_real t550 = (t544 + (c->links[1].mount_xyz_y * t538 - r_R_upper_arm_z * t537) - t549) * REAL(0.5);
     const six_link_real t551 = t550 * R_rel_upper_arm_xx + t546 * R_rel_upper_arm_xz;
     const six_link_real t552 = t546 * R_rel_upper_arm_xx - t550 * R_rel_upper_arm_xz;
     const six_link_real Lambda_upper_arm_1 = R_rel_upper_arm_xx * t551 * 2 + t549;
@@ -2531,7 +2467,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
     /* shoulder, joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_shoulder_11 = M_loaded_shoulder_33 + m_eta[0];
-    bad |= (unsigned long)(!(joint_inertia_shoulder_11 - t88 * (M_loaded_shoulder_11 + M_loaded_shoulder_22 + M_loaded_shoulder_33) > 0)) << 0;
+    bad |= (unsigned long)(!(joint_inertia_shoulder_11
+        - t88 * (M_loaded_shoulder_11 + M_loaded_shoulder_22 + M_loaded_shoulder_33) > 0)) << 0;
     const six_link_real joint_inverse_shoulder_1 = 1 / joint_inertia_shoulder_11;
     const six_link_real joint_w_shoulder_1 = (input->tau[0] - work->f_eta[0] - h_loaded_shoulder_3)
         * joint_inverse_shoulder_1;
@@ -2579,8 +2516,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (t570 - modes_W_upper_arm_56 * minus_carried_upper_arm_6);
     output->vdot[10] = -minus_etaddot_upper_arm_5;
     const six_link_real minus_etaddot_upper_arm_4 = modes_w_upper_arm_4
-        + (t568 - modes_W_upper_arm_46 * minus_carried_upper_arm_6)
-        - modes_L_upper_arm_54 * minus_etaddot_upper_arm_5;
+        + (t568 - modes_W_upper_arm_46 * minus_carried_upper_arm_6) - modes_L_upper_arm_54 * minus_etaddot_upper_arm_5;
     output->vdot[9] = -minus_etaddot_upper_arm_4;
     const six_link_real t571 = modes_w_upper_arm_3 + (t566 - modes_W_upper_arm_36 * minus_carried_upper_arm_6)
         - modes_L_upper_arm_43 * minus_etaddot_upper_arm_4;
@@ -2644,8 +2580,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + (carried_forearm_1 * r_R_forearm_y - carried_forearm_2 * r_R_forearm_x);
     const six_link_real t585 = joint_W_forearm_11 * carried_forearm_1 + joint_W_forearm_12 * carried_forearm_2
         + joint_W_forearm_13 * carried_forearm_3;
-    const six_link_real t586 = t585 + joint_W_forearm_14 * carried_forearm_4
-        + joint_W_forearm_15 * carried_forearm_5 + joint_W_forearm_16 * carried_forearm_6;
+    const six_link_real t586 = t585 + joint_W_forearm_14 * carried_forearm_4 + joint_W_forearm_15 * carried_forearm_5
+        + joint_W_forearm_16 * carried_forearm_6;
     const six_link_real qddot_forearm_1 = joint_w_forearm_1 - t586;
     output->vdot[2] = qddot_forearm_1;
 
@@ -2653,20 +2589,20 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real delta_forearm_2 = carried_forearm_2 + qddot_forearm_1;
     const six_link_real t587 = modes_W_forearm_11 * carried_forearm_1 + modes_W_forearm_12 * delta_forearm_2
         + modes_W_forearm_13 * carried_forearm_3;
-    const six_link_real t588 = t587 + modes_W_forearm_14 * carried_forearm_4
-        + modes_W_forearm_15 * carried_forearm_5 + modes_W_forearm_16 * carried_forearm_6;
+    const six_link_real t588 = t587 + modes_W_forearm_14 * carried_forearm_4 + modes_W_forearm_15 * carried_forearm_5
+        + modes_W_forearm_16 * carried_forearm_6;
     const six_link_real t589 = modes_W_forearm_21 * carried_forearm_1 + modes_W_forearm_22 * delta_forearm_2
         + modes_W_forearm_23 * carried_forearm_3;
-    const six_link_real t590 = t589 + modes_W_forearm_24 * carried_forearm_4
-        + modes_W_forearm_25 * carried_forearm_5 + modes_W_forearm_26 * carried_forearm_6;
+    const six_link_real t590 = t589 + modes_W_forearm_24 * carried_forearm_4 + modes_W_forearm_25 * carried_forearm_5
+        + modes_W_forearm_26 * carried_forearm_6;
     const six_link_real t591 = modes_W_forearm_31 * carried_forearm_1 + modes_W_forearm_32 * delta_forearm_2
         + modes_W_forearm_33 * carried_forearm_3;
-    const six_link_real t592 = t591 + modes_W_forearm_34 * carried_forearm_4
-        + modes_W_forearm_35 * carried_forearm_5 + modes_W_forearm_36 * carried_forearm_6;
+    const six_link_real t592 = t591 + modes_W_forearm_34 * carried_forearm_4 + modes_W_forearm_35 * carried_forearm_5
+        + modes_W_forearm_36 * carried_forearm_6;
     const six_link_real t593 = modes_W_forearm_41 * carried_forearm_1 + modes_W_forearm_42 * delta_forearm_2
         + modes_W_forearm_43 * carried_forearm_3;
-    const six_link_real t594 = t593 + modes_W_forearm_44 * carried_forearm_4
-        + modes_W_forearm_45 * carried_forearm_5 + modes_W_forearm_46 * carried_forearm_6;
+    const six_link_real t594 = t593 + modes_W_forearm_44 * carried_forearm_4 + modes_W_forearm_45 * carried_forearm_5
+        + modes_W_forearm_46 * carried_forearm_6;
     const six_link_real minus_etaddot_forearm_4 = modes_w_forearm_4 + t594;
     output->vdot[14] = -minus_etaddot_forearm_4;
     const six_link_real minus_etaddot_forearm_3 = modes_w_forearm_3 + t592
@@ -2691,8 +2627,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + minus_etaddot_forearm_4 * REAL(2.8145226674626453);
     const six_link_real delta_T_forearm_4 = carried_forearm_4
         + (delta_forearm_2 * r_T_forearm_z - carried_forearm_3 * r_T_forearm_y);
-    const six_link_real delta_T_forearm_1 = carried_forearm_1
-        + (minus_J_l_forearm_xy * t596 - J_l_forearm_xz * t597);
+    const six_link_real delta_T_forearm_1 = carried_forearm_1 + (minus_J_l_forearm_xy * t596 - J_l_forearm_xz * t597);
     const six_link_real delta_T_forearm_2 = delta_forearm_2 - (J_l_forearm_yy * t596 + J_l_forearm_yz * t597);
     const six_link_real delta_T_forearm_3 = carried_forearm_3 - (J_l_forearm_yz * t596 + J_l_forearm_zz * t597);
     const six_link_real delta_T_forearm_5 = carried_forearm_5
@@ -2761,8 +2696,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         + minus_R_rel_flange_yz * delta_T_wrist_pitch_6;
     const six_link_real carried_flange_6 = R_rel_flange_yy * delta_T_wrist_pitch_6
         - minus_R_rel_flange_yz * delta_T_wrist_pitch_5;
-    const six_link_real t604 = joint_W_flange_11 * carried_wrist_pitch_1
-        - minus_joint_W_flange_12 * carried_flange_2 - minus_joint_W_flange_13 * carried_flange_3;
+    const six_link_real t604 = joint_W_flange_11 * carried_wrist_pitch_1 - minus_joint_W_flange_12 * carried_flange_2
+        - minus_joint_W_flange_13 * carried_flange_3;
     const six_link_real qddot_flange_1 = joint_w_flange_1
         - (t604 - minus_joint_W_flange_15 * carried_flange_5 + joint_W_flange_16 * carried_flange_6);
     output->vdot[5] = qddot_flange_1;
@@ -2801,10 +2736,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         const six_link_real p_upper_arm_2 = p_i_upper_arm_2
             + (r_R_upper_arm_z * p_i_upper_arm_4 - r_R_upper_arm_x * p_i_upper_arm_6);
         const six_link_real p_upper_arm_1 = R_rel_upper_arm_xx * t554 + R_rel_upper_arm_xz * t555;
-        const six_link_real p_upper_arm_4 = R_rel_upper_arm_xx * p_i_upper_arm_4
-            + R_rel_upper_arm_xz * p_i_upper_arm_6;
-        const six_link_real p_upper_arm_6 = R_rel_upper_arm_xx * p_i_upper_arm_6
-            - R_rel_upper_arm_xz * p_i_upper_arm_4;
+        const six_link_real p_upper_arm_4 = R_rel_upper_arm_xx * p_i_upper_arm_4 + R_rel_upper_arm_xz * p_i_upper_arm_6;
+        const six_link_real p_upper_arm_6 = R_rel_upper_arm_xx * p_i_upper_arm_6 - R_rel_upper_arm_xz * p_i_upper_arm_4;
 
         /* shoulder, H_star: gyroscopic wrench and weight, angular acceleration included */
         const six_link_real H_star_shoulder_2 = c->links[0].S_0_x * c->gravity[2];
@@ -3239,23 +3172,17 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
         const six_link_real r_tip_wrist_pitch_z = r_tip_wrist_roll_z + R_wrist_pitch_zx * c->links[4].length;
 
         /* flange, pose: rotation and position of F_i in the inertial frame (Ad) */
-        const six_link_real R_flange_xy = R_wrist_roll_xy * R_rel_flange_yy
-            + R_wrist_pitch_xz * minus_R_rel_flange_yz;
+        const six_link_real R_flange_xy = R_wrist_roll_xy * R_rel_flange_yy + R_wrist_pitch_xz * minus_R_rel_flange_yz;
         output->tip_rotation[0][1] = R_flange_xy;
-        const six_link_real R_flange_xz = R_wrist_pitch_xz * R_rel_flange_yy
-            - R_wrist_roll_xy * minus_R_rel_flange_yz;
+        const six_link_real R_flange_xz = R_wrist_pitch_xz * R_rel_flange_yy - R_wrist_roll_xy * minus_R_rel_flange_yz;
         output->tip_rotation[0][2] = R_flange_xz;
-        const six_link_real R_flange_yy = R_wrist_roll_yy * R_rel_flange_yy
-            + R_wrist_pitch_yz * minus_R_rel_flange_yz;
+        const six_link_real R_flange_yy = R_wrist_roll_yy * R_rel_flange_yy + R_wrist_pitch_yz * minus_R_rel_flange_yz;
         output->tip_rotation[1][1] = R_flange_yy;
-        const six_link_real R_flange_yz = R_wrist_pitch_yz * R_rel_flange_yy
-            - R_wrist_roll_yy * minus_R_rel_flange_yz;
+        const six_link_real R_flange_yz = R_wrist_pitch_yz * R_rel_flange_yy - R_wrist_roll_yy * minus_R_rel_flange_yz;
         output->tip_rotation[1][2] = R_flange_yz;
-        const six_link_real R_flange_zy = R_wrist_roll_zy * R_rel_flange_yy
-            + R_wrist_pitch_zz * minus_R_rel_flange_yz;
+        const six_link_real R_flange_zy = R_wrist_roll_zy * R_rel_flange_yy + R_wrist_pitch_zz * minus_R_rel_flange_yz;
         output->tip_rotation[2][1] = R_flange_zy;
-        const six_link_real R_flange_zz = R_wrist_pitch_zz * R_rel_flange_yy
-            - R_wrist_roll_zy * minus_R_rel_flange_yz;
+        const six_link_real R_flange_zz = R_wrist_pitch_zz * R_rel_flange_yy - R_wrist_roll_zy * minus_R_rel_flange_yz;
         output->tip_rotation[2][2] = R_flange_zz;
 
         /* flange, pose: rotation and position of the tip section in the inertial frame (Ad) */
@@ -3268,7 +3195,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     }
 
     if (bad) {
-        /* the sweep ran from the tip: the outermost link that failed is to blame */
+        /* the elimination runs from the tip: report the outermost link that failed */
         for (link = 0; link < SIX_LINK_NLINKS; ++link) {
             if ((bad >> link) & 1u) {
                 work->fault = link;
@@ -3281,7 +3208,8 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
 
 const six_link_real six_link_measure_bounds[SIX_LINK_NMEASURES] = { REAL(0.1), REAL(0.35), REAL(0.02), REAL(0.2) };
 
-six_link_status six_link_validity(const six_link_constants *c, const six_link_state *state, const six_link_output *output,
+six_link_status six_link_validity(const six_link_constants *c, const six_link_state *state,
+    const six_link_output *output,
     const six_link_work *work, six_link_measures *measures)
 {
     six_link_call call = { 0 };
@@ -3298,7 +3226,8 @@ six_link_status six_link_validity(const six_link_constants *c, const six_link_st
     return six_link_finite(call.measures, SIX_LINK_NMEASURES * SIX_LINK_NLINKS) ? status : SIX_LINK_NONFINITE;
 }
 
-six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     const six_link_real vdot[], six_link_chain *chain, six_link_real force[], six_link_real wrench[][6])
 {
     six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
@@ -3327,7 +3256,8 @@ six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six
     call.force_eta = force + SIX_LINK_NTAU;
     call.wrench = wrench ? &wrench[0][0] : 0;
     status = six_link_inverse(c, &call, chain, &fault);
-    if (status == SIX_LINK_OK && !(six_link_finite(force, SIX_LINK_NV) && six_link_finite(call.w_ext, 6 * SIX_LINK_NLINKS)
+    if (status == SIX_LINK_OK
+        && !(six_link_finite(force, SIX_LINK_NV) && six_link_finite(call.w_ext, 6 * SIX_LINK_NLINKS)
         && (!wrench || six_link_finite(&wrench[0][0], 6 * SIX_LINK_NLINKS)))) {
         return SIX_LINK_NONFINITE;
     }

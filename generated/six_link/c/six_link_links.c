@@ -1,14 +1,14 @@
-/* six_link_links.c: what each class of links does in each phase, and the phases in their order.
+/* six_link_links.c: the phases of the algorithms for each class of links, and the loops over the links.
  *
  * A chain of n links has n + 1 nodes: node 0 is the base, node i + 1 the tip of link i. A phase of link i
- * reads and writes the link's own store, its two nodes, and the arrays of the call.
+ * reads and writes the link's store, its two nodes, and the arrays of the call.
  */
 #include "six_link_links.h"
 
 static const int Q_OFFSET[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
 static const int ETA_OFFSET[SIX_LINK_NLINKS] = { 0, 0, 5, 9, 9, 9 };
 
-/* Where the entries of M_sys that a link computes stand among the structural nonzeros. */
+/* The places, among the structural nonzeros, of the entries of M_sys that each link computes. */
 static const int M_PLACE[SIX_LINK_NNZ] = {
     2, 7, 18, 27, 38, 44, 49, 13, 33, 24, 14, 34, 15, 25, 35, 42, 53, 16, 36, 48,
     17, 26, 37, 43, 54, 0, 1, 3, 4, 5, 6, 8, 19, 28, 45, 50, 9, 20, 29, 39,
@@ -46,9 +46,9 @@ static const int M_PLACE[SIX_LINK_NNZ] = {
 static const int M_OFFSET[SIX_LINK_NLINKS] = { 0, 73, 321, 488, 537, 588 };
 
 /* dae kinematics, links like shoulder: 11 operations */
-SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
+SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -75,9 +75,9 @@ SIX_LINK_PART six_link_status dae_kinematics_shoulder(const six_link_link_consta
 }
 
 /* dae kinematics, links like upper_arm: 234 operations */
-SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], const six_link_real eta[restrict 5],
+SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], const six_link_real eta[restrict 5],
     const six_link_real etadot[restrict 5], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -194,8 +194,7 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
     tip->alpha_0[0] = alpha_t_x;
     const six_link_real alpha_t_y = alpha_s_y + omega_s_x * omega_R_3 + omega_s_z * minus_omega_R_1;
     tip->alpha_0[1] = alpha_t_y;
-    const six_link_real alpha_t_z = alpha_s_z - minus_alpha_z - omega_s_y * minus_omega_R_1
-        - omega_s_x * twist[1];
+    const six_link_real alpha_t_z = alpha_s_z - minus_alpha_z - omega_s_y * minus_omega_R_1 - omega_s_x * twist[1];
     tip->alpha_0[2] = alpha_t_z;
 
     /* a_t: acceleration of the tip point (accconst1b) */
@@ -288,9 +287,9 @@ SIX_LINK_PART six_link_status dae_kinematics_upper_arm(const six_link_link_const
 }
 
 /* dae kinematics, links like forearm: 305 operations */
-SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], const six_link_real eta[restrict 4],
+SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], const six_link_real eta[restrict 4],
     const six_link_real etadot[restrict 4], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -333,8 +332,7 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
 
     /* acceleration of the parent's tip in F_i axes */
     const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
     link->alpha_0[1] = alpha_0_2;
     const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
     const six_link_real t5 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
@@ -350,8 +348,7 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     /* r_R: joint point relative to the parent's tip point */
     const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
     link->lever[0] = r_R_x;
-    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y + c->R_m_zy * c->mount_xyz_z;
     link->lever[1] = r_R_y;
     const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
     link->lever[2] = r_R_z;
@@ -442,8 +439,7 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
     const six_link_real t16 = twist[1] * r_T_z - omega_R_3 * r_T_y;
     const six_link_real a_t_y = a_J_y + alpha_z * c->length + omega_R_3 * t16 - alpha_x * r_T_z - omega_R_1 * t14;
     tip->alpha_0[4] = a_t_y;
-    const six_link_real a_t_z = a_J_z + alpha_x * r_T_y + omega_R_1 * t15 - alpha_0_2 * c->length
-        - twist[1] * t16;
+    const six_link_real a_t_z = a_J_z + alpha_x * r_T_y + omega_R_1 * t15 - alpha_0_2 * c->length - twist[1] * t16;
     tip->alpha_0[5] = a_t_z;
 
     /* c1: Stumpff function of order 1 */
@@ -493,9 +489,9 @@ SIX_LINK_PART six_link_status dae_kinematics_forearm(const six_link_link_constan
 }
 
 /* dae kinematics, links like wrist_roll: 85 operations */
-SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
+SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -536,11 +532,9 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
     const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
         + base->R_T[6] * base->alpha_0[5];
     link->alpha_0[3] = alpha_0_4;
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5];
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
     link->alpha_0[4] = alpha_0_5;
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5];
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4] + R_P_33 * base->alpha_0[5];
     link->alpha_0[5] = alpha_0_6;
 
     /* alpha: angular acceleration while no joint accelerates (accconst4) */
@@ -552,8 +546,7 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
     tip->alpha_0[2] = alpha_z;
 
     /* a_t: acceleration of the tip point (accconst1b) */
-    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2)
-        - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2) - c->length * (omega_R_3 * omega_R_3);
     tip->alpha_0[3] = a_t_x;
     const six_link_real t3 = c->length * twist[0];
     const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t3 * omega_R_2;
@@ -571,9 +564,9 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_roll(const six_link_link_cons
 }
 
 /* dae kinematics, links like wrist_pitch: 41 operations */
-SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
+SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -611,8 +604,7 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_con
     tip->alpha_0[2] = alpha_z;
 
     /* a_t: acceleration of the tip point (accconst1b) */
-    const six_link_real a_t_x = alpha_0_4 - c->length * (twist[1] * twist[1])
-        - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real a_t_x = alpha_0_4 - c->length * (twist[1] * twist[1]) - c->length * (omega_R_3 * omega_R_3);
     tip->alpha_0[3] = a_t_x;
     const six_link_real t3 = c->length * omega_R_1;
     const six_link_real a_t_y = base->alpha_0[4] + alpha_z * c->length + t3 * twist[1];
@@ -630,9 +622,9 @@ SIX_LINK_PART six_link_status dae_kinematics_wrist_pitch(const six_link_link_con
 }
 
 /* dae kinematics, links like flange: 41 operations */
-SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, const six_link_real q[restrict 1],
-    const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
+SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    const six_link_real q[restrict 1], const six_link_real twist[restrict 6], six_link_real qdot[restrict 1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -689,10 +681,9 @@ SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constant
 }
 
 /* eliminate, links like shoulder: 112 operations */
-SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
+    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
@@ -748,7 +739,8 @@ SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *
 
     /* joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_11 = M_loaded_33 + m_q[0];
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8
+        * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_w_1 = (tau[0] - f_q[0] - h_loaded_3) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
@@ -768,12 +760,11 @@ SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *
 }
 
 /* eliminate, links like upper_arm: 1739 operations */
-SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 5],
-    const six_link_real etadot[restrict 5], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 5], const six_link_real f_eta[restrict 5],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
+    const six_link_real eta[restrict 5], const six_link_real etadot[restrict 5], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 5], const six_link_real f_eta[restrict 5], const six_link_real m_q[restrict 1],
+    const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
 {
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -852,8 +843,8 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real t8 = c->I_s * link->omega[0];
     const six_link_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
     const six_link_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t8 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
@@ -1150,12 +1141,10 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real t81 = modal_inertia_35 - (modal_inertia_13 * modes_L_51 + t76 * modes_L_52);
     const six_link_real modes_L_53 = t81 * modes_inverse_3;
     link->modes_L[8] = modes_L_53;
-    const six_link_real t82 = modal_inertia_44
-        - (modal_inertia_14 * modes_L_41 + t77 * modes_L_42 + t80 * modes_L_43);
+    const six_link_real t82 = modal_inertia_44 - (modal_inertia_14 * modes_L_41 + t77 * modes_L_42 + t80 * modes_L_43);
     if (!(t82 > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real modes_inverse_4 = 1 / t82;
-    const six_link_real t83 = modal_inertia_45
-        - (modal_inertia_14 * modes_L_51 + t77 * modes_L_52 + t80 * modes_L_53);
+    const six_link_real t83 = modal_inertia_45 - (modal_inertia_14 * modes_L_51 + t77 * modes_L_52 + t80 * modes_L_53);
     const six_link_real modes_L_54 = t83 * modes_inverse_4;
     link->modes_L[9] = modes_L_54;
     const six_link_real t84 = modal_inertia_55
@@ -1469,12 +1458,11 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
 }
 
 /* eliminate, links like forearm: 1486 operations */
-SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real eta[restrict 4],
-    const six_link_real etadot[restrict 4], const six_link_real w_ext[restrict 6],
-    const six_link_real m_eta[restrict 4], const six_link_real f_eta[restrict 4],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
+    const six_link_real eta[restrict 4], const six_link_real etadot[restrict 4], const six_link_real w_ext[restrict 6],
+    const six_link_real m_eta[restrict 4], const six_link_real f_eta[restrict 4], const six_link_real m_q[restrict 1],
+    const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
 {
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -1656,26 +1644,26 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
         + tip->Lambda[4] * REAL(2.0195202782688155);
     const six_link_real t27 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
         + tip->Lambda[4] * REAL(2.8145226674626453);
-    const six_link_real t28 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13
-        + tip->Lambda[2] * Theta_33 + tip->Lambda[5] * REAL(2.0195202782688155);
-    const six_link_real t29 = tip->Lambda[1] * Theta_24 - tip->Lambda[0] * minus_Theta_14
-        + tip->Lambda[2] * Theta_34 + tip->Lambda[5] * REAL(2.8145226674626453);
+    const six_link_real t28 = tip->Lambda[1] * Theta_23 - tip->Lambda[0] * minus_Theta_13 + tip->Lambda[2] * Theta_33
+        + tip->Lambda[5] * REAL(2.0195202782688155);
+    const six_link_real t29 = tip->Lambda[1] * Theta_24 - tip->Lambda[0] * minus_Theta_14 + tip->Lambda[2] * Theta_34
+        + tip->Lambda[5] * REAL(2.8145226674626453);
     const six_link_real t30 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
         + tip->Lambda[9] * REAL(2.0195202782688155);
     const six_link_real t31 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
         + tip->Lambda[9] * REAL(2.8145226674626453);
-    const six_link_real t32 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13
-        + tip->Lambda[7] * Theta_33 + tip->Lambda[10] * REAL(2.0195202782688155);
-    const six_link_real t33 = tip->Lambda[6] * Theta_24 - tip->Lambda[1] * minus_Theta_14
-        + tip->Lambda[7] * Theta_34 + tip->Lambda[10] * REAL(2.8145226674626453);
+    const six_link_real t32 = tip->Lambda[6] * Theta_23 - tip->Lambda[1] * minus_Theta_13 + tip->Lambda[7] * Theta_33
+        + tip->Lambda[10] * REAL(2.0195202782688155);
+    const six_link_real t33 = tip->Lambda[6] * Theta_24 - tip->Lambda[1] * minus_Theta_14 + tip->Lambda[7] * Theta_34
+        + tip->Lambda[10] * REAL(2.8145226674626453);
     const six_link_real t34 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
         + tip->Lambda[13] * REAL(2.0195202782688155);
     const six_link_real t35 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
         + tip->Lambda[13] * REAL(2.8145226674626453);
-    const six_link_real t36 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13
-        + tip->Lambda[11] * Theta_33 + tip->Lambda[14] * REAL(2.0195202782688155);
-    const six_link_real t37 = tip->Lambda[7] * Theta_24 - tip->Lambda[2] * minus_Theta_14
-        + tip->Lambda[11] * Theta_34 + tip->Lambda[14] * REAL(2.8145226674626453);
+    const six_link_real t36 = tip->Lambda[7] * Theta_23 - tip->Lambda[2] * minus_Theta_13 + tip->Lambda[11] * Theta_33
+        + tip->Lambda[14] * REAL(2.0195202782688155);
+    const six_link_real t37 = tip->Lambda[7] * Theta_24 - tip->Lambda[2] * minus_Theta_14 + tip->Lambda[11] * Theta_34
+        + tip->Lambda[14] * REAL(2.8145226674626453);
     const six_link_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
         + tip->Lambda[16] * REAL(2.0195202782688155);
     const six_link_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
@@ -1694,10 +1682,10 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real t41 = tip->Lambda[19] * REAL(2.8145226674626453);
     const six_link_real C_54 = tip->Lambda[9] * Theta_24 - tip->Lambda[4] * minus_Theta_14
         + tip->Lambda[13] * Theta_34 + t41;
-    const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21
-        + tip->Lambda[14] * Theta_31 + t40;
-    const six_link_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22
-        + tip->Lambda[14] * Theta_32 + t41;
+    const six_link_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21 + tip->Lambda[14] * Theta_31
+        + t40;
+    const six_link_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32
+        + t41;
     const six_link_real t42 = tip->Lambda[10] * Theta_23 - tip->Lambda[5] * minus_Theta_13
         + tip->Lambda[14] * Theta_33 + tip->Lambda[20] * REAL(2.0195202782688155);
     const six_link_real t43 = tip->Lambda[10] * Theta_24 - tip->Lambda[5] * minus_Theta_14
@@ -1769,8 +1757,7 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real t48 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t45 * modes_L_42);
     const six_link_real modes_L_43 = t48 * modes_inverse_3;
     link->modes_L[5] = modes_L_43;
-    const six_link_real t49 = modal_inertia_44
-        - (modal_inertia_14 * modes_L_41 + t46 * modes_L_42 + t48 * modes_L_43);
+    const six_link_real t49 = modal_inertia_44 - (modal_inertia_14 * modes_L_41 + t46 * modes_L_42 + t48 * modes_L_43);
     if (!(t49 > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real modes_inverse_4 = 1 / t49;
     const six_link_real t50 = C_12 - modes_L_21 * C_11;
@@ -2013,16 +2000,13 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real t96 = t93 * link->R_P[7] + t87 * link->R_P[8];
     const six_link_real Lambda_1 = (link->R_P[0] * t90 + link->R_P[1] * t94) * 2 + t88;
     base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * t91 + link->R_P[1] * t95
-        + (link->R_P[3] * t90 + link->R_P[4] * t94);
+    const six_link_real Lambda_2 = link->R_P[0] * t91 + link->R_P[1] * t95 + (link->R_P[3] * t90 + link->R_P[4] * t94);
     base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t92 + link->R_P[1] * t96
-        + (link->R_P[6] * t90 + link->R_P[7] * t94);
+    const six_link_real Lambda_3 = link->R_P[0] * t92 + link->R_P[1] * t96 + (link->R_P[6] * t90 + link->R_P[7] * t94);
     base->Lambda[2] = Lambda_3;
     const six_link_real Lambda_7 = (link->R_P[3] * t91 + link->R_P[4] * t95) * 2 + t88;
     base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[3] * t92 + link->R_P[4] * t96
-        + (link->R_P[6] * t91 + link->R_P[7] * t95);
+    const six_link_real Lambda_8 = link->R_P[3] * t92 + link->R_P[4] * t96 + (link->R_P[6] * t91 + link->R_P[7] * t95);
     base->Lambda[7] = Lambda_8;
     const six_link_real Lambda_12 = (link->R_P[6] * t92 + link->R_P[7] * t96) * 2 + t88;
     base->Lambda[11] = Lambda_12;
@@ -2095,9 +2079,9 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
 }
 
 /* eliminate, links like wrist_roll: 397 operations */
-SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
     const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
@@ -2136,8 +2120,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
     const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
     const six_link_real M_loaded_26 = t3 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_33 = c->J_0_xx + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
     const six_link_real M_loaded_35 = c->S_0_x + t4;
     const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
     const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
@@ -2151,7 +2134,8 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
 
     /* joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_11 = M_loaded_11 + m_q[0];
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8
+        * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
     link->joint_W[0] = joint_W_11;
@@ -2233,37 +2217,25 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     const six_link_real t12 = t9 * link->R_P[7] + Lambda_i_23 * link->R_P[8];
     const six_link_real Lambda_1 = (link->R_P[0] * t6 + link->R_P[1] * t10) * 2 + Lambda_i_33;
     base->Lambda[0] = Lambda_1;
-    const six_link_real Lambda_2 = link->R_P[0] * t7 + link->R_P[1] * t11
-        + (link->R_P[3] * t6 + link->R_P[4] * t10);
+    const six_link_real Lambda_2 = link->R_P[0] * t7 + link->R_P[1] * t11 + (link->R_P[3] * t6 + link->R_P[4] * t10);
     base->Lambda[1] = Lambda_2;
-    const six_link_real Lambda_3 = link->R_P[0] * t8 + link->R_P[1] * t12
-        + (link->R_P[6] * t6 + link->R_P[7] * t10);
+    const six_link_real Lambda_3 = link->R_P[0] * t8 + link->R_P[1] * t12 + (link->R_P[6] * t6 + link->R_P[7] * t10);
     base->Lambda[2] = Lambda_3;
     const six_link_real Lambda_7 = (link->R_P[3] * t7 + link->R_P[4] * t11) * 2 + Lambda_i_33;
     base->Lambda[6] = Lambda_7;
-    const six_link_real Lambda_8 = link->R_P[3] * t8 + link->R_P[4] * t12
-        + (link->R_P[6] * t7 + link->R_P[7] * t11);
+    const six_link_real Lambda_8 = link->R_P[3] * t8 + link->R_P[4] * t12 + (link->R_P[6] * t7 + link->R_P[7] * t11);
     base->Lambda[7] = Lambda_8;
     const six_link_real Lambda_12 = (link->R_P[6] * t8 + link->R_P[7] * t12) * 2 + Lambda_i_33;
     base->Lambda[11] = Lambda_12;
-    const six_link_real t13 = Lambda_i_14 * link->R_P[0] + Lambda_i_15 * link->R_P[1]
-        + Lambda_i_16 * link->R_P[2];
-    const six_link_real t14 = Lambda_i_14 * link->R_P[3] + Lambda_i_15 * link->R_P[4]
-        + Lambda_i_16 * link->R_P[5];
-    const six_link_real t15 = Lambda_i_14 * link->R_P[6] + Lambda_i_15 * link->R_P[7]
-        + Lambda_i_16 * link->R_P[8];
-    const six_link_real t16 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1]
-        + Lambda_i_26 * link->R_P[2];
-    const six_link_real t17 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4]
-        + Lambda_i_26 * link->R_P[5];
-    const six_link_real t18 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7]
-        + Lambda_i_26 * link->R_P[8];
-    const six_link_real t19 = Lambda_i_34 * link->R_P[0] + Lambda_i_35 * link->R_P[1]
-        + Lambda_i_36 * link->R_P[2];
-    const six_link_real t20 = Lambda_i_34 * link->R_P[3] + Lambda_i_35 * link->R_P[4]
-        + Lambda_i_36 * link->R_P[5];
-    const six_link_real t21 = Lambda_i_34 * link->R_P[6] + Lambda_i_35 * link->R_P[7]
-        + Lambda_i_36 * link->R_P[8];
+    const six_link_real t13 = Lambda_i_14 * link->R_P[0] + Lambda_i_15 * link->R_P[1] + Lambda_i_16 * link->R_P[2];
+    const six_link_real t14 = Lambda_i_14 * link->R_P[3] + Lambda_i_15 * link->R_P[4] + Lambda_i_16 * link->R_P[5];
+    const six_link_real t15 = Lambda_i_14 * link->R_P[6] + Lambda_i_15 * link->R_P[7] + Lambda_i_16 * link->R_P[8];
+    const six_link_real t16 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1] + Lambda_i_26 * link->R_P[2];
+    const six_link_real t17 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4] + Lambda_i_26 * link->R_P[5];
+    const six_link_real t18 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7] + Lambda_i_26 * link->R_P[8];
+    const six_link_real t19 = Lambda_i_34 * link->R_P[0] + Lambda_i_35 * link->R_P[1] + Lambda_i_36 * link->R_P[2];
+    const six_link_real t20 = Lambda_i_34 * link->R_P[3] + Lambda_i_35 * link->R_P[4] + Lambda_i_36 * link->R_P[5];
+    const six_link_real t21 = Lambda_i_34 * link->R_P[6] + Lambda_i_35 * link->R_P[7] + Lambda_i_36 * link->R_P[8];
     const six_link_real Lambda_4 = link->R_P[0] * t13 + link->R_P[1] * t16 + link->R_P[2] * t19;
     base->Lambda[3] = Lambda_4;
     const six_link_real Lambda_5 = link->R_P[0] * t14 + link->R_P[1] * t17 + link->R_P[2] * t20;
@@ -2292,16 +2264,13 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
     const six_link_real t29 = t26 * link->R_P[7] + Lambda_i_56 * link->R_P[8];
     const six_link_real Lambda_16 = (link->R_P[0] * t23 + link->R_P[1] * t27) * 2 + Lambda_i_66;
     base->Lambda[15] = Lambda_16;
-    const six_link_real Lambda_17 = link->R_P[0] * t24 + link->R_P[1] * t28
-        + (link->R_P[3] * t23 + link->R_P[4] * t27);
+    const six_link_real Lambda_17 = link->R_P[0] * t24 + link->R_P[1] * t28 + (link->R_P[3] * t23 + link->R_P[4] * t27);
     base->Lambda[16] = Lambda_17;
-    const six_link_real Lambda_18 = link->R_P[0] * t25 + link->R_P[1] * t29
-        + (link->R_P[6] * t23 + link->R_P[7] * t27);
+    const six_link_real Lambda_18 = link->R_P[0] * t25 + link->R_P[1] * t29 + (link->R_P[6] * t23 + link->R_P[7] * t27);
     base->Lambda[17] = Lambda_18;
     const six_link_real Lambda_19 = (link->R_P[3] * t24 + link->R_P[4] * t28) * 2 + Lambda_i_66;
     base->Lambda[18] = Lambda_19;
-    const six_link_real Lambda_20 = link->R_P[3] * t25 + link->R_P[4] * t29
-        + (link->R_P[6] * t24 + link->R_P[7] * t28);
+    const six_link_real Lambda_20 = link->R_P[3] * t25 + link->R_P[4] * t29 + (link->R_P[6] * t24 + link->R_P[7] * t28);
     base->Lambda[19] = Lambda_20;
     const six_link_real Lambda_21 = (link->R_P[6] * t25 + link->R_P[7] * t29) * 2 + Lambda_i_66;
     base->Lambda[20] = Lambda_21;
@@ -2321,9 +2290,9 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
 }
 
 /* eliminate, links like wrist_pitch: 239 operations */
-SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
     const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
@@ -2360,8 +2329,7 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
     const six_link_real M_loaded_11 = c->I_s + tip->Lambda[0];
     const six_link_real M_loaded_22 = c->J_0_xx + (tip->Lambda[6] - tip->Lambda[10] * c->length - c->length * t3);
     const six_link_real M_loaded_26 = t3 - c->S_0_x;
-    const six_link_real M_loaded_33 = c->J_0_xx
-        + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
+    const six_link_real M_loaded_33 = c->J_0_xx + (tip->Lambda[11] + tip->Lambda[13] * c->length + c->length * t4);
     const six_link_real M_loaded_35 = c->S_0_x + t4;
     const six_link_real M_loaded_44 = c->mu + tip->Lambda[15];
     const six_link_real M_loaded_55 = c->mu + tip->Lambda[18];
@@ -2375,7 +2343,8 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
 
     /* joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_11 = M_loaded_22 + m_q[0];
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8
+        * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_12 * joint_inverse_1;
     link->joint_W[0] = joint_W_11;
@@ -2510,9 +2479,9 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
 }
 
 /* eliminate, links like flange: 297 operations */
-SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *restrict c, six_link_link_store *restrict link,
-    six_link_node *restrict base, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
+SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *restrict c,
+    six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
     const six_link_real f_q[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
@@ -2581,7 +2550,8 @@ SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *re
 
     /* joint: its accelerations eliminated from its rows (43) */
     const six_link_real joint_inertia_11 = M_loaded_11 + m_q[0];
-    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8 * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
+    if (!(joint_inertia_11 - SIX_LINK_REAL_EPSILON * 8
+        * (M_loaded_11 + M_loaded_22 + M_loaded_33) > 0)) { return SIX_LINK_SINGULAR; }
     const six_link_real joint_inverse_1 = 1 / joint_inertia_11;
     const six_link_real joint_W_11 = M_loaded_11 * joint_inverse_1;
     link->joint_W[0] = joint_W_11;
@@ -2696,9 +2666,9 @@ SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *re
 }
 
 /* accelerate, links like shoulder: 1 operations */
-SIX_LINK_PART six_link_status accelerate_shoulder(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    six_link_node *restrict tip, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6],
-    six_link_real alpha[restrict 6])
+SIX_LINK_PART six_link_status accelerate_shoulder(const six_link_link_constants *restrict c,
+    const six_link_link_store *restrict link, six_link_node *restrict tip, six_link_real qddot[restrict 1],
+    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
     const six_link_real delta_T_5 = link->joint_w[0] * c->length;
@@ -2725,9 +2695,10 @@ SIX_LINK_PART six_link_status accelerate_shoulder(const six_link_link_constants 
 }
 
 /* accelerate, links like upper_arm: 213 operations */
-SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 5])
+SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants *restrict c,
+    const six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6],
+    six_link_real etaddot[restrict 5])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[6] * base->delta[2];
@@ -2752,10 +2723,10 @@ SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants
     alpha[4] = alpha_5;
     const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
     alpha[5] = alpha_6;
-    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * qddot_1
-        + link->modes_W[2] * carried_3 - link->modes_W[3] * minus_carried_4;
-    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * qddot_1
-        + link->modes_W[8] * carried_3 - link->modes_W[9] * minus_carried_4;
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * qddot_1 + link->modes_W[2] * carried_3
+        - link->modes_W[3] * minus_carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * qddot_1 + link->modes_W[8] * carried_3
+        - link->modes_W[9] * minus_carried_4;
     const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * qddot_1
         + link->modes_W[14] * carried_3 - link->modes_W[15] * minus_carried_4;
     const six_link_real t5 = link->modes_W[18] * carried_1 + link->modes_W[19] * qddot_1
@@ -2766,24 +2737,20 @@ SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants
         + (t6 + link->modes_W[28] * carried_5 + link->modes_W[29] * carried_6);
     etaddot[4] = -minus_etaddot_5;
     const six_link_real minus_etaddot_4 = link->modes_w[3]
-        + (t5 + link->modes_W[22] * carried_5 + link->modes_W[23] * carried_6)
-        - link->modes_L[9] * minus_etaddot_5;
+        + (t5 + link->modes_W[22] * carried_5 + link->modes_W[23] * carried_6) - link->modes_L[9] * minus_etaddot_5;
     etaddot[3] = -minus_etaddot_4;
-    const six_link_real t7 = link->modes_w[2]
-        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6)
+    const six_link_real t7 = link->modes_w[2] + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6)
         - link->modes_L[5] * minus_etaddot_4;
     const six_link_real minus_etaddot_3 = t7 - link->modes_L[8] * minus_etaddot_5;
     etaddot[2] = -minus_etaddot_3;
-    const six_link_real t8 = link->modes_w[1]
-        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
+    const six_link_real t8 = link->modes_w[1] + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
         - link->modes_L[2] * minus_etaddot_3;
-    const six_link_real minus_etaddot_2 = t8 - link->modes_L[4] * minus_etaddot_4
-        - link->modes_L[7] * minus_etaddot_5;
+    const six_link_real minus_etaddot_2 = t8 - link->modes_L[4] * minus_etaddot_4 - link->modes_L[7] * minus_etaddot_5;
     etaddot[1] = -minus_etaddot_2;
-    const six_link_real t9 = link->modes_w[0]
-        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = t9 - link->modes_L[1] * minus_etaddot_3
-        - link->modes_L[3] * minus_etaddot_4 - link->modes_L[6] * minus_etaddot_5;
+    const six_link_real t9 = link->modes_w[0] + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6)
+        - link->modes_L[0] * minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = t9 - link->modes_L[1] * minus_etaddot_3 - link->modes_L[3] * minus_etaddot_4
+        - link->modes_L[6] * minus_etaddot_5;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
@@ -2842,9 +2809,10 @@ SIX_LINK_PART six_link_status accelerate_upper_arm(const six_link_link_constants
 }
 
 /* accelerate, links like forearm: 235 operations */
-SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6], six_link_real etaddot[restrict 4])
+SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *restrict c,
+    const six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6],
+    six_link_real etaddot[restrict 4])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -2861,8 +2829,7 @@ SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *
         + link->R_P[8] * base->delta[5] + (carried_1 * link->lever[1] - carried_2 * link->lever[0]);
     const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
         + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
     qddot[0] = qddot_1;
 
     /* link: what is added to the acceleration of F_i, modal accelerations (83) */
@@ -2879,10 +2846,10 @@ SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *
     alpha[4] = alpha_5;
     const six_link_real alpha_6 = carried_6 + link->alpha_0[5];
     alpha[5] = alpha_6;
-    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * delta_2
-        + link->modes_W[2] * carried_3 + link->modes_W[3] * carried_4;
-    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2
-        + link->modes_W[8] * carried_3 + link->modes_W[9] * carried_4;
+    const six_link_real t2 = link->modes_W[0] * carried_1 + link->modes_W[1] * delta_2 + link->modes_W[2] * carried_3
+        + link->modes_W[3] * carried_4;
+    const six_link_real t3 = link->modes_W[6] * carried_1 + link->modes_W[7] * delta_2 + link->modes_W[8] * carried_3
+        + link->modes_W[9] * carried_4;
     const six_link_real t4 = link->modes_W[12] * carried_1 + link->modes_W[13] * delta_2
         + link->modes_W[14] * carried_3 + link->modes_W[15] * carried_4;
     const six_link_real t5 = link->modes_W[18] * carried_1 + link->modes_W[19] * delta_2
@@ -2891,18 +2858,15 @@ SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *
         + (t5 + link->modes_W[22] * carried_5 + link->modes_W[23] * carried_6);
     etaddot[3] = -minus_etaddot_4;
     const six_link_real minus_etaddot_3 = link->modes_w[2]
-        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6)
-        - link->modes_L[5] * minus_etaddot_4;
+        + (t4 + link->modes_W[16] * carried_5 + link->modes_W[17] * carried_6) - link->modes_L[5] * minus_etaddot_4;
     etaddot[2] = -minus_etaddot_3;
-    const six_link_real t6 = link->modes_w[1]
-        + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
+    const six_link_real t6 = link->modes_w[1] + (t3 + link->modes_W[10] * carried_5 + link->modes_W[11] * carried_6)
         - link->modes_L[2] * minus_etaddot_3;
     const six_link_real minus_etaddot_2 = t6 - link->modes_L[4] * minus_etaddot_4;
     etaddot[1] = -minus_etaddot_2;
-    const six_link_real t7 = link->modes_w[0]
-        + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6) - link->modes_L[0] * minus_etaddot_2;
-    const six_link_real minus_etaddot_1 = t7 - link->modes_L[1] * minus_etaddot_3
-        - link->modes_L[3] * minus_etaddot_4;
+    const six_link_real t7 = link->modes_w[0] + (t2 + link->modes_W[4] * carried_5 + link->modes_W[5] * carried_6)
+        - link->modes_L[0] * minus_etaddot_2;
+    const six_link_real minus_etaddot_1 = t7 - link->modes_L[1] * minus_etaddot_3 - link->modes_L[3] * minus_etaddot_4;
     etaddot[0] = -minus_etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
@@ -2960,9 +2924,9 @@ SIX_LINK_PART six_link_status accelerate_forearm(const six_link_link_constants *
 }
 
 /* accelerate, links like wrist_roll: 125 operations */
-SIX_LINK_PART six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
+SIX_LINK_PART six_link_status accelerate_wrist_roll(const six_link_link_constants *restrict c,
+    const six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
@@ -2982,8 +2946,7 @@ SIX_LINK_PART six_link_status accelerate_wrist_roll(const six_link_link_constant
         + link->R_P[8] * base->delta[5];
     const six_link_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2
         + link->joint_W[2] * carried_3 + link->joint_W[3] * carried_4;
-    const six_link_real qddot_1 = link->joint_w[0]
-        - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
+    const six_link_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[4] * carried_5 + link->joint_W[5] * carried_6);
     qddot[0] = qddot_1;
 
     /* link: what is added to the acceleration of F_i, modal accelerations (83) */
@@ -3045,9 +3008,9 @@ SIX_LINK_PART six_link_status accelerate_wrist_roll(const six_link_link_constant
 }
 
 /* accelerate, links like wrist_pitch: 107 operations */
-SIX_LINK_PART six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c, const six_link_link_store *restrict link,
-    const six_link_node *restrict base, six_link_node *restrict tip, six_link_real qddot[restrict 1],
-    six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
+SIX_LINK_PART six_link_status accelerate_wrist_pitch(const six_link_link_constants *restrict c,
+    const six_link_link_store *restrict link, const six_link_node *restrict base, six_link_node *restrict tip,
+    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
@@ -3128,8 +3091,9 @@ SIX_LINK_PART six_link_status accelerate_wrist_pitch(const six_link_link_constan
 }
 
 /* accelerate, links like flange: 89 operations */
-SIX_LINK_PART six_link_status accelerate_flange(const six_link_link_store *restrict link, const six_link_node *restrict base,
-    six_link_real qddot[restrict 1], six_link_real wrench[restrict 6], six_link_real alpha[restrict 6])
+SIX_LINK_PART six_link_status accelerate_flange(const six_link_link_store *restrict link,
+    const six_link_node *restrict base, six_link_real qddot[restrict 1], six_link_real wrench[restrict 6],
+    six_link_real alpha[restrict 6])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
     const six_link_real carried_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
@@ -3194,9 +3158,9 @@ SIX_LINK_PART six_link_status accelerate_flange(const six_link_link_store *restr
 }
 
 /* twist rates, links like shoulder: 67 operations */
-SIX_LINK_PART six_link_status twist_rates_shoulder(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
-    const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
-    six_link_real Vdot[restrict 6])
+SIX_LINK_PART six_link_status twist_rates_shoulder(const six_link_real quaternion[restrict 4],
+    const six_link_real gravity[restrict 3], const six_link_real alpha[restrict 6],
+    const six_link_real twist[restrict 6], six_link_real Vdot[restrict 6])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
@@ -3230,9 +3194,9 @@ SIX_LINK_PART six_link_status twist_rates_shoulder(const six_link_real quaternio
 }
 
 /* twist rates, links like upper_arm: 67 operations */
-SIX_LINK_PART six_link_status twist_rates_upper_arm(const six_link_real quaternion[restrict 4], const six_link_real gravity[restrict 3],
-    const six_link_real alpha[restrict 6], const six_link_real twist[restrict 6],
-    six_link_real Vdot[restrict 6])
+SIX_LINK_PART six_link_status twist_rates_upper_arm(const six_link_real quaternion[restrict 4],
+    const six_link_real gravity[restrict 3], const six_link_real alpha[restrict 6],
+    const six_link_real twist[restrict 6], six_link_real Vdot[restrict 6])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
@@ -3266,8 +3230,8 @@ SIX_LINK_PART six_link_status twist_rates_upper_arm(const six_link_real quaterni
 }
 
 /* project, links like shoulder: 68 operations */
-SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
-    const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1],
+SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c, six_link_node *tip,
+    const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -3355,8 +3319,8 @@ SIX_LINK_PART six_link_status project_shoulder(const six_link_link_constants *c,
 }
 
 /* project, links like upper_arm: 413 operations */
-SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[5],
+SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[5],
     const six_link_real etadot[5], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -3389,8 +3353,7 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
-    const six_link_real t25 = q[0]
-        + (R_rel_xx * t22 - R_rel_xz * t24 - (R_rel_xz * t21 + R_rel_xx * t23)) * REAL(0.5);
+    const six_link_real t25 = q[0] + (R_rel_xx * t22 - R_rel_xz * t24 - (R_rel_xz * t21 + R_rel_xx * t23)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn_2 = six_link_sine_cosine(t25);
@@ -3612,8 +3575,8 @@ SIX_LINK_PART six_link_status project_upper_arm(const six_link_link_constants *c
 }
 
 /* project, links like forearm: 570 operations */
-SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[4],
+SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real twist[6], const six_link_real eta[4],
     const six_link_real etadot[4], const six_link_real quaternion[4], six_link_real new_q[1],
     six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
@@ -3753,12 +3716,9 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real omega_y = omega_R_y + t36;
 
     /* v_R: velocity of the joint point, fixed to the parent */
-    const six_link_real t38 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1]
-        - c->mount_xyz_y * base->omega_T[2];
-    const six_link_real t39 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2]
-        - c->mount_xyz_z * base->omega_T[0];
-    const six_link_real t40 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0]
-        - c->mount_xyz_x * base->omega_T[1];
+    const six_link_real t38 = base->v_T[0] + c->mount_xyz_z * base->omega_T[1] - c->mount_xyz_y * base->omega_T[2];
+    const six_link_real t39 = base->v_T[1] + c->mount_xyz_x * base->omega_T[2] - c->mount_xyz_z * base->omega_T[0];
+    const six_link_real t40 = base->v_T[2] + c->mount_xyz_y * base->omega_T[0] - c->mount_xyz_x * base->omega_T[1];
     const six_link_real v_R_x = R_rel_xx_3 * t38 + R_rel_yx_3 * t39 + R_rel_zx_3 * t40;
     const six_link_real v_R_y = c->R_m_xy * t38 + c->R_m_yy * t39 + c->R_m_zy * t40;
     const six_link_real v_R_z = R_rel_xz_3 * t38 + R_rel_yz_3 * t39 + R_rel_zz_3 * t40;
@@ -3802,14 +3762,10 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
     const six_link_real t71 = t66 * t60 + t61 * t68;
     const six_link_real t72 = t61 * t67 - t69 * t60;
     const six_link_real t73 = t61 * t69 + t67 * t60;
-    const six_link_real new_quaternion_1 = base->Q[0] * t70
-        - (base->Q[1] * t72 + base->Q[2] * t71 + base->Q[3] * t73);
-    const six_link_real new_quaternion_2 = base->Q[0] * t72 + t70 * base->Q[1]
-        + (base->Q[2] * t73 - base->Q[3] * t71);
-    const six_link_real new_quaternion_3 = base->Q[0] * t71 + t70 * base->Q[2]
-        + (base->Q[3] * t72 - base->Q[1] * t73);
-    const six_link_real new_quaternion_4 = base->Q[0] * t73 + t70 * base->Q[3]
-        + (base->Q[1] * t71 - base->Q[2] * t72);
+    const six_link_real new_quaternion_1 = base->Q[0] * t70 - (base->Q[1] * t72 + base->Q[2] * t71 + base->Q[3] * t73);
+    const six_link_real new_quaternion_2 = base->Q[0] * t72 + t70 * base->Q[1] + (base->Q[2] * t73 - base->Q[3] * t71);
+    const six_link_real new_quaternion_3 = base->Q[0] * t71 + t70 * base->Q[2] + (base->Q[3] * t72 - base->Q[1] * t73);
+    const six_link_real new_quaternion_4 = base->Q[0] * t73 + t70 * base->Q[3] + (base->Q[1] * t71 - base->Q[2] * t72);
 
     /* omega_T: angular velocity of the tip section (46) */
     const six_link_real t74 = omega_s_x + omega_R_x;
@@ -3897,10 +3853,9 @@ SIX_LINK_PART six_link_status project_forearm(const six_link_link_constants *c, 
 }
 
 /* project, links like wrist_roll: 129 operations */
-SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
-    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
-    six_link_real new_position[3])
+SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
+    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
@@ -4023,10 +3978,9 @@ SIX_LINK_PART six_link_status project_wrist_roll(const six_link_link_constants *
 }
 
 /* project, links like wrist_pitch: 129 operations */
-SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
-    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
-    six_link_real new_position[3])
+SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real twist[6], const six_link_real quaternion[4],
+    six_link_real new_q[1], six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
@@ -4057,8 +4011,7 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
     const six_link_real R_rel_xz = turn.sine, R_rel_xx = turn.cosine;
 
-    const six_link_real t16 = q[0]
-        + (R_rel_xx * t13 - R_rel_xz * t15 - (R_rel_xz * t12 + R_rel_xx * t14)) * REAL(0.5);
+    const six_link_real t16 = q[0] + (R_rel_xx * t13 - R_rel_xz * t15 - (R_rel_xz * t12 + R_rel_xx * t14)) * REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn_2 = six_link_sine_cosine(t16);
@@ -4142,8 +4095,8 @@ SIX_LINK_PART six_link_status project_wrist_pitch(const six_link_link_constants 
 }
 
 /* project, links like flange: 103 operations */
-SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const six_link_real q[1], const six_link_real twist[6],
-    const six_link_real quaternion[4], six_link_real new_q[1], six_link_real new_twist[6],
+SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const six_link_real q[1],
+    const six_link_real twist[6], const six_link_real quaternion[4], six_link_real new_q[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
@@ -4175,8 +4128,8 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
     const six_link_sincos turn_2 = six_link_sine_cosine(t12);
     const six_link_real minus_R_rel_yz_2 = turn_2.sine, R_rel_yy_2 = turn_2.cosine;
 
-    const six_link_real t13 = (R_rel_yy_2 * t10 - minus_R_rel_yz_2 * t8
-        - (R_rel_yy_2 * t9 + minus_R_rel_yz_2 * t11)) * REAL(0.5);
+    const six_link_real t13 = (R_rel_yy_2 * t10 - minus_R_rel_yz_2 * t8 - (R_rel_yy_2 * t9 + minus_R_rel_yz_2 * t11))
+        * REAL(0.5);
     const six_link_real new_q_1 = t12 + t13;
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4223,8 +4176,8 @@ SIX_LINK_PART six_link_status project_flange(const six_link_node *base, const si
 }
 
 /* forward kinematics, links like shoulder: 11 operations */
-SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1],
-    const six_link_real qdot[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
+SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_constants *c, six_link_node *tip,
+    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4271,8 +4224,8 @@ SIX_LINK_PART six_link_status forward_kinematics_shoulder(const six_link_link_co
 }
 
 /* forward kinematics, links like upper_arm: 270 operations */
-SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
+SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
     const six_link_real etadot[5], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
@@ -4456,8 +4409,8 @@ SIX_LINK_PART six_link_status forward_kinematics_upper_arm(const six_link_link_c
 }
 
 /* forward kinematics, links like forearm: 393 operations */
-SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
+SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
     const six_link_real etadot[4], six_link_real new_twist[6], six_link_real new_quaternion[4],
     six_link_real new_position[3])
 {
@@ -4529,14 +4482,10 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
     const six_link_real t36 = t31 * t25 + t26 * t33;
     const six_link_real t37 = t26 * t32 - t34 * t25;
     const six_link_real t38 = t26 * t34 + t32 * t25;
-    const six_link_real new_quaternion_1 = base->Q[0] * t35
-        - (base->Q[1] * t37 + base->Q[2] * t36 + base->Q[3] * t38);
-    const six_link_real new_quaternion_2 = base->Q[0] * t37 + t35 * base->Q[1]
-        + (base->Q[2] * t38 - base->Q[3] * t36);
-    const six_link_real new_quaternion_3 = base->Q[0] * t36 + t35 * base->Q[2]
-        + (base->Q[3] * t37 - base->Q[1] * t38);
-    const six_link_real new_quaternion_4 = base->Q[0] * t38 + t35 * base->Q[3]
-        + (base->Q[1] * t36 - base->Q[2] * t37);
+    const six_link_real new_quaternion_1 = base->Q[0] * t35 - (base->Q[1] * t37 + base->Q[2] * t36 + base->Q[3] * t38);
+    const six_link_real new_quaternion_2 = base->Q[0] * t37 + t35 * base->Q[1] + (base->Q[2] * t38 - base->Q[3] * t36);
+    const six_link_real new_quaternion_3 = base->Q[0] * t36 + t35 * base->Q[2] + (base->Q[3] * t37 - base->Q[1] * t38);
+    const six_link_real new_quaternion_4 = base->Q[0] * t38 + t35 * base->Q[3] + (base->Q[1] * t36 - base->Q[2] * t37);
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -4661,8 +4610,8 @@ SIX_LINK_PART six_link_status forward_kinematics_forearm(const six_link_link_con
 }
 
 /* forward kinematics, links like wrist_roll: 58 operations */
-SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
+SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4742,9 +4691,9 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_roll(const six_link_link_
 }
 
 /* forward kinematics, links like wrist_pitch: 58 operations */
-SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
-    six_link_real new_quaternion[4], six_link_real new_position[3])
+SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link_constants *c,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1],
+    six_link_real new_twist[6], six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -4823,8 +4772,8 @@ SIX_LINK_PART six_link_status forward_kinematics_wrist_pitch(const six_link_link
 }
 
 /* forward kinematics, links like flange: 54 operations */
-SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
+SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], six_link_real new_twist[6],
     six_link_real new_quaternion[4], six_link_real new_position[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -4889,8 +4838,8 @@ SIX_LINK_PART six_link_status forward_kinematics_flange(const six_link_link_cons
 }
 
 /* kinematics, links like shoulder: 11 operations */
-SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -4916,9 +4865,9 @@ SIX_LINK_PART six_link_status kinematics_shoulder(const six_link_link_constants 
 }
 
 /* kinematics, links like upper_arm: 234 operations */
-SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
-    const six_link_real etadot[5])
+SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1],
+    const six_link_real eta[5], const six_link_real etadot[5])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5130,9 +5079,9 @@ SIX_LINK_PART six_link_status kinematics_upper_arm(const six_link_link_constants
 }
 
 /* kinematics, links like forearm: 305 operations */
-SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
-    const six_link_real etadot[4])
+SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1],
+    const six_link_real eta[4], const six_link_real etadot[4])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5160,8 +5109,7 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
 
     /* acceleration of the parent's tip in F_i axes */
     const six_link_real t3 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
-    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1]
-        + R_P_32 * base->alpha_0[2];
+    const six_link_real alpha_0_2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
     const six_link_real t4 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
     const six_link_real t5 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
     const six_link_real t6 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
@@ -5176,8 +5124,7 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
 
     /* r_R: joint point relative to the parent's tip point */
     const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
-    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y + c->R_m_zy * c->mount_xyz_z;
     const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
 
     /* a_J: acceleration of the joint point while no joint accelerates (accconst4) */
@@ -5335,8 +5282,8 @@ SIX_LINK_PART six_link_status kinematics_forearm(const six_link_link_constants *
 }
 
 /* kinematics, links like wrist_roll: 85 operations */
-SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5361,10 +5308,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     const six_link_real t2 = R_P_13 * base->alpha_0[0] + R_P_23 * base->alpha_0[1] + R_P_33 * base->alpha_0[2];
     const six_link_real alpha_0_4 = base->R_T[0] * base->alpha_0[3] + base->R_T[3] * base->alpha_0[4]
         + base->R_T[6] * base->alpha_0[5];
-    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4]
-        + R_P_32 * base->alpha_0[5];
-    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4]
-        + R_P_33 * base->alpha_0[5];
+    const six_link_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
+    const six_link_real alpha_0_6 = R_P_13 * base->alpha_0[3] + R_P_23 * base->alpha_0[4] + R_P_33 * base->alpha_0[5];
 
     /* omega: angular velocity of the link (45) */
     const six_link_real omega_x = omega_R_1 + qdot[0];
@@ -5374,8 +5319,7 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
     const six_link_real alpha_z = t2 - omega_R_2 * qdot[0];
 
     /* a_t: acceleration of the tip point (accconst1b) */
-    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2)
-        - c->length * (omega_R_3 * omega_R_3);
+    const six_link_real a_t_x = alpha_0_4 - c->length * (omega_R_2 * omega_R_2) - c->length * (omega_R_3 * omega_R_3);
     const six_link_real t3 = c->length * omega_x;
     const six_link_real a_t_y = alpha_0_5 + alpha_z * c->length + t3 * omega_R_2;
     const six_link_real a_t_z = alpha_0_6 + t3 * omega_R_3 - alpha_y * c->length;
@@ -5412,8 +5356,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_roll(const six_link_link_constant
 }
 
 /* kinematics, links like wrist_pitch: 41 operations */
-SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5470,8 +5414,8 @@ SIX_LINK_PART six_link_status kinematics_wrist_pitch(const six_link_link_constan
 }
 
 /* kinematics, links like flange: 41 operations */
-SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -5529,8 +5473,8 @@ SIX_LINK_PART six_link_status kinematics_flange(const six_link_link_constants *c
 }
 
 /* inverse outward, links like shoulder: 1 operations */
-SIX_LINK_PART six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
-    const six_link_real qddot[1])
+SIX_LINK_PART six_link_status inverse_outward_shoulder(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_5 = qddot[0] * c->length;
 
@@ -5542,8 +5486,8 @@ SIX_LINK_PART six_link_status inverse_outward_shoulder(const six_link_link_const
 }
 
 /* inverse outward, links like upper_arm: 54 operations */
-SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5])
+SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5])
 {
     const six_link_real delta_1 = link->R_P[6] * base->delta[2];
     const six_link_real delta_3 = link->R_P[8] * base->delta[2];
@@ -5580,8 +5524,8 @@ SIX_LINK_PART six_link_status inverse_outward_upper_arm(const six_link_link_cons
 }
 
 /* inverse outward, links like forearm: 81 operations */
-SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4])
+SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4])
 {
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
@@ -5624,8 +5568,8 @@ SIX_LINK_PART six_link_status inverse_outward_forearm(const six_link_link_consta
 }
 
 /* inverse outward, links like wrist_roll: 35 operations */
-SIX_LINK_PART six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1])
+SIX_LINK_PART six_link_status inverse_outward_wrist_roll(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
         + link->R_P[7] * base->delta[2];
@@ -5659,8 +5603,8 @@ SIX_LINK_PART six_link_status inverse_outward_wrist_roll(const six_link_link_con
 }
 
 /* inverse outward, links like wrist_pitch: 17 operations */
-SIX_LINK_PART six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1])
+SIX_LINK_PART six_link_status inverse_outward_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[6] * base->delta[2];
     const six_link_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[8] * base->delta[2];
@@ -5687,8 +5631,8 @@ SIX_LINK_PART six_link_status inverse_outward_wrist_pitch(const six_link_link_co
 }
 
 /* inverse outward, links like flange: 17 operations */
-SIX_LINK_PART six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real qddot[1])
+SIX_LINK_PART six_link_status inverse_outward_flange(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real qddot[1])
 {
     const six_link_real delta_2 = link->R_P[4] * base->delta[1] + link->R_P[7] * base->delta[2];
     const six_link_real delta_3 = link->R_P[5] * base->delta[1] + link->R_P[8] * base->delta[2];
@@ -5715,8 +5659,8 @@ SIX_LINK_PART six_link_status inverse_outward_flange(const six_link_link_constan
 }
 
 /* inverse inward, links like shoulder: 71 operations */
-SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real m_q[1],
+SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6], const six_link_real m_q[1],
     const six_link_real f_q[1], six_link_real force[1], six_link_real wrench[6])
 {
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
@@ -5769,11 +5713,11 @@ SIX_LINK_PART six_link_status inverse_inward_shoulder(const six_link_link_consta
 }
 
 /* inverse inward, links like upper_arm: 638 operations */
-SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5],
-    const six_link_real eta[5], const six_link_real etadot[5], const six_link_real w_ext[6],
-    const six_link_real m_eta[5], const six_link_real f_eta[5], const six_link_real m_q[1],
-    const six_link_real f_q[1], six_link_real force_eta[5], six_link_real force[1],
+SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real etaddot[5], const six_link_real eta[5], const six_link_real etadot[5],
+    const six_link_real w_ext[6], const six_link_real m_eta[5], const six_link_real f_eta[5],
+    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force_eta[5], six_link_real force[1],
     six_link_real wrench[6])
 {
     /* S: first moment */
@@ -5853,8 +5797,8 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     const six_link_real t8 = c->I_s * link->omega[0];
     const six_link_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_xz - J_xy * Omega_zy
         - c->S_0_x * link->alpha_0[5];
-    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
-        + J_xz * Omega_yz + c->S_0_x * link->alpha_0[4];
+    const six_link_real t9 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->alpha_0[4];
     const six_link_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3]
         - t8 * link->omega[1];
     const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
@@ -5972,14 +5916,10 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     const six_link_real t62 = link->J_l[2] * t45 + link->J_l[5] * t46 + link->J_l[8] * t47;
     const six_link_real force_eta_5 = c->sigma_t_5 * link->delta[0] + m_eta[4] * etaddot[4] + h_eta_5 + f_eta[4]
         + (link->J_l[0] * t45 + link->J_l[3] * t46 + link->J_l[6] * t47) * REAL(1.7320508075688772);
-    const six_link_real force_eta_1 = t57 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t62
-        + t49 * REAL(2.0195202782688155);
-    const six_link_real force_eta_2 = t58 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t62
-        + t49 * REAL(2.8145226674626453);
-    const six_link_real force_eta_3 = t59 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t61
-        + t50 * REAL(2.0195202782688155);
-    const six_link_real force_eta_4 = t60 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t61
-        + t50 * REAL(2.8145226674626453);
+    const six_link_real force_eta_1 = t57 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t62 + t49 * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t58 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t62 + t49 * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t59 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t61 + t50 * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t60 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t61 + t50 * REAL(2.8145226674626453);
     const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0] + f_q[0];
     const six_link_real t63 = wrench_1 + (c->mount_xyz_y * wrench_6 - link->lever[1] * wrench_5);
     const six_link_real p_2 = wrench_2 + (link->lever[1] * wrench_4 - link->lever[0] * wrench_6);
@@ -6016,12 +5956,11 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
 }
 
 /* inverse inward, links like forearm: 452 operations */
-SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4],
+SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constants *c, const six_link_link_store *link,
+    six_link_node *base, const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4],
     const six_link_real eta[4], const six_link_real etadot[4], const six_link_real w_ext[6],
-    const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real m_q[1],
-    const six_link_real f_q[1], six_link_real force_eta[4], six_link_real force[1],
-    six_link_real wrench[6])
+    const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real m_q[1], const six_link_real f_q[1],
+    six_link_real force_eta[4], six_link_real force[1], six_link_real wrench[6])
 {
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -6127,18 +6066,12 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     const six_link_real h_eta_4 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
         + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
 
-    const six_link_real t11 = tip->p[0]
-        - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const six_link_real t12 = tip->p[1]
-        - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
-    const six_link_real t13 = tip->p[2]
-        - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
-    const six_link_real t14 = tip->p[3]
-        - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const six_link_real t15 = tip->p[4]
-        - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
-    const six_link_real t16 = tip->p[5]
-        - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
+    const six_link_real t11 = tip->p[0] - (link->R_T[0] * w_ext[0] - link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const six_link_real t12 = tip->p[1] - (link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1] + link->R_T[4] * w_ext[2]);
+    const six_link_real t13 = tip->p[2] - (link->R_T[4] * w_ext[1] - link->R_T[2] * w_ext[0] + link->R_T[5] * w_ext[2]);
+    const six_link_real t14 = tip->p[3] - (link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
+    const six_link_real t15 = tip->p[4] - (link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5]);
+    const six_link_real t16 = tip->p[5] - (link->R_T[4] * w_ext[4] - link->R_T[2] * w_ext[3] + link->R_T[5] * w_ext[5]);
     const six_link_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
     const six_link_real t18 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
@@ -6170,14 +6103,10 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
         + m_eta[3] * etaddot[3];
     const six_link_real t26 = link->J_l[3] * t12 - link->J_l[1] * t11 + link->J_l[4] * t13;
     const six_link_real t27 = link->J_l[2] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13;
-    const six_link_real force_eta_1 = t22 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t27
-        + t15 * REAL(2.0195202782688155);
-    const six_link_real force_eta_2 = t23 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t27
-        + t15 * REAL(2.8145226674626453);
-    const six_link_real force_eta_3 = t24 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t26
-        + t16 * REAL(2.0195202782688155);
-    const six_link_real force_eta_4 = t25 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t26
-        + t16 * REAL(2.8145226674626453);
+    const six_link_real force_eta_1 = t22 + h_eta_1 + f_eta[0] + c->Psi_c_z1 * t27 + t15 * REAL(2.0195202782688155);
+    const six_link_real force_eta_2 = t23 + h_eta_2 + f_eta[1] + c->Psi_c_z2 * t27 + t15 * REAL(2.8145226674626453);
+    const six_link_real force_eta_3 = t24 + h_eta_3 + f_eta[2] + c->Psi_c_y3 * t26 + t16 * REAL(2.0195202782688155);
+    const six_link_real force_eta_4 = t25 + h_eta_4 + f_eta[3] + c->Psi_c_y4 * t26 + t16 * REAL(2.8145226674626453);
     const six_link_real force_1 = wrench_2 + m_q[0] * qddot[0] + f_q[0];
     const six_link_real t28 = wrench_1 + (link->lever[1] * wrench_6 - link->lever[2] * wrench_5);
     const six_link_real t29 = wrench_2 + (link->lever[2] * wrench_4 - link->lever[0] * wrench_6);
@@ -6215,9 +6144,9 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
 }
 
 /* inverse inward, links like wrist_roll: 97 operations */
-SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
+SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real w_ext[6], const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
     six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
@@ -6274,9 +6203,9 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll(const six_link_link_cons
 }
 
 /* inverse inward, links like wrist_pitch: 79 operations */
-SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
+SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real w_ext[6], const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
     six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
@@ -6331,10 +6260,9 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch(const six_link_link_con
 }
 
 /* inverse inward, links like flange: 175 operations */
-SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
-    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1],
-    six_link_real wrench[6])
+SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constants *c, const six_link_link_store *link,
+    six_link_node *base, const six_link_node *tip, const six_link_real qddot[1], const six_link_real w_ext[6],
+    const six_link_real m_q[1], const six_link_real f_q[1], six_link_real force[1], six_link_real wrench[6])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -6363,8 +6291,8 @@ SIX_LINK_PART six_link_status inverse_inward_flange(const six_link_link_constant
         + (tip->omega[1] * t10 - tip->omega[2] * t9);
     const six_link_real t12 = c->S_T_z * t5 - c->S_T_x * t7 + (c->I_T_yy * t3 - c->J_T_xy * t2 - c->J_T_yz * t4)
         + (tip->omega[2] * t8 - tip->omega[0] * t10);
-    const six_link_real t13 = c->S_T_x * t6 - c->S_T_y * t5
-        + (c->I_T_zz * t4 - (c->J_T_xz * t2 + c->J_T_yz * t3)) + (tip->omega[0] * t9 - tip->omega[1] * t8);
+    const six_link_real t13 = c->S_T_x * t6 - c->S_T_y * t5 + (c->I_T_zz * t4 - (c->J_T_xz * t2 + c->J_T_yz * t3))
+        + (tip->omega[0] * t9 - tip->omega[1] * t8);
     const six_link_real t14 = tip->omega[1] * c->S_T_z - tip->omega[2] * c->S_T_y;
     const six_link_real t15 = tip->omega[2] * c->S_T_x - tip->omega[0] * c->S_T_z;
     const six_link_real t16 = tip->omega[0] * c->S_T_y - tip->omega[1] * c->S_T_x;
@@ -6418,8 +6346,8 @@ SIX_LINK_PART six_link_status kinematics_shoulder_2(void)
 }
 
 /* kinematics, links like upper_arm: 76 operations */
-SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
-    const six_link_real q[1], const six_link_real eta[5])
+SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *tip, const six_link_real q[1], const six_link_real eta[5])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -6536,8 +6464,8 @@ SIX_LINK_PART six_link_status kinematics_upper_arm_2(const six_link_link_constan
 }
 
 /* kinematics, links like forearm: 122 operations */
-SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link, const six_link_node *base,
-    six_link_node *tip, const six_link_real q[1], const six_link_real eta[4])
+SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants *c, six_link_link_store *link,
+    const six_link_node *base, six_link_node *tip, const six_link_real q[1], const six_link_real eta[4])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -6562,8 +6490,7 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
 
     /* r_R: joint point relative to the parent's tip point */
     const six_link_real r_R_x = R_rel_xx * c->mount_xyz_x + R_rel_yx * c->mount_xyz_y + R_rel_zx * c->mount_xyz_z;
-    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y
-        + c->R_m_zy * c->mount_xyz_z;
+    const six_link_real r_R_y = c->R_m_xy * c->mount_xyz_x + c->R_m_yy * c->mount_xyz_y + c->R_m_zy * c->mount_xyz_z;
     const six_link_real r_R_z = R_rel_xz * c->mount_xyz_x + R_rel_yz * c->mount_xyz_y + R_rel_zz * c->mount_xyz_z;
 
     /* r_T: tip point (11) */
@@ -6641,7 +6568,8 @@ SIX_LINK_PART six_link_status kinematics_forearm_2(const six_link_link_constants
 }
 
 /* kinematics, links like wrist_roll: 20 operations */
-SIX_LINK_PART six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base, const six_link_real q[1])
+SIX_LINK_PART six_link_status kinematics_wrist_roll_2(six_link_link_store *link, const six_link_node *base,
+    const six_link_real q[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -6705,8 +6633,9 @@ SIX_LINK_PART six_link_status kinematics_flange_2(six_link_link_store *link, con
 }
 
 /* inverse inward, links like shoulder: 14 operations */
-SIX_LINK_PART six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real qddot[1], const six_link_real m_q[1], six_link_real force[1])
+SIX_LINK_PART six_link_status inverse_inward_shoulder_2(const six_link_link_constants *c,
+    const six_link_link_store *link, const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
+    six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_x * tip->delta[4] + c->I_T_zz * tip->delta[2] + tip->p[2]
         + c->length * (c->body0_mass * tip->delta[4] + tip->delta[2] * c->S_T_x + tip->p[4]);
@@ -6719,10 +6648,10 @@ SIX_LINK_PART six_link_status inverse_inward_shoulder_2(const six_link_link_cons
 }
 
 /* inverse inward, links like upper_arm: 330 operations */
-SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[5],
-    const six_link_real eta[5], const six_link_real m_eta[5], const six_link_real m_q[1],
-    six_link_real force_eta[5], six_link_real force[1])
+SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real etaddot[5], const six_link_real eta[5], const six_link_real m_eta[5],
+    const six_link_real m_q[1], six_link_real force_eta[5], six_link_real force[1])
 {
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -6772,12 +6701,9 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_con
     const six_link_real t18 = t17 + tip->p[0];
     const six_link_real t19 = t3 * tip->delta[3] - t1 * tip->delta[5] + (t15 + t14 * tip->delta[2]) + tip->p[1];
     const six_link_real t20 = t1 * tip->delta[4] - t2 * tip->delta[3] + t16 + tip->p[2];
-    const six_link_real t21 = c->body0_mass * tip->delta[3] + (tip->delta[1] * t3 - tip->delta[2] * t2)
-        + tip->p[3];
-    const six_link_real t22 = c->body0_mass * tip->delta[4] + (tip->delta[2] * t1 - tip->delta[0] * t3)
-        + tip->p[4];
-    const six_link_real t23 = c->body0_mass * tip->delta[5] + (tip->delta[0] * t2 - tip->delta[1] * t1)
-        + tip->p[5];
+    const six_link_real t21 = c->body0_mass * tip->delta[3] + (tip->delta[1] * t3 - tip->delta[2] * t2) + tip->p[3];
+    const six_link_real t22 = c->body0_mass * tip->delta[4] + (tip->delta[2] * t1 - tip->delta[0] * t3) + tip->p[4];
+    const six_link_real t23 = c->body0_mass * tip->delta[5] + (tip->delta[0] * t2 - tip->delta[1] * t1) + tip->p[5];
     const six_link_real t24 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2]
         - S_z * link->delta[4] + S_y * link->delta[5];
     const six_link_real t25 = I_yy * link->delta[1] - J_xy * link->delta[0] - J_yz * link->delta[2]
@@ -6832,10 +6758,10 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm_2(const six_link_link_con
 }
 
 /* inverse inward, links like forearm: 218 operations */
-SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real etaddot[4],
-    const six_link_real eta[4], const six_link_real m_eta[4], const six_link_real m_q[1],
-    six_link_real force_eta[4], six_link_real force[1])
+SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real etaddot[4], const six_link_real eta[4], const six_link_real m_eta[4],
+    const six_link_real m_q[1], six_link_real force_eta[4], six_link_real force[1])
 {
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -6921,9 +6847,9 @@ SIX_LINK_PART six_link_status inverse_inward_forearm_2(const six_link_link_const
 }
 
 /* inverse inward, links like wrist_roll: 56 operations */
-SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
-    six_link_real force[1])
+SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real m_q[1], six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
@@ -6953,9 +6879,9 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_roll_2(const six_link_link_co
 }
 
 /* inverse inward, links like wrist_pitch: 38 operations */
-SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
-    six_link_real force[1])
+SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_constants *c,
+    const six_link_link_store *link, six_link_node *base, const six_link_node *tip, const six_link_real qddot[1],
+    const six_link_real m_q[1], six_link_real force[1])
 {
     const six_link_real wrench_1 = c->I_s * link->delta[0] + tip->p[0];
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5]
@@ -6983,8 +6909,8 @@ SIX_LINK_PART six_link_status inverse_inward_wrist_pitch_2(const six_link_link_c
 }
 
 /* inverse inward, links like flange: 80 operations */
-SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link, six_link_node *base,
-    const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
+SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_constants *c, const six_link_link_store *link,
+    six_link_node *base, const six_link_node *tip, const six_link_real qddot[1], const six_link_real m_q[1],
     six_link_real force[1])
 {
     const six_link_real t1 = c->S_T_y * tip->delta[5] - c->S_T_z * tip->delta[4]
@@ -6993,10 +6919,8 @@ SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_consta
         + (c->I_T_yy * tip->delta[1] - c->J_T_xy * tip->delta[0] - c->J_T_yz * tip->delta[2]);
     const six_link_real t3 = c->S_T_x * tip->delta[4] - c->S_T_y * tip->delta[3]
         + (c->I_T_zz * tip->delta[2] - (c->J_T_xz * tip->delta[0] + c->J_T_yz * tip->delta[1]));
-    const six_link_real t4 = c->body0_mass * tip->delta[4]
-        + (tip->delta[2] * c->S_T_x - tip->delta[0] * c->S_T_z);
-    const six_link_real t5 = c->body0_mass * tip->delta[5]
-        + (tip->delta[0] * c->S_T_y - tip->delta[1] * c->S_T_x);
+    const six_link_real t4 = c->body0_mass * tip->delta[4] + (tip->delta[2] * c->S_T_x - tip->delta[0] * c->S_T_z);
+    const six_link_real t5 = c->body0_mass * tip->delta[5] + (tip->delta[0] * c->S_T_y - tip->delta[1] * c->S_T_x);
     const six_link_real wrench_1 = c->I_s * link->delta[0] + t1;
     const six_link_real wrench_2 = c->J_0_xx * link->delta[1] - c->S_0_x * link->delta[5] + (t2 - c->length * t5);
     const six_link_real wrench_3 = c->J_0_xx * link->delta[2] + c->S_0_x * link->delta[4] + (t3 + c->length * t4);
@@ -7022,7 +6946,8 @@ SIX_LINK_PART six_link_status inverse_inward_flange_2(const six_link_link_consta
 }
 
 /* velocities, links like shoulder: 1 operations */
-SIX_LINK_PART six_link_status velocities_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real qdot[1])
+SIX_LINK_PART six_link_status velocities_shoulder(const six_link_link_constants *c, six_link_node *tip,
+    const six_link_real qdot[1])
 {
     /* v_T: velocity of the tip point (46) */
     const six_link_real v_T_y = c->length * qdot[0];
@@ -7034,8 +6959,8 @@ SIX_LINK_PART six_link_status velocities_shoulder(const six_link_link_constants 
 }
 
 /* velocities, links like upper_arm: 148 operations */
-SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
+SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[5],
     const six_link_real etadot[5])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -7143,8 +7068,8 @@ SIX_LINK_PART six_link_status velocities_upper_arm(const six_link_link_constants
 }
 
 /* velocities, links like forearm: 165 operations */
-SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
+SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1], const six_link_real eta[4],
     const six_link_real etadot[4])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -7248,8 +7173,8 @@ SIX_LINK_PART six_link_status velocities_forearm(const six_link_link_constants *
 }
 
 /* velocities, links like wrist_roll: 19 operations */
-SIX_LINK_PART six_link_status velocities_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status velocities_wrist_roll(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7281,8 +7206,8 @@ SIX_LINK_PART six_link_status velocities_wrist_roll(const six_link_link_constant
 }
 
 /* velocities, links like wrist_pitch: 19 operations */
-SIX_LINK_PART six_link_status velocities_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real qdot[1])
+SIX_LINK_PART six_link_status velocities_wrist_pitch(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real qdot[1])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7314,8 +7239,8 @@ SIX_LINK_PART six_link_status velocities_wrist_pitch(const six_link_link_constan
 }
 
 /* poses, links like shoulder: 7 operations */
-SIX_LINK_PART six_link_status poses_shoulder(const six_link_link_constants *c, six_link_node *tip, const six_link_real q[1], six_link_real R[9],
-    six_link_real r[3])
+SIX_LINK_PART six_link_status poses_shoulder(const six_link_link_constants *c, six_link_node *tip,
+    const six_link_real q[1], six_link_real R[9], six_link_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7352,8 +7277,8 @@ SIX_LINK_PART six_link_status poses_shoulder(const six_link_link_constants *c, s
 }
 
 /* poses, links like upper_arm: 120 operations */
-SIX_LINK_PART six_link_status poses_upper_arm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real eta[5], six_link_real R[9], six_link_real r[3])
+SIX_LINK_PART six_link_status poses_upper_arm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real eta[5], six_link_real R[9], six_link_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7458,8 +7383,8 @@ SIX_LINK_PART six_link_status poses_upper_arm(const six_link_link_constants *c, 
 }
 
 /* poses, links like forearm: 179 operations */
-SIX_LINK_PART six_link_status poses_forearm(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], const six_link_real eta[4], six_link_real R[9], six_link_real r[3])
+SIX_LINK_PART six_link_status poses_forearm(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], const six_link_real eta[4], six_link_real R[9], six_link_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7561,8 +7486,8 @@ SIX_LINK_PART six_link_status poses_forearm(const six_link_link_constants *c, co
 }
 
 /* poses, links like wrist_roll: 26 operations */
-SIX_LINK_PART six_link_status poses_wrist_roll(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], six_link_real R[9], six_link_real r[3])
+SIX_LINK_PART six_link_status poses_wrist_roll(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], six_link_real R[9], six_link_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7610,8 +7535,8 @@ SIX_LINK_PART six_link_status poses_wrist_roll(const six_link_link_constants *c,
 }
 
 /* poses, links like wrist_pitch: 26 operations */
-SIX_LINK_PART six_link_status poses_wrist_pitch(const six_link_link_constants *c, const six_link_node *base, six_link_node *tip,
-    const six_link_real q[1], six_link_real R[9], six_link_real r[3])
+SIX_LINK_PART six_link_status poses_wrist_pitch(const six_link_link_constants *c, const six_link_node *base,
+    six_link_node *tip, const six_link_real q[1], six_link_real R[9], six_link_real r[3])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -7709,8 +7634,8 @@ SIX_LINK_PART six_link_status measure_shoulder(six_link_real measures[restrict 4
 }
 
 /* measure, links like upper_arm: 33 operations */
-SIX_LINK_PART six_link_status measure_upper_arm(const six_link_link_constants *restrict c, const six_link_real motion[restrict 4],
-    const six_link_real wrench[restrict 6], const six_link_real eta[restrict 5],
+SIX_LINK_PART six_link_status measure_upper_arm(const six_link_link_constants *restrict c,
+    const six_link_real motion[restrict 4], const six_link_real wrench[restrict 6], const six_link_real eta[restrict 5],
     six_link_real measures[restrict 4])
 {
     /* deflection_T: transverse displacement of the tip, components y and z in F_i */
@@ -7751,8 +7676,8 @@ SIX_LINK_PART six_link_status measure_upper_arm(const six_link_link_constants *r
 }
 
 /* measure, links like forearm: 33 operations */
-SIX_LINK_PART six_link_status measure_forearm(const six_link_link_constants *restrict c, const six_link_real motion[restrict 4],
-    const six_link_real wrench[restrict 6], const six_link_real eta[restrict 4],
+SIX_LINK_PART six_link_status measure_forearm(const six_link_link_constants *restrict c,
+    const six_link_real motion[restrict 4], const six_link_real wrench[restrict 6], const six_link_real eta[restrict 4],
     six_link_real measures[restrict 4])
 {
     /* deflection_T: transverse displacement of the tip, components y and z in F_i */
@@ -7793,10 +7718,9 @@ SIX_LINK_PART six_link_status measure_forearm(const six_link_link_constants *res
 }
 
 /* joint rows, links like shoulder: 165 operations */
-SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real quaternion[4], const six_link_real gravity[3],
-    const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
-    six_link_real W[12])
+SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *tip, const six_link_real twist[6], const six_link_real quaternion[4], const six_link_real gravity[3],
+    const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
     const six_link_real t1 = quaternion[1] * quaternion[1];
     const six_link_real t2 = quaternion[2] * quaternion[2];
@@ -7845,7 +7769,7 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
     const six_link_real a_T_y = t15 - twist[0] * v_T_z;
     const six_link_real a_T_z = twist[0] * v_T_y - t14 - t16;
 
-    /* h_T_tau: moment that the bodies' velocities and weight need */
+    /* h_T_tau: bias moment of the tip bodies, weight included */
     const six_link_real t18 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
     const six_link_real t19 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
     const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t18 - c->S_T_z * a_T_y - twist[2] * t19;
@@ -7853,7 +7777,7 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
     const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t20 - c->S_T_x * a_T_z - twist[0] * t18;
     const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t19 - c->S_T_y * a_T_x - twist[1] * t20;
 
-    /* h_T_F: force that the bodies' velocities and weight need */
+    /* h_T_F: bias force of the tip bodies, weight included */
     const six_link_real t21 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
     const six_link_real t22 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
     const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t21 - twist[2] * t22;
@@ -7864,7 +7788,7 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_33 = 1 + c->armature_1 - 1;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_3 = c->joint_damping_1 * twist[2];
 
     /* outputs */
@@ -7907,10 +7831,10 @@ SIX_LINK_PART six_link_status joint_rows_shoulder(const six_link_link_constants 
 }
 
 /* joint rows, links like upper_arm: 660 operations */
-SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real eta[5], const six_link_real etadot[5],
-    const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
+SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *base, six_link_node *tip, const six_link_real twist[6], const six_link_real q[1],
+    const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real eta[5],
+    const six_link_real etadot[5], const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -8023,23 +7947,20 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real h_MD_3 = h_c_3 - etadot[4] * twist[1] * c->sigma_t_5;
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t22 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
-        + J_yz * (minus_Omega_yy - minus_Omega_zz) + S_y * a_0_z;
+    const six_link_real t22 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * a_0_z;
     const six_link_real H_star_1 = t22 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t23 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
-        + J_zz * Omega_xz + S_z * a_0_x;
+    const six_link_real t23 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * a_0_x;
     const six_link_real t24 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t23 + t24 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
-        - c->S_0_x * a_0_z;
+    const six_link_real H_star_2 = t23 + t24 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
     const six_link_real t25 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * a_0_y;
     const six_link_real H_star_3 = t25 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t24 * twist[1];
-    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->mu;
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->mu;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->mu;
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
@@ -8050,14 +7971,14 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
-        + a_0_y * c->sigma_y2 - Ldot_z2 * 2 * twist[0];
-    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
-        + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
-    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_y2 + Ldot_y2 * 2 * twist[0];
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
+        - Ldot_z1 * 2 * twist[0];
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2 + a_0_y * c->sigma_y2
+        - Ldot_z2 * 2 * twist[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1 + a_0_z * c->sigma_y1
+        + Ldot_y1 * 2 * twist[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2 + a_0_z * c->sigma_y2
+        + Ldot_y2 * 2 * twist[0];
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -8201,7 +8122,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real a_T_y = omega_T_z * v_T_x - t62 - omega_T_x * v_T_z;
     const six_link_real a_T_z = omega_T_x * v_T_y - t63 - omega_T_y * v_T_x;
 
-    /* h_T_tau: moment that the bodies' velocities and weight need */
+    /* h_T_tau: bias moment of the tip bodies, weight included */
     const six_link_real t64 = c->I_T_zz * omega_T_z - c->J_T_xz * omega_T_x - c->J_T_yz * omega_T_y;
     const six_link_real t65 = c->I_T_yy * omega_T_y - c->J_T_xy * omega_T_x - c->J_T_yz * omega_T_z;
     const six_link_real h_T_tau_x = c->S_T_y * a_T_z + omega_T_y * t64 - c->S_T_z * a_T_y - omega_T_z * t65;
@@ -8209,7 +8130,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real h_T_tau_y = c->S_T_z * a_T_x + omega_T_z * t66 - c->S_T_x * a_T_z - omega_T_x * t64;
     const six_link_real h_T_tau_z = c->S_T_x * a_T_y + omega_T_x * t65 - c->S_T_y * a_T_x - omega_T_y * t66;
 
-    /* h_T_F: force that the bodies' velocities and weight need */
+    /* h_T_F: bias force of the tip bodies, weight included */
     const six_link_real t67 = c->S_T_y * omega_T_x - c->S_T_x * omega_T_y;
     const six_link_real t68 = c->S_T_x * omega_T_z - c->S_T_z * omega_T_x;
     const six_link_real h_T_F_x = a_T_x * c->body0_mass + omega_T_y * t67 - omega_T_z * t68;
@@ -8229,7 +8150,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_22 = 1 + c->armature_1 - 1;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_2 = c->joint_damping_1 * t2;
     const six_link_real t73 = -beta_omega_z;
     const six_link_real t74 = -beta_v_z;
@@ -8357,10 +8278,10 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
 }
 
 /* joint rows, links like forearm: 612 operations */
-SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real eta[4], const six_link_real etadot[4],
-    const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
+SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *base, six_link_node *tip, const six_link_real twist[6], const six_link_real q[1],
+    const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real eta[4],
+    const six_link_real etadot[4], const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
@@ -8479,23 +8400,20 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real h_c_6 = Sdot_y * twist[0];
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const six_link_real t24 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz
-        + J_yz * (minus_Omega_yy - minus_Omega_zz) + S_y * a_0_z;
+    const six_link_real t24 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+        + S_y * a_0_z;
     const six_link_real H_star_1 = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const six_link_real t25 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy
-        + J_zz * Omega_xz + S_z * a_0_x;
+    const six_link_real t25 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * a_0_x;
     const six_link_real t26 = c->I_s * twist[0];
-    const six_link_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz
-        - c->S_0_x * a_0_z;
+    const six_link_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
     const six_link_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
         + J_xz * Omega_yz + c->S_0_x * a_0_y;
     const six_link_real H_star_3 = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
-    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + a_0_x * c->m;
+    const six_link_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->m;
     const six_link_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->m;
-    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z
-        + a_0_z * c->m;
+    const six_link_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->m;
 
     /* h_V: bias of the twist rows */
     const six_link_real h_V_1 = H_star_1 + h_c_1;
@@ -8506,14 +8424,14 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real h_V_6 = H_star_6 + h_c_6;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
-    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + a_0_y * c->sigma_y1 - Ldot_z1 * 2 * twist[0];
-    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
-        + a_0_y * c->sigma_y2 - Ldot_z2 * 2 * twist[0];
-    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1
-        + a_0_z * c->sigma_y1 + Ldot_y1 * 2 * twist[0];
-    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2
-        + a_0_z * c->sigma_y2 + Ldot_y2 * 2 * twist[0];
+    const six_link_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
+        - Ldot_z1 * 2 * twist[0];
+    const six_link_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2 + a_0_y * c->sigma_y2
+        - Ldot_z2 * 2 * twist[0];
+    const six_link_real h_eta_3 = L_y1 * Omega_yz - L_z1 * minus_Omega_zz + Omega_xz * c->chi_1 + a_0_z * c->sigma_y1
+        + Ldot_y1 * 2 * twist[0];
+    const six_link_real h_eta_4 = L_y2 * Omega_yz - L_z2 * minus_Omega_zz + Omega_xz * c->chi_2 + a_0_z * c->sigma_y2
+        + Ldot_y2 * 2 * twist[0];
 
     /* r_T: tip point (11) */
     const six_link_real r_T_y = eta[1] * REAL(2.8145226674626453) + eta[0] * REAL(2.0195202782688155);
@@ -8633,7 +8551,7 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real PX_22 = P_c_22 * c->R_m_yy;
     const six_link_real PX_23 = P_c_22 * c->R_m_zy;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_1 = minus_beta_omega_x
         - (R_rel_xx * base->b[0] + R_rel_yx * base->b[1] + R_rel_zx * base->b[2]);
     const six_link_real joint_H_2 = c->joint_damping_1 * t3 - PX_21 * base->b[0] - PX_22 * base->b[1]
@@ -8641,8 +8559,8 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real minus_joint_H_3 = R_rel_xz * base->b[0] + R_rel_yz * base->b[1] + R_rel_zz * base->b[2]
         + beta_omega_z;
     const six_link_real t43 = -minus_joint_H_3;
-    const six_link_real t44 = minus_beta_v_x - R_rel_xx * base->b[3] - R_rel_yx * base->b[4]
-        - R_rel_zx * base->b[5] - X_41 * base->b[0];
+    const six_link_real t44 = minus_beta_v_x - R_rel_xx * base->b[3] - R_rel_yx * base->b[4] - R_rel_zx * base->b[5]
+        - X_41 * base->b[0];
     const six_link_real joint_H_4 = t44 - X_42 * base->b[1] - X_43 * base->b[2];
     const six_link_real t45 = c->R_m_xy * base->b[3] + c->R_m_yy * base->b[4] + c->R_m_zy * base->b[5]
         + X_51 * base->b[0] + X_52 * base->b[1];
@@ -8777,10 +8695,10 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
 }
 
 /* joint rows, links like wrist_roll: 135 operations */
-SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *base, six_link_node *tip, const six_link_real twist[6], const six_link_real q[1],
+    const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real tau[1], const int *place,
+    six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -8845,7 +8763,7 @@ SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constant
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_11 = 1 + c->armature_1 - 1;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_1 = c->joint_damping_1 * t2 - P_c_11 * base->b[0];
     const six_link_real minus_joint_H_2 = R_rel_yy * base->b[1] + minus_R_rel_yz * base->b[2] + beta_omega_y;
     const six_link_real t18 = -minus_joint_H_2;
@@ -8906,10 +8824,10 @@ SIX_LINK_PART six_link_status joint_rows_wrist_roll(const six_link_link_constant
 }
 
 /* joint rows, links like wrist_pitch: 118 operations */
-SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base, six_link_node *tip,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *base, six_link_node *tip, const six_link_real twist[6], const six_link_real q[1],
+    const six_link_real quaternion[4], const six_link_real gravity[3], const six_link_real tau[1], const int *place,
+    six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -8975,7 +8893,7 @@ SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constan
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_22 = 1 + c->armature_1 - 1;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_2 = c->joint_damping_1 * t2;
     const six_link_real t18 = -beta_omega_z;
     const six_link_real t19 = -beta_v_z;
@@ -9031,10 +8949,10 @@ SIX_LINK_PART six_link_status joint_rows_wrist_pitch(const six_link_link_constan
 }
 
 /* joint rows, links like flange: 187 operations */
-SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c, six_link_link_store *link, six_link_node *base,
-    const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
-    const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c, six_link_link_store *link,
+    six_link_node *base, const six_link_real twist[6], const six_link_real q[1], const six_link_real quaternion[4],
+    const six_link_real gravity[3], const six_link_real tau[1], const int *place, six_link_real *M, six_link_real H[12],
+    six_link_real W[12])
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const six_link_sincos turn = six_link_sine_cosine(q[0]);
@@ -9104,7 +9022,7 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
     const six_link_real a_T_y = t17 - twist[0] * v_T_z;
     const six_link_real a_T_z = twist[0] * v_T_y - t16 - t18;
 
-    /* h_T_tau: moment that the bodies' velocities and weight need */
+    /* h_T_tau: bias moment of the tip bodies, weight included */
     const six_link_real t20 = c->I_T_zz * twist[2] - c->J_T_xz * twist[0] - c->J_T_yz * twist[1];
     const six_link_real t21 = c->I_T_yy * twist[1] - c->J_T_xy * twist[0] - c->J_T_yz * twist[2];
     const six_link_real h_T_tau_x = c->S_T_y * a_T_z + twist[1] * t20 - c->S_T_z * a_T_y - twist[2] * t21;
@@ -9112,7 +9030,7 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
     const six_link_real h_T_tau_y = c->S_T_z * a_T_x + twist[2] * t22 - c->S_T_x * a_T_z - twist[0] * t20;
     const six_link_real h_T_tau_z = c->S_T_x * a_T_y + twist[0] * t21 - c->S_T_y * a_T_x - twist[1] * t22;
 
-    /* h_T_F: force that the bodies' velocities and weight need */
+    /* h_T_F: bias force of the tip bodies, weight included */
     const six_link_real t23 = c->S_T_y * twist[0] - c->S_T_x * twist[1];
     const six_link_real t24 = c->S_T_x * twist[2] - c->S_T_z * twist[0];
     const six_link_real h_T_F_x = a_T_x * c->body0_mass + twist[1] * t23 - twist[2] * t24;
@@ -9123,7 +9041,7 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
     /* P_c: P with the rotor inertias about the axes (43) */
     const six_link_real P_c_11 = 1 + c->armature_1 - 1;
 
-    /* joint_H: what the velocities, springs and dampers leave in the joint's rows (61) */
+    /* joint_H: bias of the joint's rows, springs and dampers included (61) */
     const six_link_real joint_H_1 = c->joint_damping_1 * t2;
     const six_link_real t26 = -beta_omega_y;
     const six_link_real t27 = -beta_v_y;
@@ -9180,8 +9098,8 @@ SIX_LINK_PART six_link_status joint_rows_flange(const six_link_link_constants *c
 }
 
 /* link rows, links like shoulder: 60 operations */
-SIX_LINK_PART six_link_status link_rows_shoulder(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
+SIX_LINK_PART six_link_status link_rows_shoulder(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
     const six_link_real t1 = -c->S_T_z;
@@ -9322,10 +9240,10 @@ SIX_LINK_PART six_link_status link_rows_shoulder(const six_link_link_constants *
 }
 
 /* link rows, links like upper_arm: 2195 operations */
-SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real m_eta[5], const six_link_real f_eta[5], const six_link_real w_ext[6],
-    six_link_real eta_H[5], six_link_real eta_W[5], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real m_eta[5], const six_link_real f_eta[5], const six_link_real w_ext[6],
+    six_link_real eta_H[5], six_link_real eta_W[5], const int *place, six_link_real *M, six_link_real H[12],
+    six_link_real W[12])
 {
     const six_link_real t1 = link->h_eta[0] + f_eta[0];
     const six_link_real t2 = link->h_eta[1] + f_eta[1];
@@ -9477,17 +9395,17 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real V_V_66 = c->mu + link->R_T[6] * t68 + link->R_T[7] * t69 + link->R_T[8] * t70;
 
     /* V_eta: twist rows, modal columns (100) */
-    const six_link_real t71 = J_Teta_11 * t29 - link->M_D[0] + J_Teta_21 * t30 + J_Teta_31 * t32
-        + J_Teta_41 * t22 + J_Teta_51 * t25;
+    const six_link_real t71 = J_Teta_11 * t29 - link->M_D[0] + J_Teta_21 * t30 + J_Teta_31 * t32 + J_Teta_41 * t22
+        + J_Teta_51 * t25;
     const six_link_real V_eta_11 = t71 + J_Teta_61 * t28;
-    const six_link_real t72 = J_Teta_12 * t29 - link->M_D[1] + J_Teta_22 * t30 + J_Teta_32 * t32
-        + J_Teta_42 * t22 + J_Teta_52 * t25;
+    const six_link_real t72 = J_Teta_12 * t29 - link->M_D[1] + J_Teta_22 * t30 + J_Teta_32 * t32 + J_Teta_42 * t22
+        + J_Teta_52 * t25;
     const six_link_real V_eta_12 = t72 + J_Teta_62 * t28;
-    const six_link_real t73 = link->M_D[2] + J_Teta_13 * t29 + J_Teta_23 * t30 + J_Teta_33 * t32
-        + J_Teta_43 * t22 + J_Teta_53 * t25;
+    const six_link_real t73 = link->M_D[2] + J_Teta_13 * t29 + J_Teta_23 * t30 + J_Teta_33 * t32 + J_Teta_43 * t22
+        + J_Teta_53 * t25;
     const six_link_real V_eta_13 = t73 + J_Teta_63 * t28;
-    const six_link_real t74 = link->M_D[3] + J_Teta_14 * t29 + J_Teta_24 * t30 + J_Teta_34 * t32
-        + J_Teta_44 * t22 + J_Teta_54 * t25;
+    const six_link_real t74 = link->M_D[3] + J_Teta_14 * t29 + J_Teta_24 * t30 + J_Teta_34 * t32 + J_Teta_44 * t22
+        + J_Teta_54 * t25;
     const six_link_real V_eta_14 = t74 + J_Teta_64 * t28;
     const six_link_real V_eta_15 = c->sigma_t_5 + J_Teta_15 * t29 + J_Teta_25 * t30 + J_Teta_35 * t32;
     const six_link_real V_eta_21 = J_Teta_11 * t44 + J_Teta_21 * t45 + J_Teta_31 * t47 + J_Teta_41 * t37
@@ -9581,8 +9499,8 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         - J_Teta_42 * c->S_T_y + J_Teta_52 * c->S_T_x;
     const six_link_real t102 = J_Teta_22 * c->S_T_z - J_Teta_32 * c->S_T_y + J_Teta_42 * c->body0_mass;
     const six_link_real t103 = J_Teta_32 * c->S_T_x - J_Teta_12 * c->S_T_z + J_Teta_52 * c->body0_mass;
-    const six_link_real t104 = m_eta[1] + J_Teta_12 * t99 + J_Teta_22 * t100 + J_Teta_32 * t101
-        + J_Teta_42 * t102 + J_Teta_52 * t103;
+    const six_link_real t104 = m_eta[1] + J_Teta_12 * t99 + J_Teta_22 * t100 + J_Teta_32 * t101 + J_Teta_42 * t102
+        + J_Teta_52 * t103;
     const six_link_real t105 = J_Teta_12 * c->S_T_y - J_Teta_22 * c->S_T_x + J_Teta_62 * c->body0_mass;
     const six_link_real eta_eta_22 = t104 + J_Teta_62 * t105;
     const six_link_real eta_eta_23 = J_Teta_13 * t99 + J_Teta_23 * t100 + J_Teta_33 * t101 + J_Teta_43 * t102
@@ -9598,8 +9516,8 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         - J_Teta_43 * c->S_T_y + J_Teta_53 * c->S_T_x;
     const six_link_real t109 = J_Teta_23 * c->S_T_z - J_Teta_33 * c->S_T_y + J_Teta_43 * c->body0_mass;
     const six_link_real t110 = J_Teta_33 * c->S_T_x - J_Teta_13 * c->S_T_z + J_Teta_53 * c->body0_mass;
-    const six_link_real t111 = m_eta[2] + J_Teta_13 * t106 + J_Teta_23 * t107 + J_Teta_33 * t108
-        + J_Teta_43 * t109 + J_Teta_53 * t110;
+    const six_link_real t111 = m_eta[2] + J_Teta_13 * t106 + J_Teta_23 * t107 + J_Teta_33 * t108 + J_Teta_43 * t109
+        + J_Teta_53 * t110;
     const six_link_real t112 = J_Teta_13 * c->S_T_y - J_Teta_23 * c->S_T_x + J_Teta_63 * c->body0_mass;
     const six_link_real eta_eta_33 = t111 + J_Teta_63 * t112;
     const six_link_real eta_eta_34 = J_Teta_14 * t106 + J_Teta_24 * t107 + J_Teta_34 * t108 + J_Teta_44 * t109
@@ -9624,12 +9542,9 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + J_Teta_35 * (J_Teta_35 * c->I_T_zz - (J_Teta_15 * c->J_T_xz + J_Teta_25 * c->J_T_yz));
 
     /* V_next: twist rows, columns of the next joint's wrench (100) */
-    const six_link_real V_next_11 = link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1]
-        + link->R_T[2] * tip->X[2];
-    const six_link_real V_next_12 = link->R_T[0] * tip->X[6] + link->R_T[1] * tip->X[7]
-        + link->R_T[2] * tip->X[8];
-    const six_link_real V_next_13 = link->R_T[0] * tip->X[12] + link->R_T[1] * tip->X[13]
-        + link->R_T[2] * tip->X[14];
+    const six_link_real V_next_11 = link->R_T[0] * tip->X[0] + link->R_T[1] * tip->X[1] + link->R_T[2] * tip->X[2];
+    const six_link_real V_next_12 = link->R_T[0] * tip->X[6] + link->R_T[1] * tip->X[7] + link->R_T[2] * tip->X[8];
+    const six_link_real V_next_13 = link->R_T[0] * tip->X[12] + link->R_T[1] * tip->X[13] + link->R_T[2] * tip->X[14];
     const six_link_real t118 = J_TV_41 * tip->X[21] + J_TV_51 * tip->X[22] + J_TV_61 * tip->X[23]
         + link->R_T[0] * tip->X[18] + link->R_T[1] * tip->X[19];
     const six_link_real V_next_14 = t118 + link->R_T[2] * tip->X[20];
@@ -9639,12 +9554,9 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real t120 = J_TV_41 * tip->X[33] + J_TV_51 * tip->X[34] + J_TV_61 * tip->X[35]
         + link->R_T[0] * tip->X[30] + link->R_T[1] * tip->X[31];
     const six_link_real V_next_16 = t120 + link->R_T[2] * tip->X[32];
-    const six_link_real V_next_21 = link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1]
-        + link->R_T[5] * tip->X[2];
-    const six_link_real V_next_22 = link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7]
-        + link->R_T[5] * tip->X[8];
-    const six_link_real V_next_23 = link->R_T[3] * tip->X[12] + link->R_T[4] * tip->X[13]
-        + link->R_T[5] * tip->X[14];
+    const six_link_real V_next_21 = link->R_T[3] * tip->X[0] + link->R_T[4] * tip->X[1] + link->R_T[5] * tip->X[2];
+    const six_link_real V_next_22 = link->R_T[3] * tip->X[6] + link->R_T[4] * tip->X[7] + link->R_T[5] * tip->X[8];
+    const six_link_real V_next_23 = link->R_T[3] * tip->X[12] + link->R_T[4] * tip->X[13] + link->R_T[5] * tip->X[14];
     const six_link_real t121 = J_TV_42 * tip->X[21] + J_TV_52 * tip->X[22] + J_TV_62 * tip->X[23]
         + link->R_T[3] * tip->X[18] + link->R_T[4] * tip->X[19];
     const six_link_real V_next_24 = t121 + link->R_T[5] * tip->X[20];
@@ -9654,12 +9566,9 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real t123 = J_TV_42 * tip->X[33] + J_TV_52 * tip->X[34] + J_TV_62 * tip->X[35]
         + link->R_T[3] * tip->X[30] + link->R_T[4] * tip->X[31];
     const six_link_real V_next_26 = t123 + link->R_T[5] * tip->X[32];
-    const six_link_real V_next_31 = link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1]
-        + link->R_T[8] * tip->X[2];
-    const six_link_real V_next_32 = link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7]
-        + link->R_T[8] * tip->X[8];
-    const six_link_real V_next_33 = link->R_T[6] * tip->X[12] + link->R_T[7] * tip->X[13]
-        + link->R_T[8] * tip->X[14];
+    const six_link_real V_next_31 = link->R_T[6] * tip->X[0] + link->R_T[7] * tip->X[1] + link->R_T[8] * tip->X[2];
+    const six_link_real V_next_32 = link->R_T[6] * tip->X[6] + link->R_T[7] * tip->X[7] + link->R_T[8] * tip->X[8];
+    const six_link_real V_next_33 = link->R_T[6] * tip->X[12] + link->R_T[7] * tip->X[13] + link->R_T[8] * tip->X[14];
     const six_link_real t124 = J_TV_43 * tip->X[21] + J_TV_53 * tip->X[22] + J_TV_63 * tip->X[23]
         + link->R_T[6] * tip->X[18] + link->R_T[7] * tip->X[19];
     const six_link_real V_next_34 = t124 + link->R_T[8] * tip->X[20];
@@ -9669,24 +9578,15 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real t126 = J_TV_43 * tip->X[33] + J_TV_53 * tip->X[34] + J_TV_63 * tip->X[35]
         + link->R_T[6] * tip->X[30] + link->R_T[7] * tip->X[31];
     const six_link_real V_next_36 = t126 + link->R_T[8] * tip->X[32];
-    const six_link_real V_next_44 = link->R_T[0] * tip->X[21] + link->R_T[1] * tip->X[22]
-        + link->R_T[2] * tip->X[23];
-    const six_link_real V_next_45 = link->R_T[0] * tip->X[27] + link->R_T[1] * tip->X[28]
-        + link->R_T[2] * tip->X[29];
-    const six_link_real V_next_46 = link->R_T[0] * tip->X[33] + link->R_T[1] * tip->X[34]
-        + link->R_T[2] * tip->X[35];
-    const six_link_real V_next_54 = link->R_T[3] * tip->X[21] + link->R_T[4] * tip->X[22]
-        + link->R_T[5] * tip->X[23];
-    const six_link_real V_next_55 = link->R_T[3] * tip->X[27] + link->R_T[4] * tip->X[28]
-        + link->R_T[5] * tip->X[29];
-    const six_link_real V_next_56 = link->R_T[3] * tip->X[33] + link->R_T[4] * tip->X[34]
-        + link->R_T[5] * tip->X[35];
-    const six_link_real V_next_64 = link->R_T[6] * tip->X[21] + link->R_T[7] * tip->X[22]
-        + link->R_T[8] * tip->X[23];
-    const six_link_real V_next_65 = link->R_T[6] * tip->X[27] + link->R_T[7] * tip->X[28]
-        + link->R_T[8] * tip->X[29];
-    const six_link_real V_next_66 = link->R_T[6] * tip->X[33] + link->R_T[7] * tip->X[34]
-        + link->R_T[8] * tip->X[35];
+    const six_link_real V_next_44 = link->R_T[0] * tip->X[21] + link->R_T[1] * tip->X[22] + link->R_T[2] * tip->X[23];
+    const six_link_real V_next_45 = link->R_T[0] * tip->X[27] + link->R_T[1] * tip->X[28] + link->R_T[2] * tip->X[29];
+    const six_link_real V_next_46 = link->R_T[0] * tip->X[33] + link->R_T[1] * tip->X[34] + link->R_T[2] * tip->X[35];
+    const six_link_real V_next_54 = link->R_T[3] * tip->X[21] + link->R_T[4] * tip->X[22] + link->R_T[5] * tip->X[23];
+    const six_link_real V_next_55 = link->R_T[3] * tip->X[27] + link->R_T[4] * tip->X[28] + link->R_T[5] * tip->X[29];
+    const six_link_real V_next_56 = link->R_T[3] * tip->X[33] + link->R_T[4] * tip->X[34] + link->R_T[5] * tip->X[35];
+    const six_link_real V_next_64 = link->R_T[6] * tip->X[21] + link->R_T[7] * tip->X[22] + link->R_T[8] * tip->X[23];
+    const six_link_real V_next_65 = link->R_T[6] * tip->X[27] + link->R_T[7] * tip->X[28] + link->R_T[8] * tip->X[29];
+    const six_link_real V_next_66 = link->R_T[6] * tip->X[33] + link->R_T[7] * tip->X[34] + link->R_T[8] * tip->X[35];
 
     /* eta_next: modal rows, columns of the next joint's wrench (100) */
     const six_link_real eta_next_11 = J_Teta_11 * tip->X[0] + J_Teta_21 * tip->X[1] + J_Teta_31 * tip->X[2];
@@ -9837,50 +9737,35 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
     const six_link_real t174 = -minus_next_V_66;
 
     /* next_eta: next joint's rows, modal columns (100) */
-    const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1]
-        + J_Teta_31 * tip->PX[2];
+    const six_link_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1] + J_Teta_31 * tip->PX[2];
     const six_link_real t175 = -minus_next_eta_11;
-    const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1]
-        + J_Teta_32 * tip->PX[2];
+    const six_link_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1] + J_Teta_32 * tip->PX[2];
     const six_link_real t176 = -minus_next_eta_12;
-    const six_link_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1]
-        + J_Teta_33 * tip->PX[2];
+    const six_link_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1] + J_Teta_33 * tip->PX[2];
     const six_link_real t177 = -minus_next_eta_13;
-    const six_link_real minus_next_eta_14 = J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1]
-        + J_Teta_34 * tip->PX[2];
+    const six_link_real minus_next_eta_14 = J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1] + J_Teta_34 * tip->PX[2];
     const six_link_real t178 = -minus_next_eta_14;
-    const six_link_real minus_next_eta_15 = J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1]
-        + J_Teta_35 * tip->PX[2];
+    const six_link_real minus_next_eta_15 = J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1] + J_Teta_35 * tip->PX[2];
     const six_link_real t179 = -minus_next_eta_15;
-    const six_link_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7]
-        + J_Teta_31 * tip->PX[8];
+    const six_link_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7] + J_Teta_31 * tip->PX[8];
     const six_link_real t180 = -minus_next_eta_21;
-    const six_link_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7]
-        + J_Teta_32 * tip->PX[8];
+    const six_link_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7] + J_Teta_32 * tip->PX[8];
     const six_link_real t181 = -minus_next_eta_22;
-    const six_link_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7]
-        + J_Teta_33 * tip->PX[8];
+    const six_link_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7] + J_Teta_33 * tip->PX[8];
     const six_link_real t182 = -minus_next_eta_23;
-    const six_link_real minus_next_eta_24 = J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7]
-        + J_Teta_34 * tip->PX[8];
+    const six_link_real minus_next_eta_24 = J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7] + J_Teta_34 * tip->PX[8];
     const six_link_real t183 = -minus_next_eta_24;
-    const six_link_real minus_next_eta_25 = J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7]
-        + J_Teta_35 * tip->PX[8];
+    const six_link_real minus_next_eta_25 = J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7] + J_Teta_35 * tip->PX[8];
     const six_link_real t184 = -minus_next_eta_25;
-    const six_link_real minus_next_eta_31 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13]
-        + J_Teta_31 * tip->PX[14];
+    const six_link_real minus_next_eta_31 = J_Teta_11 * tip->PX[12] + J_Teta_21 * tip->PX[13] + J_Teta_31 * tip->PX[14];
     const six_link_real t185 = -minus_next_eta_31;
-    const six_link_real minus_next_eta_32 = J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13]
-        + J_Teta_32 * tip->PX[14];
+    const six_link_real minus_next_eta_32 = J_Teta_12 * tip->PX[12] + J_Teta_22 * tip->PX[13] + J_Teta_32 * tip->PX[14];
     const six_link_real t186 = -minus_next_eta_32;
-    const six_link_real minus_next_eta_33 = J_Teta_13 * tip->PX[12] + J_Teta_23 * tip->PX[13]
-        + J_Teta_33 * tip->PX[14];
+    const six_link_real minus_next_eta_33 = J_Teta_13 * tip->PX[12] + J_Teta_23 * tip->PX[13] + J_Teta_33 * tip->PX[14];
     const six_link_real t187 = -minus_next_eta_33;
-    const six_link_real minus_next_eta_34 = J_Teta_14 * tip->PX[12] + J_Teta_24 * tip->PX[13]
-        + J_Teta_34 * tip->PX[14];
+    const six_link_real minus_next_eta_34 = J_Teta_14 * tip->PX[12] + J_Teta_24 * tip->PX[13] + J_Teta_34 * tip->PX[14];
     const six_link_real t188 = -minus_next_eta_34;
-    const six_link_real minus_next_eta_35 = J_Teta_15 * tip->PX[12] + J_Teta_25 * tip->PX[13]
-        + J_Teta_35 * tip->PX[14];
+    const six_link_real minus_next_eta_35 = J_Teta_15 * tip->PX[12] + J_Teta_25 * tip->PX[13] + J_Teta_35 * tip->PX[14];
     const six_link_real t189 = -minus_next_eta_35;
     const six_link_real t190 = J_Teta_11 * tip->PX[18] + J_Teta_21 * tip->PX[19] + J_Teta_31 * tip->PX[20]
         + J_Teta_41 * tip->PX[21];
@@ -9898,8 +9783,7 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + J_Teta_44 * tip->PX[21];
     const six_link_real minus_next_eta_44 = t196 + J_Teta_54 * tip->PX[22] + J_Teta_64 * tip->PX[23];
     const six_link_real t197 = -minus_next_eta_44;
-    const six_link_real minus_next_eta_45 = J_Teta_15 * tip->PX[18] + J_Teta_25 * tip->PX[19]
-        + J_Teta_35 * tip->PX[20];
+    const six_link_real minus_next_eta_45 = J_Teta_15 * tip->PX[18] + J_Teta_25 * tip->PX[19] + J_Teta_35 * tip->PX[20];
     const six_link_real t198 = -minus_next_eta_45;
     const six_link_real t199 = J_Teta_11 * tip->PX[24] + J_Teta_21 * tip->PX[25] + J_Teta_31 * tip->PX[26]
         + J_Teta_41 * tip->PX[27];
@@ -9917,8 +9801,7 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + J_Teta_44 * tip->PX[27];
     const six_link_real minus_next_eta_54 = t205 + J_Teta_54 * tip->PX[28] + J_Teta_64 * tip->PX[29];
     const six_link_real t206 = -minus_next_eta_54;
-    const six_link_real minus_next_eta_55 = J_Teta_15 * tip->PX[24] + J_Teta_25 * tip->PX[25]
-        + J_Teta_35 * tip->PX[26];
+    const six_link_real minus_next_eta_55 = J_Teta_15 * tip->PX[24] + J_Teta_25 * tip->PX[25] + J_Teta_35 * tip->PX[26];
     const six_link_real t207 = -minus_next_eta_55;
     const six_link_real t208 = J_Teta_11 * tip->PX[30] + J_Teta_21 * tip->PX[31] + J_Teta_31 * tip->PX[32]
         + J_Teta_41 * tip->PX[33];
@@ -9936,8 +9819,7 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + J_Teta_44 * tip->PX[33];
     const six_link_real minus_next_eta_64 = t214 + J_Teta_54 * tip->PX[34] + J_Teta_64 * tip->PX[35];
     const six_link_real t215 = -minus_next_eta_64;
-    const six_link_real minus_next_eta_65 = J_Teta_15 * tip->PX[30] + J_Teta_25 * tip->PX[31]
-        + J_Teta_35 * tip->PX[32];
+    const six_link_real minus_next_eta_65 = J_Teta_15 * tip->PX[30] + J_Teta_25 * tip->PX[31] + J_Teta_35 * tip->PX[32];
     const six_link_real t216 = -minus_next_eta_65;
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
@@ -9958,14 +9840,14 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const six_link_real t220 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5
-        + J_TV_61 * h_carried_6 + link->R_T[0] * h_carried_1;
+    const six_link_real t220 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5 + J_TV_61 * h_carried_6
+        + link->R_T[0] * h_carried_1;
     const six_link_real V_H_1 = t220 + link->R_T[1] * h_carried_2 + link->R_T[2] * h_carried_3;
-    const six_link_real t221 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5
-        + J_TV_62 * h_carried_6 + link->R_T[3] * h_carried_1;
+    const six_link_real t221 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5 + J_TV_62 * h_carried_6
+        + link->R_T[3] * h_carried_1;
     const six_link_real V_H_2 = t221 + link->R_T[4] * h_carried_2 + link->R_T[5] * h_carried_3;
-    const six_link_real t222 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5
-        + J_TV_63 * h_carried_6 + link->R_T[6] * h_carried_1;
+    const six_link_real t222 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5 + J_TV_63 * h_carried_6
+        + link->R_T[6] * h_carried_1;
     const six_link_real V_H_3 = t222 + link->R_T[7] * h_carried_2 + link->R_T[8] * h_carried_3;
     const six_link_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
         + link->R_T[2] * h_carried_6;
@@ -9991,14 +9873,14 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
         + J_Teta_35 * h_carried_3;
 
     /* V_W: external wrench in the twist rows (100) */
-    const six_link_real t227 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5]
-        + link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1];
+    const six_link_real t227 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
+        + link->R_T[1] * w_ext[1];
     const six_link_real V_W_1 = t227 + link->R_T[2] * w_ext[2];
-    const six_link_real t228 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
-        + link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1];
+    const six_link_real t228 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
+        + link->R_T[4] * w_ext[1];
     const six_link_real V_W_2 = t228 + link->R_T[5] * w_ext[2];
-    const six_link_real t229 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
-        + link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1];
+    const six_link_real t229 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
+        + link->R_T[7] * w_ext[1];
     const six_link_real V_W_3 = t229 + link->R_T[8] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
@@ -10287,10 +10169,10 @@ SIX_LINK_PART six_link_status link_rows_upper_arm(const six_link_link_constants 
 }
 
 /* link rows, links like forearm: 467 operations */
-SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real w_ext[6],
-    six_link_real eta_H[4], six_link_real eta_W[4], const int *place, six_link_real *M,
-    six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real m_eta[4], const six_link_real f_eta[4], const six_link_real w_ext[6],
+    six_link_real eta_H[4], six_link_real eta_W[4], const int *place, six_link_real *M, six_link_real H[12],
+    six_link_real W[12])
 {
     const six_link_real t1 = -link->M_V[1];
     const six_link_real t2 = -link->M_V[2];
@@ -10491,8 +10373,8 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
     const six_link_real t71 = J_TV_42 * w_ext[3] - minus_J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5]
         + link->R_T[1] * w_ext[0] + link->R_T[3] * w_ext[1];
     const six_link_real V_W_2 = t71 + link->R_T[4] * w_ext[2];
-    const six_link_real t72 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5]
-        - link->R_T[2] * w_ext[0] + link->R_T[4] * w_ext[1];
+    const six_link_real t72 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] - link->R_T[2] * w_ext[0]
+        + link->R_T[4] * w_ext[1];
     const six_link_real V_W_3 = t72 + link->R_T[5] * w_ext[2];
     const six_link_real V_W_4 = link->R_T[0] * w_ext[3] - link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
     const six_link_real V_W_5 = link->R_T[1] * w_ext[3] + link->R_T[3] * w_ext[4] + link->R_T[4] * w_ext[5];
@@ -10697,8 +10579,8 @@ SIX_LINK_PART six_link_status link_rows_forearm(const six_link_link_constants *c
 }
 
 /* link rows, links like wrist_roll: 21 operations */
-SIX_LINK_PART six_link_status link_rows_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
+SIX_LINK_PART six_link_status link_rows_wrist_roll(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
     const six_link_real t1 = -c->S_0_x;
@@ -10786,8 +10668,8 @@ SIX_LINK_PART six_link_status link_rows_wrist_roll(const six_link_link_constants
 }
 
 /* link rows, links like wrist_pitch: 26 operations */
-SIX_LINK_PART six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link, const six_link_node *tip,
-    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
+SIX_LINK_PART six_link_status link_rows_wrist_pitch(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_node *tip, const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12],
     six_link_real W[12])
 {
     const six_link_real t1 = -c->S_0_x;
@@ -10882,8 +10764,8 @@ SIX_LINK_PART six_link_status link_rows_wrist_pitch(const six_link_link_constant
 }
 
 /* link rows, links like flange: 35 operations */
-SIX_LINK_PART six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link, const six_link_real w_ext[6],
-    const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
+SIX_LINK_PART six_link_status link_rows_flange(const six_link_link_constants *c, const six_link_link_store *link,
+    const six_link_real w_ext[6], const int *place, six_link_real *M, six_link_real H[12], six_link_real W[12])
 {
     const six_link_real t1 = -c->S_T_z;
     const six_link_real t2 = -c->J_T_yz;
@@ -10961,146 +10843,201 @@ SIX_LINK_PART six_link_status link_rows_flange(const six_link_link_constants *c,
     return SIX_LINK_OK;
 }
 
-static SIX_LINK_TARGETS six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_dae_kinematics(const six_link_constants *c,
+    const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return dae_kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
+        return dae_kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->new_qdot + q);
     case 1:
-        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     case 2:
-        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
+        return dae_kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->new_qdot + q);
     case 3:
-        return dae_kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
+        return dae_kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->new_qdot + q);
     case 4:
-        return dae_kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
+        return dae_kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->new_qdot + q);
     default:
-        return dae_kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->new_qdot + q);
+        return dae_kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->twist + 6 * i, call->new_qdot + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status dae_dynamics_eliminate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_eliminate(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i,
+            call->m_q + q, call->tau + q, call->f_q + q);
     case 1:
-        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q,
+            call->tau + q, call->f_q + q);
     case 2:
-        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e,
+            call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q,
+            call->f_q + q);
     case 3:
-        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     case 4:
-        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     default:
-        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+        return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status dae_dynamics_accelerate(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_accelerate(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q,
+            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 1:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 2:
-        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
     case 3:
-        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     case 4:
-        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     default:
-        return accelerate_flange(&chain->links[i], &chain->nodes[i], call->qddot + q, call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
+        return accelerate_flange(&chain->links[i], &chain->nodes[i], call->qddot + q,
+            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status dae_dynamics_twist_rates(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status dae_dynamics_twist_rates(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 1, 1, 1, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_shoulder(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i,
+            call->twist + 6 * i, call->Vdot + 6 * i);
     default:
-        return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i, call->twist + 6 * i, call->Vdot + 6 * i);
+        return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i,
+            call->twist + 6 * i, call->Vdot + 6 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status projection_project(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status projection_project(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return project_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i,
+            call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i,
+            call->new_position + 3 * i);
     case 1:
-        return project_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i,
+            call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i,
+            call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 2:
-        return project_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i,
+            call->eta + e, call->etadot + e, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i,
+            call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 3:
-        return project_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i,
+            call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 4:
-        return project_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i,
+            call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return project_flange(&chain->nodes[i], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i, call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return project_flange(&chain->nodes[i], call->q + q, call->twist + 6 * i, call->quaternion + 4 * i,
+            call->new_q + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status placement_forward_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status placement_forward_kinematics(const six_link_constants *c,
+    const six_link_call *call, six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return forward_kinematics_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->qdot + q,
+            call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 1:
-        return forward_kinematics_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i,
+            call->new_position + 3 * i);
     case 2:
-        return forward_kinematics_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e, call->new_twist + 6 * i, call->new_quaternion + 4 * i,
+            call->new_position + 3 * i);
     case 3:
-        return forward_kinematics_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     case 4:
-        return forward_kinematics_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     default:
-        return forward_kinematics_flange(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
+        return forward_kinematics_flange(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->new_twist + 6 * i, call->new_quaternion + 4 * i, call->new_position + 3 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inverse_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_kinematics(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q);
     case 1:
-        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e);
     case 2:
-        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return kinematics_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q, call->eta + e, call->etadot + e);
     case 3:
-        return kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->qdot + q);
     case 4:
-        return kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->q + q, call->qdot + q);
     default:
-        return kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return kinematics_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inverse_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_inverse_outward(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11109,40 +11046,61 @@ static SIX_LINK_TARGETS six_link_status inverse_inverse_outward(const six_link_c
     case 0:
         return inverse_outward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q);
     case 1:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     case 2:
-        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     case 3:
-        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     case 4:
-        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     default:
-        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inverse_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inverse_inverse_inward(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
+            call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     case 1:
-        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i,
+            call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     case 2:
-        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i,
+            call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q, call->force_eta + e, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     case 3:
-        return inverse_inward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     case 4:
-        return inverse_inward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     default:
-        return inverse_inward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->force + q,
+            call->wrench ? call->wrench + 6 * i : 0);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inertia_kinematics(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_kinematics(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11153,7 +11111,8 @@ static SIX_LINK_TARGETS six_link_status inertia_kinematics(const six_link_consta
     case 1:
         return kinematics_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
     case 2:
-        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e);
+        return kinematics_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->eta + e);
     case 3:
         return kinematics_wrist_roll_2(&chain->links[i], &chain->nodes[i], call->q + q);
     case 4:
@@ -11163,7 +11122,8 @@ static SIX_LINK_TARGETS six_link_status inertia_kinematics(const six_link_consta
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inertia_inverse_outward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_inverse_outward(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11172,40 +11132,55 @@ static SIX_LINK_TARGETS six_link_status inertia_inverse_outward(const six_link_c
     case 0:
         return inverse_outward_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q);
     case 1:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     case 2:
-        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e);
+        return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e);
     case 3:
-        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     case 4:
-        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     default:
-        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q);
+        return inverse_outward_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status inertia_inverse_inward(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status inertia_inverse_inward(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
+        return inverse_inward_shoulder_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
+            call->m_q + q, call->force + q);
     case 1:
-        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q, call->force_eta + e, call->force + q);
+        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q,
+            call->force_eta + e, call->force + q);
     case 2:
-        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q, call->force_eta + e, call->force + q);
+        return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->given_etaddot + e, call->eta + e, call->m_eta + e, call->m_q + q,
+            call->force_eta + e, call->force + q);
     case 3:
-        return inverse_inward_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
+        return inverse_inward_wrist_roll_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->m_q + q, call->force + q);
     case 4:
-        return inverse_inward_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
+        return inverse_inward_wrist_pitch_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->m_q + q, call->force + q);
     default:
-        return inverse_inward_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->given_qddot + q, call->m_q + q, call->force + q);
+        return inverse_inward_flange_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->given_qddot + q, call->m_q + q, call->force + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status motion_of_velocities(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status motion_of_velocities(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11214,36 +11189,46 @@ static SIX_LINK_TARGETS six_link_status motion_of_velocities(const six_link_cons
     case 0:
         return velocities_shoulder(&c->links[i], &chain->nodes[i + 1], call->qdot + q);
     case 1:
-        return velocities_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return velocities_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q,
+            call->eta + e, call->etadot + e);
     case 2:
-        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q, call->eta + e, call->etadot + e);
+        return velocities_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q,
+            call->eta + e, call->etadot + e);
     case 3:
         return velocities_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
     default:
-        return velocities_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->qdot + q);
+        return velocities_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->qdot + q);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status motion_of_poses(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status motion_of_poses(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 3 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return poses_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_shoulder(&c->links[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i,
+            call->position + 3 * i);
     case 1:
-        return poses_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_upper_arm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e,
+            call->rotation + 9 * i, call->position + 3 * i);
     case 2:
-        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e,
+            call->rotation + 9 * i, call->position + 3 * i);
     case 3:
-        return poses_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_wrist_roll(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->rotation + 9 * i, call->position + 3 * i);
     default:
-        return poses_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->rotation + 9 * i, call->position + 3 * i);
+        return poses_wrist_pitch(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q,
+            call->rotation + 9 * i, call->position + 3 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status motion_of_tip_twist(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status motion_of_tip_twist(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 1, 1, 1, 1 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11256,7 +11241,8 @@ static SIX_LINK_TARGETS six_link_status motion_of_tip_twist(const six_link_const
     }
 }
 
-static SIX_LINK_TARGETS six_link_status measuring_measure(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status measuring_measure(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 0, 0, 0 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
@@ -11265,55 +11251,79 @@ static SIX_LINK_TARGETS six_link_status measuring_measure(const six_link_constan
     case 0:
         return measure_shoulder(call->measures + 4 * i);
     case 1:
-        return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
+        return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e,
+            call->measures + 4 * i);
     default:
-        return measure_forearm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e, call->measures + 4 * i);
+        return measure_forearm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e,
+            call->measures + 4 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status assembly_joint_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status assembly_joint_rows(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return joint_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i,
+            call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i,
+            call->W + 12 * i);
     case 1:
-        return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e,
+            call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 2:
-        return joint_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e,
+            call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 3:
-        return joint_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 4:
-        return joint_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
+            call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
-        return joint_rows_flange(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q, call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return joint_rows_flange(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q,
+            call->quaternion + 4 * i, call->gravity, call->tau + q, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i,
+            call->W + 12 * i);
     }
 }
 
-static SIX_LINK_TARGETS six_link_status assembly_link_rows(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int i)
+static SIX_LINK_TARGETS six_link_status assembly_link_rows(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int i)
 {
     static const int CLASS[SIX_LINK_NLINKS] = { 0, 1, 2, 3, 4, 5 };
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return link_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 1:
-        return link_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i, call->H + 72 + e, call->W + 72 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e,
+            call->f_eta + e, call->w_ext + 6 * i, call->H + 72 + e, call->W + 72 + e, M_PLACE + M_OFFSET[i], call->M,
+            call->H + 12 * i, call->W + 12 * i);
     case 2:
-        return link_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i, call->H + 72 + e, call->W + 72 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e, call->f_eta + e,
+            call->w_ext + 6 * i, call->H + 72 + e, call->W + 72 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i,
+            call->W + 12 * i);
     case 3:
-        return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     case 4:
-        return link_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i,
+            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
     default:
-        return link_rows_flange(&c->links[i], &chain->links[i], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+        return link_rows_flange(&c->links[i], &chain->links[i], call->w_ext + 6 * i, M_PLACE + M_OFFSET[i], call->M,
+            call->H + 12 * i, call->W + 12 * i);
     }
 }
 
-/* A base at rest falls up; all else that is known of base and last tip is folded into the code. */
+/* The base is at rest; in place of gravity on the links it accelerates by -g. */
 static void start(const six_link_call *call, six_link_chain *chain)
 {
     int k;
@@ -11322,7 +11332,8 @@ static void start(const six_link_call *call, six_link_chain *chain)
     }
 }
 
-SIX_LINK_TARGETS six_link_status six_link_dae_motion(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_dae_motion(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11337,7 +11348,8 @@ SIX_LINK_TARGETS six_link_status six_link_dae_motion(const six_link_constants *c
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_dae_solution(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_dae_solution(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11365,7 +11377,8 @@ SIX_LINK_TARGETS six_link_status six_link_dae_solution(const six_link_constants 
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11379,7 +11392,8 @@ SIX_LINK_TARGETS six_link_status six_link_projection(const six_link_constants *c
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11393,7 +11407,8 @@ SIX_LINK_TARGETS six_link_status six_link_placement(const six_link_constants *c,
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11422,7 +11437,8 @@ SIX_LINK_TARGETS six_link_status six_link_inverse(const six_link_constants *c, c
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11436,7 +11452,8 @@ SIX_LINK_TARGETS six_link_status six_link_inertia_posture(const six_link_constan
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11457,7 +11474,8 @@ SIX_LINK_TARGETS six_link_status six_link_inertia_column(const six_link_constant
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11485,7 +11503,8 @@ SIX_LINK_TARGETS six_link_status six_link_motion_of(const six_link_constants *c,
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;
@@ -11499,7 +11518,8 @@ SIX_LINK_TARGETS six_link_status six_link_measuring(const six_link_constants *c,
     return SIX_LINK_OK;
 }
 
-SIX_LINK_TARGETS six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault)
+SIX_LINK_TARGETS six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call,
+    six_link_chain *chain, int *fault)
 {
     six_link_status status;
     int i;

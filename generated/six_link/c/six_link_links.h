@@ -4,51 +4,62 @@
 
 #include "six_link_real.h"
 
-/* Where the phases find the inputs and outputs of a call: every array starts at the first link. */
+/* The inputs and outputs of a call; every array starts at the first link. */
 typedef struct {
     const six_link_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta, *m_q, *f_q;
     const six_link_real *quaternion, *twist, *given_alpha, *given_qddot, *given_etaddot;
     const six_link_real *given_wrench, *given_motion;
-    six_link_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
+    six_link_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position,
+        *new_twist;
     six_link_real *force, *force_eta, *M, *H, *W, *rotation, *position, *tip_twist, *motion, *measures;
-    int tip_pose; /* whether the tip's pose is wanted; the wrenches are where there is a place for them */
+    int tip_pose; /* whether the tip's pose is wanted; wrench and motion are wanted if not null */
 } six_link_call;
 
-/* What a caller wants of the forward dynamics besides vdot. */
+/* Results of the forward dynamics that a caller may want besides vdot. */
 enum { SIX_LINK_WRENCHES = 1, SIX_LINK_TIP_POSE = 2, SIX_LINK_MOTION = 4 };
 
-/* Joint form: vdot and what is wanted; the rest of output is left alone. fault is set with SIX_LINK_SINGULAR. */
+/* Joint form: vdot and the wanted results; the rest of output is unchanged. fault is set with SIX_LINK_SINGULAR. */
 six_link_status six_link_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *output);
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
-six_link_status six_link_dae_motion(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_dae_motion(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
-six_link_status six_link_dae_solution(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_dae_solution(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
-/* The state of the DAE form taken back onto the joints. */
-six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+/* The state of the DAE form, projected onto the joint constraints. */
+six_link_status six_link_projection(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 /* Poses and twists of the DAE form from coordinates and rates. */
-six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_placement(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
-/* Joint form: the forces and joint wrenches that accelerations need. */
-six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+/* Joint form: inverse dynamics, with joint wrenches. */
+six_link_status six_link_inverse(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
-/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
-six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+/* Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations. */
+six_link_status six_link_inertia_posture(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
-/* Joint form at rest, without weight and springs: the posture, and the forces that accelerations need. */
-six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+/* Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations. */
+six_link_status six_link_inertia_column(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 /* Poses of links and tips, twists of the tips. */
-six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 /* How far every link is from the limits of the first-order model. */
-six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 /* M_sys, H_sys and W_sys. */
-six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain, int *fault);
+six_link_status six_link_assembly(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
+    int *fault);
 
 #endif

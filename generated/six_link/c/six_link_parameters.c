@@ -1,4 +1,4 @@
-/* six_link_parameters.c: the robot file's values, and what follows from them. */
+/* six_link_parameters.c: the robot file's values, and the constants that depend on them. */
 #include <string.h>
 
 #include "six_link_real.h"
@@ -175,7 +175,8 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
 }
 
 /* links like upper_arm; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[],
+static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, six_link_link_constants *c,
+    six_link_real M_eta[], six_link_real K[], six_link_real D[],
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
@@ -230,13 +231,12 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     /* EI_ratio: bending stiffness, y over z */
     const six_link_real EI_ratio = p->EIz / p->EIy;
 
-    /* EI_gap: how far the planes differ */
+    /* EI_gap: relative difference of EIy and EIz, squared */
     const six_link_real t7 = 1 - EI_ratio;
     const six_link_real EI_gap = t7 * t7;
 
     /* compliance: 1/EI of the softer plane */
-    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5)
-        + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
     const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;
@@ -334,7 +334,8 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
 }
 
 /* links like forearm; returns the sum of all, which is finite if they are */
-static six_link_real constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c, six_link_real M_eta[], six_link_real K[], six_link_real D[],
+static six_link_real constants_of_forearm(const six_link_link_parameters *p, six_link_link_constants *c,
+    six_link_real M_eta[], six_link_real K[], six_link_real D[],
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* I_s: spin inertia of the beam */
@@ -405,13 +406,12 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     /* EI_ratio: bending stiffness, y over z */
     const six_link_real EI_ratio = p->EIz / p->EIy;
 
-    /* EI_gap: how far the planes differ */
+    /* EI_gap: relative difference of EIy and EIz, squared */
     const six_link_real t14 = 1 - EI_ratio;
     const six_link_real EI_gap = t14 * t14;
 
     /* compliance: 1/EI of the softer plane */
-    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5)
-        + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
     const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;

@@ -1,4 +1,4 @@
-/* six_link_posture.c: where the arm is and how it moves; what holds it at rest. */
+/* six_link_posture.c: poses and twists, equilibrium. */
 #include "six_link_links.h"
 
 static six_link_call call_for(const six_link_state *state, six_link_motion *motion)
@@ -17,12 +17,15 @@ static six_link_call call_for(const six_link_state *state, six_link_motion *moti
 static int finite_motion(const six_link_state *s, const six_link_motion *m)
 {
     return six_link_finite(s->q, SIX_LINK_NQ) && six_link_finite(s->v, SIX_LINK_NV)
-        && six_link_finite(&m->rotation[0][0][0], 9 * SIX_LINK_NLINKS) && six_link_finite(&m->position[0][0], 3 * SIX_LINK_NLINKS)
+        && six_link_finite(&m->rotation[0][0][0], 9 * SIX_LINK_NLINKS)
+            && six_link_finite(&m->position[0][0], 3 * SIX_LINK_NLINKS)
         && six_link_finite(&m->tip_rotation[0][0][0], 9 * SIX_LINK_NLINKS)
-        && six_link_finite(&m->tip_position[0][0], 3 * SIX_LINK_NLINKS) && six_link_finite(&m->tip_twist[0][0], 6 * SIX_LINK_NLINKS);
+        && six_link_finite(&m->tip_position[0][0], 3 * SIX_LINK_NLINKS)
+            && six_link_finite(&m->tip_twist[0][0], 6 * SIX_LINK_NLINKS);
 }
 
-static six_link_status fill(const six_link_constants *c, const six_link_state *state, six_link_chain *chain, six_link_motion *motion)
+static six_link_status fill(const six_link_constants *c, const six_link_state *state, six_link_chain *chain,
+    six_link_motion *motion)
 {
     const six_link_call call = call_for(state, motion);
     int i, k, fault = 0;

@@ -1,8 +1,8 @@
-/* six_link_real.c: elementary functions, in one place: code that is short stays in the instruction cache.
+/* six_link_real.c: elementary functions. They are not inlined, so that the code stays in the instruction cache.
  *
- * Sine and cosine are polynomials (in double fdlibm's) of the angle less whole quarter turns, which are taken off in four
- * parts; within one unit in the last place. Angles beyond SIX_LINK_FAR are libm's. Stumpff functions are their series,
- * with more terms above 1/4 (half a radian), and sine and cosine above 4.
+ * Sine and cosine are polynomials (in double fdlibm's) of the angle less whole quarter turns, which are subtracted in
+ * four parts. Their error is below one unit in the last place. libm is used for angles beyond SIX_LINK_FAR. Stumpff
+ * functions are series, with more terms above 1/4 (half a radian); above 4 they use sine and cosine.
  */
 #include "six_link_real.h"
 
@@ -10,7 +10,8 @@ SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
 {
     six_link_sincos y;
 #ifndef SIX_LINK_LIBM
-    static const six_link_real TURN[5] = { 0, 1, 0, -1, 0 }; /* sine of whole quarter turns; their cosine is one further */
+    /* sine of whole quarter turns; their cosine is one further */
+    static const six_link_real TURN[5] = { 0, 1, 0, -1, 0 };
     if (x >= -SIX_LINK_FAR && x <= SIX_LINK_FAR) {
         const int whole = x < -REAL(0.785) || x > REAL(0.785);
         unsigned turn = 0;
@@ -26,7 +27,8 @@ SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
         }
         {
             const six_link_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
-            const six_link_real s = r - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
+            const six_link_real s = r
+                - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
             const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z, w)) - r * rest));
             y.sine = s;
             y.cosine = c;
@@ -62,7 +64,8 @@ SIX_LINK_TARGETS six_link_real six_link_c4(six_link_real x)
         tail = REAL(4.779477332387385e-14) - x * tail;
     }
     return (REAL(0.041666666666666664) - x * REAL(0.001388888888888889))
-        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07)) + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
+        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07))
+            + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
 }
 
 SIX_LINK_TARGETS six_link_real six_link_c5(six_link_real x)
@@ -84,5 +87,6 @@ SIX_LINK_TARGETS six_link_real six_link_c5(six_link_real x)
         tail = REAL(2.8114572543455206e-15) - x * tail;
     }
     return (REAL(0.008333333333333333) - x * REAL(0.0001984126984126984))
-        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08)) + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
+        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08))
+            + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
 }

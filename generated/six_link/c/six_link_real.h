@@ -16,7 +16,7 @@
 #error "compile without -fassociative-math, -funsafe-math-optimizations: they reorder sums that round an angle"
 #endif
 #if defined(__clang__) && __clang_major__ >= 13
-#pragma clang fp reassociate(off) /* clang does not tell of these options */
+#pragma clang fp reassociate(off) /* clang has no macro for these options */
 #endif
 
 #ifdef SIX_LINK_REAL_FLOAT
@@ -54,14 +54,15 @@
     + (w) * (2.08757232129817482790e-09 - (z) * 1.13596475577881948265e-11)))
 #endif
 
-/* Sine and cosine are libm's: asked for, or because expressions have more precision than their type. */
+/* Sine and cosine are libm's on request, or if expressions are evaluated with more precision than their type. */
 #if !defined(SIX_LINK_LIBM) && (!defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0)
 #define SIX_LINK_LIBM
 #endif
 
-/* With GCC and glibc on x86-64 an optimised function so marked is compiled twice, the second time for processors with AVX,
- * whose instructions have three operands and need fewer copies. Which one runs is decided when the program is loaded; the
- * results are the same to the bit. -DSIX_LINK_ONE_TARGET leaves it out.
+/* With GCC and glibc on x86-64, functions so marked are compiled twice if optimised, the second time for processors
+ * with
+ * AVX, whose instructions have three operands and need fewer copies. The version is chosen when the program is loaded;
+ * the results are the same to the bit. -DSIX_LINK_ONE_TARGET switches this off.
  */
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) \
     && !defined(__AVX__) && !defined(__SANITIZE_THREAD__) && !defined(SIX_LINK_ONE_TARGET)
@@ -72,7 +73,7 @@
 #define SIX_LINK_PART static
 #endif
 
-/* Sine and cosine of an angle; one of the two. */
+/* Sine and cosine of an angle, together and separately. */
 typedef struct {
     six_link_real sine, cosine;
 } six_link_sincos;
@@ -93,8 +94,7 @@ static inline six_link_real six_link_cos(six_link_real x)
 six_link_real six_link_c4(six_link_real x);
 six_link_real six_link_c5(six_link_real x);
 
-/* 1 if all n numbers are finite, and their sum: what is not makes the sum so. Four sums, so that one addition need not
- * wait for the last.
+/* 1 if all n numbers and their sum are finite. Four partial sums, so that additions need not wait for each other.
  */
 static inline int six_link_finite(const six_link_real *x, int n)
 {
@@ -114,7 +114,7 @@ static inline int six_link_finite(const six_link_real *x, int n)
     return sum - sum <= 0;
 }
 
-/* 1 if the cubes of all n numbers are finite: products such as the dynamics form do not overflow. */
+/* 1 if the cubes of all n numbers are finite, so that products in the dynamics do not overflow. */
 static inline int six_link_moderate(const six_link_real *x, int n)
 {
     six_link_real sum = 0;

@@ -16,7 +16,8 @@ static inline void turn(const six_link_real Q[4], const six_link_real a[3], six_
 }
 
 /* pose = start exp(u), u = [turn; shift] in the body's own axes. */
-static inline void exponential(const six_link_real Q[4], const six_link_real p[3], const six_link_real u[6], six_link_real Q_new[4],
+static inline void exponential(const six_link_real Q[4], const six_link_real p[3], const six_link_real u[6],
+    six_link_real Q_new[4],
     six_link_real p_new[3])
 {
     const six_link_real x = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], quarter = x / 4;

@@ -1,11 +1,12 @@
 /* six_link_step.c: forward dynamics and the integrators of the joint form. */
 #include "six_link_links.h"
 
-/* Inertia and force of every joint coordinate, of its motor, spring and damper, and of every mode; returns where the
- * inertia is. Implicit over dt: m = M + dt D + dt^2 K and f = K (x + dt xdot) + D xdot, the force that the
- * accelerations lead to dt after the state s.
+/* Inertia and force of every joint coordinate (motor, spring and damper) and of every mode; returns the inertia.
+ * Implicit over dt: m = M + dt D + dt^2 K and f = K (x + dt xdot) + D xdot, so that m xddot + f is inertia and force dt
+ * after the state s.
  */
-static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt, six_link_work *work)
+static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt,
+    six_link_work *work)
 {
     const six_link_real *eta = s->q, *etadot = s->v;
     int k;
@@ -22,7 +23,7 @@ static const six_link_real *modal_terms(const six_link_constants *c, const six_l
     return work->m_eta;
 }
 
-/* Whether a failed pivot says something of the posture: the input is finite and of a size that does not overflow. */
+/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
 static int sound(const six_link_state *s, const six_link_input *u, const six_link_real *m_eta)
 {
     return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
@@ -30,7 +31,7 @@ static int sound(const six_link_state *s, const six_link_input *u, const six_lin
         && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NV);
 }
 
-/* vdot at s with the modal terms m_eta and work->f_eta, and what is wanted; numbers that are not finite may be left. */
+/* vdot at s with the modal terms m_eta and work->f_eta, and the wanted results; they may be non-finite. */
 static six_link_status accelerate(const six_link_constants *c, const six_link_state *s, const six_link_input *u,
     const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *y)
 {
@@ -38,21 +39,22 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_st
     return status == SIX_LINK_OK || sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
 }
 
-/* vdot at a state, finite, and what is wanted. */
-static six_link_status evaluate(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_work *work,
+/* vdot at a state and the wanted results, checked to be finite. */
+static six_link_status evaluate(const six_link_constants *c, const six_link_state *s, const six_link_input *u,
+    six_link_work *work,
     int wanted, six_link_output *y)
 {
     const six_link_status status = accelerate(c, s, u, modal_terms(c, s, 0, work), work, wanted, y);
     return status != SIX_LINK_OK || six_link_finite(y->vdot, SIX_LINK_NV) ? status : SIX_LINK_NONFINITE;
 }
 
-/* A force that no acceleration feels would show in the joint wrenches alone. */
-static int wild(const six_link_input *u)
+/* Forces without effect on the accelerations appear in the joint wrenches alone, so they are checked too. */
+static int non_finite(const six_link_input *u)
 {
     return !six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
-/* All of output, and what else is wanted. */
+/* All of output, and the other wanted results. */
 static six_link_status complete(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     six_link_work *work, int wanted, six_link_output *output)
 {
@@ -61,41 +63,46 @@ static six_link_status complete(const six_link_constants *c, const six_link_stat
         return SIX_LINK_BAD_ARGUMENT;
     }
     status = evaluate(c, state, input, work, wanted | SIX_LINK_WRENCHES | SIX_LINK_TIP_POSE, output);
-    if (status == SIX_LINK_OK && (wild(input) || !six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
+    if (status == SIX_LINK_OK && (non_finite(input) || !six_link_finite(&output->wrench[0][0], 6 * SIX_LINK_NLINKS)
         || !six_link_finite(&output->tip_rotation[0][0], 9) || !six_link_finite(output->tip_position, 3))) {
         return SIX_LINK_NONFINITE;
     }
     return status;
 }
 
-six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_forward_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output)
 {
     return complete(c, state, input, work, 0, output);
 }
 
-six_link_status six_link_watched_dynamics(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_watched_dynamics(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output)
 {
     return complete(c, state, input, work, SIX_LINK_MOTION, output);
 }
 
-six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
+six_link_status six_link_accelerations(const six_link_constants *c, const six_link_state *state,
+    const six_link_input *input,
     six_link_work *work, six_link_output *output)
 {
     if (!c || !state || !input || !work || !output) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    return wild(input) ? SIX_LINK_NONFINITE : evaluate(c, state, input, work, 0, output);
+    return non_finite(input) ? SIX_LINK_NONFINITE : evaluate(c, state, input, work, 0, output);
 }
 
-static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt, const six_link_work *work)
+static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt,
+    const six_link_work *work)
 {
     return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
 }
 
 /* y = x + dt * rate for coordinates and rates. */
-static void advance(const six_link_state *x, six_link_real dt, const six_link_real *qdot, const six_link_real *vdot, six_link_state *y)
+static void advance(const six_link_state *x, six_link_real dt, const six_link_real *qdot, const six_link_real *vdot,
+    six_link_state *y)
 {
     int k;
     for (k = 0; k < SIX_LINK_NV; ++k) {
@@ -104,8 +111,9 @@ static void advance(const six_link_state *x, six_link_real dt, const six_link_re
     }
 }
 
-/* y from x over dt: coordinates by the rates after `kick`, rates over all of dt. */
-static void leap(const six_link_state *x, six_link_real dt, six_link_real kick, const six_link_real *vdot, six_link_state *y)
+/* y from x: the rates over dt, and the coordinates over dt by the rates that the acceleration gives after `kick`. */
+static void leap(const six_link_state *x, six_link_real dt, six_link_real kick, const six_link_real *vdot,
+    six_link_state *y)
 {
     int k;
     for (k = 0; k < SIX_LINK_NV; ++k) {
@@ -114,10 +122,10 @@ static void leap(const six_link_state *x, six_link_real dt, six_link_real kick, 
     }
 }
 
-/* The new state is taken only if it is finite, and the input that led to it. */
+/* The new state is accepted only if it and the input are finite. */
 static six_link_status accept(const six_link_state *next, const six_link_input *input, six_link_state *state)
 {
-    if (wild(input) || !six_link_finite(next->q, SIX_LINK_NQ) || !six_link_finite(next->v, SIX_LINK_NV)) {
+    if (non_finite(input) || !six_link_finite(next->q, SIX_LINK_NQ) || !six_link_finite(next->v, SIX_LINK_NV)) {
         return SIX_LINK_NONFINITE;
     }
     *state = *next;
@@ -141,7 +149,8 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
 }
 
 /* semi_implicit: rates first, then coordinates with the new rates, order 1. */
-six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work)
 {
     six_link_status status;
@@ -157,7 +166,8 @@ six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_lin
 }
 
 /* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
-six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work)
 {
     six_link_status status;
@@ -173,7 +183,8 @@ six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_li
 }
 
 /* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
-six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state, const six_link_input *input,
+six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state,
+    const six_link_input *input,
     six_link_real dt, six_link_work *work)
 {
     const six_link_real half = dt / 2;

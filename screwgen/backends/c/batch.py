@@ -1,4 +1,4 @@
-"""The batch of the C back end: the forward dynamics over lanes, one scenario in each."""
+"""The batch of the C back end: forward dynamics on vector lanes, one scenario per lane."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FILES = ("lanes.h", "batch.h", "batch.c")
 """The files that a batch adds, without the robot's name; their templates have the same names."""
 
 LANE_BYTES = 64
-"""The widest vector register that the generated C makes use of."""
+"""The widest vector register that the generated C uses, in bytes."""
 
 
 PIECE = 4000
@@ -25,7 +25,7 @@ LONGEST = 6000
 
 
 class LaneWriter(Writer):
-    """A program over lanes: arithmetic as for numbers, guards gathered, sine and cosine of an angle from one call."""
+    """A program over lanes: guards are collected, sine and cosine of an angle come from one call."""
 
     paired = False
 
@@ -43,16 +43,16 @@ class LaneWriter(Writer):
 
 
 def dynamics(chain: Chain, baked: bool) -> Program:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot)``: of the generated C's dynamics what a step needs."""
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot)``: the forward dynamics without the outputs that no step needs."""
     whole = fused.complete_dynamics(chain, "baked" if baked else "constants")
     outputs = {"vdot": whole.outputs["vdot"]}
     return Program("batch_dynamics", whole.inputs, outputs, whole.guards, whole.sections, whole.origins)
 
 
 def content(chain: Chain, name: str, baked: bool, constants: int, states: int, place: Place) -> dict:
-    """What the templates see.
+    """The templates' context.
 
-    ``constants`` of a link in the struct, ``states`` of a scenario in a step, ``place`` of a signal as in
+    ``constants`` are the members of a link's struct, ``states`` those of a scenario in a step, ``place`` is as in
     :class:`Writer`.
     """
     program = dynamics(chain, baked)
@@ -92,7 +92,7 @@ def _no_guard(test: str, link: int) -> str:
 
 
 def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
-    """What a group of scenarios takes in bytes: lanes at their widest."""
+    """The size in bytes of a group of scenarios, for the widest lanes."""
     given, state, joints = max(chain.n_given, 1), 2 * max(chain.nq, 1), max(chain.n_joints, 1)
     group = 3 + chain.n * constants + 5 * given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)

@@ -1,4 +1,4 @@
-"""The self-check of the generated C: what it allows, and whether float will do at all."""
+"""The self-check of the generated C: its tolerances, and whether single precision suffices."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from ...topology.chain import Chain
 from ..numpy.reference import Case, rounding_error
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
-"""What results may be off by, relative to the largest of their kind, and the bits of each precision."""
+"""The usual tolerance, relative to the largest value of a kind, and the bits of each precision."""
 
 MARGIN = 5.0
-"""Compiled code orders and rounds its operations otherwise than the emulation of its precision."""
+"""The factor for compiled code, whose operations may be ordered and rounded otherwise than in the emulation."""
 
 LOOSEST = 1e-2
-"""A precision that needs more than this is of no use, and nothing is checked against more."""
+"""The largest tolerance: a precision that needs more is of no use for the robot."""
 
 
 def content(chain: Chain, cases: list[Case]) -> dict:
-    """``tolerance`` of each precision as C writes it, and ``lost``: what float may lose where that is too much.
+    """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
-    Raises :class:`UsageError` where not even double will do.
+    Raises :class:`UsageError` if double precision does not suffice.
     """
     needed = {name: _needed(chain, cases, *usual) for name, usual in USUAL.items()}
     if needed["double"] > LOOSEST:
@@ -30,10 +30,10 @@ def content(chain: Chain, cases: list[Case]) -> dict:
 
 
 def _needed(chain: Chain, cases: list[Case], least: float, bits: int) -> float:
-    """The usual tolerance, or some of the rounding error of the cases at that precision."""
+    """The usual tolerance, or a multiple of the rounding error of the cases at that precision if it is larger."""
     return max(least, MARGIN * max(rounding_error(chain, case, bits) for case in cases))
 
 
 def percent(part: float) -> str:
-    """A part in words."""
+    """A fraction as a text."""
     return f"{100 * part:.0f} %" if part < 1 else "100 % or more"

@@ -1,7 +1,7 @@
-"""Programs as C statements that read like a person wrote them.
+"""Programs as readable C statements.
 
-Named values keep their names; a value that is used once is written where it is used; every section says
-what it computes.  The grouping of the program is kept, so C and the judge round alike.
+Named values keep their names. A value that is used once is written where it is used. Every section has a comment. The
+grouping of the program is kept, so C and the NumPy back end round alike.
 """
 
 from __future__ import annotations
@@ -39,10 +39,10 @@ class Writer:
     """Turns one program into lines of C.
 
     ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
-    for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart`` says that no output
-    shares memory with an input: then outputs are written as soon as they are known.  ``optional`` names, by output,
-    the C condition on which it is wanted: what only such outputs need is computed where the condition holds.  A
-    condition in ``within`` is looked at only where the other one holds, so it can use what that one has computed.
+    for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart``: no output shares memory
+    with an input, so outputs may be written as soon as they are known.  ``optional`` maps outputs to the C condition
+    on which they are wanted: operations that only they need are inside that condition.  ``within`` nests one condition
+    in another, so its operations can use the values of the outer one.
     """
 
     program: Program
@@ -72,7 +72,7 @@ class Writer:
         return out
 
     def _conditional(self, condition: str, groups: Mapping[str, list[Node]]) -> list[str]:
-        """What hangs on a condition, and on those within it."""
+        """The lines that depend on a condition, and on those nested in it."""
         block = self._part(groups[condition], condition)
         for inner in (c for c in groups if self.within.get(c) == condition):
             block += self._conditional(inner, groups)
@@ -80,7 +80,7 @@ class Writer:
         return ["", f"if ({condition}) {{", *inside, "}"]
 
     def _part(self, nodes: Iterable[Node], condition: str) -> list[str]:
-        """Assignments by sections and the outputs that hang on one condition."""
+        """The assignments, by sections, and the outputs of one condition."""
         self._condition, nodes = condition, list(nodes)
         self._pairs = pairs(nodes) if self.paired else {}
         out: list[str] = []
@@ -94,7 +94,7 @@ class Writer:
         return [*out, *self._outputs()]
 
     def _groups(self) -> tuple[list[Node], dict[str, list[Node]]]:
-        """The nodes that are always needed, and for every condition those that are needed with it alone."""
+        """The nodes that are always needed, and for every condition those that only its outputs need."""
         p, conditions = self.program, dict.fromkeys(c for n, c in self.optional.items() if n in self.program.outputs)
         values = lambda c: [v for n, e in p.outputs.items() if self.optional.get(n, "") == c for v in e]  # noqa: E731
         common = {n.id for n in live([*values(""), *p.guards])}
@@ -115,7 +115,7 @@ class Writer:
                     if isinstance(arg, Node):
                         self._uses[arg.id] += 1
                         self._users[arg.id] = node
-        self._results: dict[int, list[tuple[str, int, str]]] = {}  # of a value: the outputs that are it, and their sign
+        self._results: dict[int, list[tuple[str, int, str]]] = {}  # by value: its outputs, and their sign
         for output, values in self.program.outputs.items():
             for k, v in enumerate(values):
                 if isinstance(v, Node):
@@ -140,7 +140,7 @@ class Writer:
             self._pending[node.id] = (text, precedence)
             return []
         name = self._name(node)
-        lines = wrap(f"const {self.prefix}_real {name} = {text};")
+        lines = [f"const {self.prefix}_real {name} = {text};"]
         if node.id in self._guards:
             lines.append(self._guard(node, name))
         return lines + self._early_outputs(node, name)
@@ -148,9 +148,8 @@ class Writer:
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""
         names, both = (self._name(sine), self._name(cosine)), self._free("turn")
-        lines = wrap(
-            f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({self._operand(sine.args[0], 0)});"
-        )
+        angle = self._operand(sine.args[0], 0)
+        lines = [f"const {self.prefix}_sincos {both} = {self.prefix}_sine_cosine({angle});"]
         lines.append(f"const {self.prefix}_real {names[0]} = {both}.sine, {names[1]} = {both}.cosine;")
         return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
 
@@ -158,7 +157,7 @@ class Writer:
         return self.fail(f"!({text} > 0)", self._guards[node.id])
 
     def _early_outputs(self, node: Node, name: str) -> list[str]:
-        """The outputs that are this value, or its negative, where memory allows to write them now."""
+        """The outputs that equal this value or its negative and may be written now."""
         if not self.apart:
             return []
         lines = []
@@ -170,7 +169,7 @@ class Writer:
         return lines
 
     def _served(self, node: Node) -> bool:
-        """Whether a negative value is nothing but outputs that were written with the value that it negates."""
+        """Whether a negative is used only by outputs that were written with its operand."""
         if node.op != "neg" or node.id in self._guards or node.id in self._users:
             return False
         places = [(o, k) for o, values in self.program.outputs.items() for k, v in enumerate(values) if v is node]
@@ -192,7 +191,7 @@ class Writer:
         return name
 
     def _free(self, stem: str) -> str:
-        """A name that is not taken yet, and now is."""
+        """A name that is not taken yet; it is marked as taken."""
         name, number = stem if stem not in KEYWORDS else f"{stem}1", 1
         while name in self.taken:
             number += 1
@@ -237,12 +236,12 @@ class Writer:
 
 
 def trimmed(lines: list[str]) -> list[str]:
-    """The body of a function that has nothing before it."""
+    """The body of a function without leading empty lines."""
     return lines[1:] if lines[:1] == [""] else lines
 
 
 def with_unused(names: Iterable[str], lines: list[str]) -> list[str]:
-    """The body of a function that says which of its pointers it does not use."""
+    """The body of a function, with its unused pointers marked as such."""
     text = "\n".join(lines)
     return [f"(void){x};" for x in names if not re.search(rf"\b{x}(->|\[)", text)] + lines
 
@@ -257,30 +256,6 @@ def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:
     return {node.id: pair for pair in both for node in pair}
 
 
-def wrap(line: str, width: int = 110) -> list[str]:
-    """A long assignment over several lines, broken at operators outside the innermost parentheses."""
-    out, indent = [], ""
-    while len(indent + line) > width:
-        cut = _break(line, width - len(indent))
-        if cut is None:
-            break
-        out.append(indent + line[:cut].rstrip())
-        line, indent = line[cut:].lstrip(), "    "
-    return [*out, indent + line]
-
-
-def _break(line: str, width: int) -> int | None:
-    """The best place to break: the shallowest operator, the later the better."""
-    depth, best = 0, None
-    for i, ch in enumerate(line[:width]):
-        depth += (ch == "(") - (ch == ")")
-        if ch == " " and i + 2 < len(line) and line[i + 1] in "+-*" and line[i + 2] == " " and i > 24:
-            cost = (depth, line[i + 1] == "*")
-            if best is None or cost <= best[0]:
-                best = (cost, i)
-    return None if best is None else best[1]
-
-
 def sizes(programs: Iterable[Program]) -> int:
-    """The operations of several programs together."""
+    """The number of operations of several programs."""
     return sum(p.operation_count for p in programs)

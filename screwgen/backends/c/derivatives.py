@@ -24,7 +24,7 @@ LIMIT = 45_000
 """Above so many operations gcc -O2 takes more than ten seconds."""
 
 COORDINATES = 32
-"""With more coordinates the limit is exceeded whatever the robot: said at once."""
+"""With more coordinates every robot exceeds the limit, so it is refused at once."""
 
 
 UNROLLED = 16
@@ -32,7 +32,7 @@ UNROLLED = 16
 
 
 class PieceWriter(Writer):
-    """A piece of a program: the outputs of other pieces are None."""
+    """Writes a piece of a program; the outputs of other pieces are None."""
 
     def _outputs(self) -> list[str]:
         for name, values in self.program.outputs.items():
@@ -41,8 +41,8 @@ class PieceWriter(Writer):
 
 
 def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]], place: Place) -> Place:
-    """Where a piece's signals are: in the array of what earlier pieces have ``kept``, in the columns of the constants,
-    in ``own`` (by name, then by entry), else at ``place``.
+    """The C expressions of a piece's signals: in the array of values ``kept`` by earlier pieces, in the columns of the
+    constants, in ``own`` (by name, then by entry), else at ``place``.
     """
 
     def placed(signal: str, k: int) -> str:
@@ -59,9 +59,9 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict:
-    """What the templates see; ``place`` is that of the fused function.
+    """The templates' context; ``place`` is that of the fused function.
 
-    Raises :class:`UsageError` where the code would be too long to compile.
+    Raises :class:`UsageError` if the code would be too long to compile.
     """
     check_size(chain, chain.nq, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants")

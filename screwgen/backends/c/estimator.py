@@ -18,9 +18,9 @@ SLOPES = ("a_q", "a_v", "a_vdot")
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict:
-    """What the templates see; ``place`` is that of the fused function.
+    """The templates' context; ``place`` is that of the fused function.
 
-    Raises :class:`UsageError` where the code would be too long to compile.
+    Raises :class:`UsageError` if the code would be too long to compile.
     """
     program = tip_acceleration(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
@@ -51,7 +51,7 @@ def _gauge(chain: Chain, gauge) -> dict:
 
 
 def _curvatures(chain: Chain) -> list[str]:
-    """The second derivative at s = 0 of the shape of every mode; of stretching and torsion nothing is measured."""
+    """The second derivative of every mode shape at s = 0; zero for axial and torsion modes, which are not measured."""
     out = [0.0] * max(chain.n_modes, 1)
     for gauge in gauges(chain):
         out[gauge.first : gauge.first + len(gauge.curvatures)] = gauge.curvatures

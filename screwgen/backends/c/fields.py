@@ -1,4 +1,4 @@
-"""The structs of the generated C: what they hold, with unit, frame and meaning of every field."""
+"""The structs of the generated C: their members, with unit, frame and meaning."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ PATTERNS = (
 
 
 def parameter_member(name: str) -> str:
-    """Where ``ella_link_parameters`` holds the parameter of a label."""
+    """The member of ``ella_link_parameters`` that holds the parameter of a label."""
     for pattern, place in PATTERNS:
         match = re.fullmatch(pattern, name)
         if match:
@@ -58,10 +58,10 @@ def parameter_member(name: str) -> str:
 
 
 def parameter_structs(robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
-    """The members of the link, joint and body structs: what any link of the robot states.
+    """The members of the link, joint and body structs: the parameters that any link of the robot states.
 
-    ``read`` has the labels of the parameters that the constants of every link follow from: members that no link's
-    constants do are marked.
+    ``read`` has, for every link, the labels of the parameters that its constants depend on. Members that no link's
+    constants depend on are marked.
     """
     live = {_member(parameter_member(name))[:2] for names in read for name in names}
     groups: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
@@ -77,7 +77,7 @@ def parameter_structs(robot, read: Sequence[frozenset[str]]) -> dict[str, list[F
 
 
 def changing_parameter(robot) -> dict[str, str]:
-    """A parameter that a program may want to change: a mass at the last tip, else the last link's mass per length."""
+    """The parameter of the README's example: a mass at the last tip, else the last link's mass per length."""
     own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
     masses = [p for p in own if label(p).endswith("_mass")]
     p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
@@ -85,7 +85,7 @@ def changing_parameter(robot) -> dict[str, str]:
 
 
 def _member(place: str) -> tuple[str, str, int]:
-    """Struct, member and least size that a place such as ``bodies[0].com[2]`` needs."""
+    """Struct, member and minimal array size of a place such as ``bodies[0].com[2]``."""
     head, _, rest = place.rpartition(".")
     group = "joint" if head == "joint" else "body" if head else "link"
     match = re.fullmatch(r"(\w+)(?:\[(\d+)\])?", rest)
@@ -93,7 +93,7 @@ def _member(place: str) -> tuple[str, str, int]:
 
 
 def ascii_unit(text: str) -> str:
-    """Units in the letters that every compiler and terminal knows."""
+    """A unit in ASCII."""
     return text.replace("·", "*").replace("²", "^2").replace("−", "-")
 
 
@@ -133,7 +133,7 @@ def _constant_comment(signal: Signal | None) -> str:
 
 
 def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
-    """Arguments for a link's own columns, those of its joint in a line of their own.
+    """Call arguments for a link's columns; those of its joint are on a separate line.
 
     ``text`` of a column's name, of the robot's column that holds it, and of its place there.
     """
@@ -167,7 +167,7 @@ def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, 
 
 
 def fused_place(name: str, k: int) -> str:
-    """Where the fused function finds its inputs and puts its outputs."""
+    """The C expressions of the fused function's inputs and outputs."""
     link, _, what = name.partition(":")
     if what:
         return f"c->links[{link}].{what[2:]}"
@@ -194,7 +194,7 @@ def stumpff_terms(order: int, count=14) -> list[str]:
 
 
 def index_type(count: int) -> str:
-    """The C type, the smaller where it will do, of the numbers below ``count``."""
+    """The smallest C type for the numbers below ``count``."""
     return "short" if count <= 2**15 else "int"
 
 
@@ -204,7 +204,7 @@ def rows(numbers: list[int], width: int = 20) -> list[str]:
 
 
 def limits(robot: Robot) -> list[str]:
-    """Conditions on which a link's own parameters are refused; what no link states has none."""
+    """Conditions on which a link's parameters are refused; members that no link states have none."""
     sections = [link.section for link in robot.links]
     stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
@@ -212,5 +212,5 @@ def limits(robot: Robot) -> list[str]:
 
 
 def _limit(name: str, values: Sequence[float | None]) -> str:
-    """A length or mass is positive; it may be zero where some link has none."""
+    """A length or mass must be positive, or not negative if some link does not state it."""
     return f"link->{name} < 0" if None in values else f"!(link->{name} > 0)"

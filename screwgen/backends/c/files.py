@@ -1,4 +1,4 @@
-"""The names of the generated C's files; templates of the same names make them."""
+"""The files of the generated C and the templates that they are made from."""
 
 from .batch import FILES as BATCH
 from .derivatives import FILES as DERIVATIVES
@@ -17,10 +17,10 @@ LIBRARY = (
     "dae.c",
     "reference.h",
 )
-"""The files of every library, behind ``<robot>_``."""
+"""The files of every library; their names begin with ``<robot>_``."""
 
 BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
-"""What stands beside the library, under these names."""
+"""The files besides the library, under these names."""
 
 
 def library(name: str, derivatives: bool, estimator: bool, batch: bool) -> dict[str, str]:

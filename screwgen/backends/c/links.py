@@ -1,4 +1,4 @@
-"""The chain in C: one function per phase and class of links, and how each finds its arrays."""
+"""The modular layout in C: one function per phase and link class, and how it addresses its arrays."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
 READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "position", "wrench", "motion")}
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
-WITHIN = {"motion": "wrench"}  # asked for only with the other
-WATCHED = frozenset({"motion"})  # what only the watch of the model's limits asks for
+WITHIN = {"motion": "wrench"}  # output: the output that it requires
+WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
 ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
 
 @dataclass(frozen=True)
 class Run:
-    """An algorithm that is a C function of its own, and the signals for which it is called."""
+    """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
     comment: str
@@ -40,9 +40,9 @@ class Run:
     zero: frozenset[str] = frozenset()
     """Signals that are zero in this run."""
     parts: tuple[tuple[str, int], ...] = ()
-    """The C functions that the phases are shared out to, and how many each takes; none: one of the run's name."""
+    """The C functions that the phases are divided among, and their numbers of phases; none: one of the run's name."""
     parts_if_sprung: tuple[tuple[str, int], ...] = ()
-    """The same where joints are sprung, if that makes a difference."""
+    """The same for robots with sprung joints, if it differs."""
 
 
 def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
@@ -66,7 +66,7 @@ RUNS: dict[str, Run] = {
     ),
     "projection": _run(
         alg.PROJECTION,
-        "The state of the DAE form taken back onto the joints.",
+        "The state of the DAE form, projected onto the joint constraints.",
         "new_q new_quaternion new_position new_twist",
     ),
     "placement": _run(
@@ -74,12 +74,10 @@ RUNS: dict[str, Run] = {
         "Poses and twists of the DAE form from coordinates and rates.",
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
-    "inverse": _run(
-        alg.INVERSE, "Joint form: the forces and joint wrenches that accelerations need.", "force force_eta wrench"
-    ),
+    "inverse": _run(alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_eta wrench"),
     "inertia": Run(
         alg.INVERSE,
-        "Joint form at rest, without weight and springs: the posture, and the forces that accelerations need.",
+        "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "force_eta"}),
         False,
         zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
@@ -124,7 +122,7 @@ class Links:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
-        """The phases of a run, link by link, specialised to their places, without what only ``unread`` asks for."""
+        """The phases of a run, link by link, specialised to the links, without the results in ``unread``."""
         r = RUNS[run]
         if run not in self._phases:
             self._phases[run] = specialised_phases(self.chain, r.algorithm, self.baked, r.zero)
@@ -133,7 +131,7 @@ class Links:
         return self._passages[run, unread]
 
     def phases(self, run: str) -> list[dict]:
-        """The phases of a run, each with its functions and which of them every link calls."""
+        """The phases of a run, each with its functions and the function of every link."""
         out = []
         for number, phase in enumerate(RUNS[run].algorithm):
             way = sorted((p for p in self.passages(run) if p.phase == number), key=lambda p: p.link)
@@ -151,14 +149,14 @@ class Links:
         return out
 
     def parts(self, run: str) -> list[dict]:
-        """The C functions of a run: name, comment, phases, and whether they start from a base that falls."""
+        """The C functions of a run: name, comment, phases, and whether they set the acceleration of the base."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out = []
         shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
-            falling = not out and any("base.alpha_0" in p.program.inputs for p in first)
-            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "falling": falling})
+            accelerating = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating})
         return out
 
     def function(self, passage: Passage, run: str, phase: str) -> Function:
@@ -175,7 +173,7 @@ class Links:
         writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
-        signature = _wrapped(arguments)
+        signature = ", ".join(arguments or ["void"])
         key = (phase, signature, tuple(lines))
         if key not in self.functions:
             link = self.chain.robot.links[passage.link].name
@@ -193,20 +191,9 @@ class Links:
         return out
 
 
-def _wrapped(arguments: list[str], width: int = 100) -> str:
-    """A parameter list over several lines."""
-    lines, line = [], ""
-    for argument in arguments or ["void"]:
-        if line and len(line) + len(argument) > width:
-            lines.append(line)
-            line = ""
-        line += f"{', ' if line else ''}{argument}"
-    return ",\n    ".join([*lines, line])
-
-
 @dataclass
 class Places:
-    """How a phase's function addresses its signals, and the arguments that this needs."""
+    """The C expressions of the signals in a phase's function, and its parameters."""
 
     links: Links
     passage: Passage
@@ -222,7 +209,7 @@ class Places:
         return self.passage.program
 
     def place(self, name: str, k: int) -> str | None:
-        """The C expression of entry k of a signal; None for what is not kept."""
+        """The C expression of entry k of a signal; None if it is not stored."""
         if name in self.program.outputs and (name, k) not in self.passage.wanted:
             return None
         where, _, what = name.partition(".")
@@ -240,18 +227,18 @@ class Places:
         return f"{name}[{k}]"
 
     @property
-    def _alone(self) -> str:
-        """What tells the compiler that nothing else reaches the memory of a parameter."""
+    def _restrict(self) -> str:
+        """The qualifier of a parameter whose memory is not accessed otherwise."""
         return "restrict " if RUNS[self.run].apart else ""
 
     def names(self) -> set[str]:
-        """The names that the function's parameters and file take."""
+        """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
         return signals | {"c", "link", "base", "tip", "place", "M", "H", "W", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
-        """Parameters of the function and what a call passes for them."""
-        real, out, alone = f"{self.links.prefix}_real", [], self._alone
+        """Parameters of the function and the arguments of a call."""
+        real, out, alone = f"{self.links.prefix}_real", [], self._restrict
         reads = [n for n, size in self.program.inputs.items() if size]
         writes = [n for n, v in self.program.outputs.items() if v]
         out += self._structs(reads, writes)
@@ -273,7 +260,7 @@ class Places:
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
         prefix, out = self.links.prefix, []
         if any(n.startswith("c.") for n in reads):
-            out.append((f"const {prefix}_link_constants *{self._alone}c", "&c->links[i]"))
+            out.append((f"const {prefix}_link_constants *{self._restrict}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", "&chain->nodes[i]"),
@@ -281,7 +268,7 @@ class Places:
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
-                out.append((f"{const}{prefix}_{type_} *{self._alone}{'link' if where == 'w' else where}", value))
+                out.append((f"{const}{prefix}_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
         return out
 
     def _address(self, member: str, name: str, optional=True) -> str:
@@ -319,7 +306,7 @@ def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
 
 
 def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
-    """Row indices and column starts of M_sys by columns, and where each link's entries go: places and offsets."""
+    """Row indices and column starts of M_sys by columns, and the places of each link's entries with their offsets."""
     entries: list[tuple[int, int]] = []
     offsets = []
     for i in range(links.chain.n):

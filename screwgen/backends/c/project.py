@@ -20,9 +20,9 @@ from ...spec.parameters import coordinate_names, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
-from ..templates import render
 from . import batch, check, derivatives, estimator, files, steps
 from .code import Writer, literal, sizes, trimmed, with_unused
+from .columns import rendered
 from .fields import (
     Field,
     body_count,
@@ -45,15 +45,15 @@ FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
 first-level cache of 32 KiB."""
 SHARED = 0.75
-"""Beyond, it writes functions where those that links share hold less than this part of what is run."""
+"""Beyond FUSED_BEST it writes modular code if the distinct functions have less than this fraction of all operations."""
 FUSED_MOST = 14_000
 """The largest function that is written: compilers need more than twice the time for twice the length."""
 
 ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "tip_position": "TIP_POSE"}
-"""Outputs of the forward dynamics that a caller may leave out, and what asks for them."""
+"""Outputs of the forward dynamics that a caller may leave out, and the conditions that request them."""
 
 ROUNDS = 4
-"""In which the modes of an arm at rest settle, in ``<robot>_gravity``."""
+"""Iterations of the modes' equilibrium in ``<robot>_gravity``."""
 
 STATES = 3
 MASK_BITS = 32
@@ -82,7 +82,7 @@ class CProject:
         self.links.joint_form = self.layout == "modular"
 
     def _layout(self, asked: str) -> str:
-        """``fused`` or ``modular``; ``auto`` takes what is faster."""
+        """``fused`` or ``modular``; ``auto`` chooses the faster one."""
         passages = self.links.passages("joint_dynamics", WATCHED)
         size = sizes(p.program for p in passages)
         if asked == "fused" and size > FUSED_MOST:
@@ -97,7 +97,7 @@ class CProject:
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
         sources = self.library | {file: file for file in files.BESIDE}
-        return {file: render(f"c/{template}.jinja", **self.context) for file, template in sources.items()}
+        return {file: rendered(template, **self.context) for file, template in sources.items()}
 
     @property
     def library(self) -> dict[str, str]:
@@ -107,11 +107,11 @@ class CProject:
     def shim(self, template="shim.c") -> str:
         """A source with flat arrays for callers in other languages; not part of the folder."""
         places = [line.partition(" = ")[0] for line in self.defaults]
-        return render(f"c/{template}.jinja", **self.context, places=places)
+        return rendered(template, **self.context, places=places)
 
     @cached_property
     def context(self) -> dict:
-        """What the templates see."""
+        """The templates' context."""
         chain, robot = self.chain, self.chain.robot
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
@@ -165,7 +165,7 @@ class CProject:
             "m_column": rows(m_column),
             "m_place": rows(m_place),
             "m_offset": m_offset,
-            "falling": any(a["falling"] for a in self._algorithms),
+            "accelerating": any(a["accelerating"] for a in self._algorithms),
             "cases": self.reference,
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,
@@ -212,7 +212,7 @@ class CProject:
         return batch.content(self.chain, self.name, self.baked is not None, constants, states, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
-        """Failures are gathered and looked at once: an early return would cost more than its comparison."""
+        """The statement of a failed guard: failures are collected, because early returns cost more than comparisons."""
         if self.masked:
             return f"bad |= (unsigned long)({test}) << {link};"
         return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
@@ -224,7 +224,7 @@ class CProject:
 
     @cached_property
     def operations(self) -> dict[str, int]:
-        """What one call of the forward dynamics runs."""
+        """The number of operations of one call of the forward dynamics."""
         if self.layout == "fused":
             whole = self.fused
             asked = {name: values for name, values in whole.outputs.items() if name != "motion"}
@@ -335,7 +335,7 @@ class CProject:
 
     @cached_property
     def check(self) -> dict[str, object]:
-        """What the self-check allows, and what float loses where that is too much: see :mod:`.check`."""
+        """The tolerances of the self-check, and the error of float if it is too large: see :mod:`.check`."""
         return check.content(self.chain, self._cases)
 
     @cached_property
@@ -345,5 +345,5 @@ class CProject:
 
     @property
     def reference(self) -> list[dict[str, list[str]]]:
-        """States with their results, computed with many digits: the same on every machine."""
+        """States with their results, computed with 40 digits: the same on every machine."""
         return [{name: [literal(x) for x in entries] for name, entries in case.items()} for case in self._cases]

@@ -1,4 +1,4 @@
-"""What stands between the generated C and callers in other languages: one memory, energies, the loop of a run."""
+"""The C interface for callers in other languages: one memory block, energies, the loop of a run."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ...ir.program import Program, live
 from ...ir.split import split
 from ...spec.parameters import parameters
 from ...topology.parameters import label
-from ..templates import render
 from .code import Writer, trimmed, with_unused
+from .columns import rendered
 from .derivatives import PIECE, PieceWriter, piece_place
 from .fields import parameter_member
 from .links import RUNS
@@ -38,7 +38,7 @@ def shims(project: CProject) -> dict[str, str]:
         kept=kept,
         width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
     )
-    return {name: render(f"c/{name}.jinja", **project.context, **values) for name in names}
+    return {name: rendered(name, **project.context, **values) for name in names}
 
 
 def _parameter_place(p) -> str:
@@ -46,13 +46,13 @@ def _parameter_place(p) -> str:
 
 
 def _labels(project: CProject) -> list[tuple[str, ...]]:
-    """The constants that `<robot>_prepare` leaves for every link."""
+    """The constants that `<robot>_prepare` computes for every link."""
     algorithms = tuple(run.algorithm for run in RUNS.values())
     return [constant_labels(key, algorithms) for key in project.chain.keys]
 
 
 def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
-    """Link and label of the constants that the energy reads and `<robot>_prepare` does not leave."""
+    """Link and label of the constants that the energy reads and `<robot>_prepare` does not compute."""
     known, found = _labels(project), []
     for node in live([v for values in energy.outputs.values() for v in values]):
         if node.op == "input":

@@ -1,4 +1,4 @@
-"""The integrators as the C templates print them: operations, and the names of the lengths that occur in them."""
+"""The integrators as the C templates print them: operations, and named step lengths."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...integrators.plan import Plan
 from .code import literal
 
 NAMES = dict(enumerate(("half", "third", "quarter", "fifth", "sixth", "seventh", "eighth"), 2))
-"""Of the lengths dt / n."""
+"""The names of the lengths dt / n."""
 
 
 class Steps(Plan):
@@ -22,7 +22,7 @@ class Steps(Plan):
 
     @property
     def comment(self) -> str:
-        """What the method is, for a comment."""
+        """The method's description, for a comment."""
         return f"{self.method}: {self.method.meaning}, order {self.method.order}."
 
     @property
@@ -31,26 +31,26 @@ class Steps(Plan):
         return ", ".join(f"{name} = {_value(part)}" for part, name in self._names.items())
 
     def stage(self, number: int, renewed: bool) -> str:
-        """The comment of a stage; empty where there is one alone."""
+        """The comment of a stage; empty if there is only one."""
         terms = "" if renewed else ", the terms of the elastic forces as before"
         return f"Stage {number}{terms}." if len(self.method.stages) > 1 else ""
 
     def length(self, part: Fraction) -> str:
-        """A part of the step in C."""
+        """A fraction of the step in C."""
         if part == 0:
             return "0"
         return "-" * (part < 0) + self._names.get(abs(part), "dt")
 
 
 def content(methods: Mapping[str, Method]) -> dict:
-    """What the templates see of the integrators."""
+    """The templates' context of the integrators."""
     steps = [Steps(method) for method in methods.values()]
     orders = [method.order for method in methods.values()]
     return {"methods": list(methods), "orders": orders, "steps": steps, "registers": registers(methods)}
 
 
 def registers(methods: Mapping[str, Method]) -> list[str]:
-    """The states that the integrators need beside the step's start and the next one."""
+    """The states that the integrators need besides the step's start and end."""
     return max((Plan(method).registers for method in methods.values()), key=len)
 
 

@@ -1,4 +1,4 @@
-"""The CasADi back end: the robot's functions as casadi.Function, on SX, with the contract's names.
+"""The CasADi back end: the robot's functions as casadi.Function, on SX.
 
 Vectors are columns; ``w_ext`` and ``wrench`` are 6 x n, a column per link; ``p`` holds the parameters of
 the robot file.  The functions take SX and MX, differentiate, serialise and generate C.
@@ -227,7 +227,7 @@ def unary(op: str, x: ca.SX) -> ca.SX:
 
 
 def _stumpff(order: int, x: ca.SX) -> ca.SX:
-    """The series below the limit, sine and cosine above; both branches regular where the other one holds."""
+    """The series below the limit, sine and cosine above; each branch is regular in the range of the other."""
     large = x >= LIMIT
     far = ca.if_else(large, x, LIMIT)
     s = ca.sqrt(far)
@@ -247,7 +247,7 @@ def rotations(rows: ca.SX, n: int) -> ca.SX:
 # ------------------------------------------------------------------------------------ the CasADi target
 
 DEFAULT = ("forward_dynamics", "inverse_dynamics", "energy", "tip_pose", "link_pose")
-"""What is written unless functions are named: what grows with the number of links and does not follow from another."""
+"""The functions that are written by default: those that grow with the links and do not follow from another."""
 
 INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
 
@@ -272,7 +272,7 @@ def casadi_files(
     version: str,
     notes: Mapping[str, Sequence[str]],
 ) -> dict[str, bytes]:
-    """``NAME.casadi`` per named function and a README: signatures, and where the Jacobians have nonzeros.
+    """``NAME.casadi`` per named function and a README: signatures, and the sparsity of the Jacobians.
 
     ``notes``: paragraphs on functions that plug-ins add, with the names of these.
     """

@@ -1,4 +1,4 @@
-"""Exact first derivatives by CasADi: of the dynamics with all that can be measured, and of the statics."""
+"""Exact first derivatives by CasADi: of the dynamics with its measurable outputs, and of the statics."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def linearisation(chain: Chain) -> ca.Function:
 
 
 def along(f: ca.SX, q: ca.SX, direction: ca.SX) -> ca.SX:
-    """The derivative of f along a direction of q; nothing moves where there is no q."""
+    """The derivative of f along a direction of q; zero without q."""
     return ca.jtimes(f, q, direction) if q.numel() else ca.SX.zeros(*f.shape)
 
 

@@ -1,4 +1,4 @@
-"""What programs of optimal control ask for besides the dynamics: discrete steps, the tip's Jacobian, scales."""
+"""CasADi functions for optimal control besides the dynamics: discrete steps, the tip's Jacobian, scales."""
 
 from __future__ import annotations
 

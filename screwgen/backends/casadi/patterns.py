@@ -1,4 +1,4 @@
-"""Where the Jacobians of the CasADi functions have nonzeros: the tables of ``casadi/README.md``."""
+"""Sparsity patterns of the CasADi functions' Jacobians: the tables of ``casadi/README.md``."""
 
 from __future__ import annotations
 

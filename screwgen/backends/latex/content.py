@@ -1,4 +1,4 @@
-"""What a document is made of, whatever it is printed with: sections of text, formulas, steps and tables.
+"""The content of a document, independent of its format: sections of text, formulas, steps and tables.
 
 Text is a small markup: ``$...$`` is a formula, backquotes are code, the rest is plain.
 """
@@ -140,7 +140,7 @@ _MATHEMATICS = re.compile(
 
 
 def words(meaning: str) -> str:
-    """The words of a signal with what is mathematics in them marked as such."""
+    """The words of a signal, with their mathematics marked."""
     return _MATHEMATICS.sub(_marked, meaning)
 
 

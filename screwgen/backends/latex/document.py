@@ -94,7 +94,7 @@ def _run(program: str, folder: str) -> None:
 
 
 def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
-    """The document of a robot, whatever it is printed with."""
+    """The document of a robot, independent of the output format."""
     chain = Chain(robot)
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
@@ -127,7 +127,7 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView,
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
-    """What the assembled rows take from other blocks: where that is zero or identity, the rows need not say it."""
+    """The inputs of the assembled rows from other blocks; zeros and identities among them are not displayed."""
     tip, joint, r = blocks["tip"].values, blocks["joint"].values, key.modes
     still = {"R_T": np.eye(3, dtype=int), "J_l": np.eye(3, dtype=int), "Psi_c": np.zeros((3, r), dtype=int)}
     bare = {} if key.bodies_at("tip") else {"M_T": np.zeros((6, 6), dtype=int), "h_T": np.zeros((6, 1), dtype=int)}

@@ -1,4 +1,4 @@
-"""Fitting formulas to a page: how wide a formula is, and where it is broken.
+"""The layout of formulas: their width, and where they are broken.
 
 A formula is a list of rows, a row a list of cells that are aligned right, left, right, left ...
 """
@@ -62,7 +62,7 @@ def width(tex: str) -> float:
 
 
 class _Measure:
-    """Reads LaTeX from left to right and adds up what is seen."""
+    """Reads LaTeX from left to right and adds up the widths."""
 
     def __init__(self, tex: str):
         self.tokens = [t for t in TOKEN.findall(tex) if not t.isspace()]
@@ -152,7 +152,7 @@ def fill(terms: Sequence[str], room: float) -> list[str]:
 
 
 def columns(first: Sequence[Formula], last: Sequence[Formula] = ()) -> Formula:
-    """Many equations, side by side where they are short; with dots between the first and the last."""
+    """Many equations, side by side if they are short, with dots between the first and the last."""
     count = across([*first, *last])
     rows = tuple(_grouped([row for e in first for row in e], count))
     if not last:

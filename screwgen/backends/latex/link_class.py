@@ -31,7 +31,7 @@ def ordered(blocks: Mapping[str, Block]) -> list[str]:
 
 
 Part = tuple[str, tuple[Item, ...]]
-"""A heading with what stands below it."""
+"""A heading with its content."""
 
 
 def class_section(
@@ -52,7 +52,7 @@ def class_section(
 
 
 def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
-    """The field, then every block; what follows from the parameters alone comes first in the link block."""
+    """The field, then every block; constants come first in the link block."""
     yield "Kinematic field", tuple(_field(key))
     axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
     for view in views:

@@ -1,4 +1,4 @@
-"""Formulas as MathML: latex2mathml for each cell, and tables of cells for what is aligned."""
+"""Formulas as MathML: latex2mathml for each cell, and tables of cells for aligned formulas."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BOLD = (
     ("\u03b1", "\u03c9", 0x1D736),  # small Greek, italic
     ("\U0001d49c", "\U0001d4cf", 0x1D4D0),  # script
 )
-"""Ranges of characters, and where Unicode has them in bold."""
+"""Ranges of characters, and their bold forms in Unicode."""
 
 FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)")
 BEFORE = re.compile(r"([\w}])(?=\\(?:cosh|sinh|cos|sin)(?![a-z]))")
@@ -28,11 +28,11 @@ BRACKETS = (
     ("<mo>[</mo><mtable>", "<mrow><mo>[</mo><mtable>"),
     ("</mtable><mo>]</mo>", "</mtable><mo>]</mo></mrow>"),
 )
-"""A matrix is a group of its own: brackets grow with what is in their group."""
+"""A matrix is a group of its own, because brackets grow with the content of their group."""
 
 SCRIPTED = re.compile(r"<m(?:sup|subsup)><mover>")
 LETTER, ACCENT = "0.7em", "+0.15em"
-"""The height of a letter with an accent as far as its superscript sees it, and what lines above must keep clear."""
+"""The height of an accented letter for its superscript, and the clearance to the line above."""
 
 
 def inline(tex: str) -> str:

@@ -1,4 +1,4 @@
-"""How entries are written: ``S_0_x`` as the paper would, sums and products of entries as a person would."""
+"""The LaTeX of scalar entries: names such as ``S_0_x`` in the paper's notation, sums and products."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class Scalars:
         return [first if sign == "+" else f"-{first}", *texts[1:]]
 
     def _ordered(self, terms: tuple[sp.Expr, ...]) -> list[sp.Expr]:
-        """Constants before the state, then by the rank of what they hold; a positive term comes first."""
+        """Constants before the state, then by the rank of their symbols; a positive term comes first."""
         ordered = sorted(terms, key=self._term_key)
         first = next((i for i, t in enumerate(ordered) if not _is_negative(t)), 0)
         return [ordered[first], *ordered[:first], *ordered[first + 1 :]]

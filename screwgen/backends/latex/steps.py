@@ -1,4 +1,4 @@
-"""A step as a document shows it: its name, what it means, the equation, and its components where they help."""
+"""A step in a document: its name, its meaning, the equation, and its components where they help."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class StepView:
     binding: Binding
     formula: Formula
     components: Formula
-    """Empty where the matrix equation says it all."""
+    """Empty if the matrix equation suffices."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +158,7 @@ def _is_plain(e: sp.Expr, write: Scalars) -> bool:
 
 
 def _bracket(entries: np.ndarray, write: Scalars) -> str:
-    """A matrix of entries with what they have in common before the bracket."""
+    """A matrix of entries with their common factor before the bracket."""
     if entries.shape == (1, 1):
         return write(entries.item())
     common = _common(entries)

@@ -56,7 +56,7 @@ SYSTEM: tuple[Named, ...] = (
     (r"\mathbf{r}_B", "joint point", "m", "3", "F_i", PARAMETER),
     (r"\mathbf{r}_m", "joint point from the parent's tip point", "m", "3", "parent's tip", PARAMETER),
     (r"\boldsymbol{\beta}_i", "joint's rate of the twist due to velocities", "rad/s^2, m/s^2", "6", "F_i", STATE),
-    (r"\mathbf{P}_i", "projector onto what the joint blocks", "-", "6 × 6", "F_i", STATE),
+    (r"\mathbf{P}_i", "projector onto the directions that the joint constrains", "-", "6 × 6", "F_i", STATE),
     (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
     (r"\mathbf{M}_T", "inertia of the bodies at the tip", "kg, kg*m, kg*m^2", "6 × 6", "tip", PARAMETER),
     (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),
@@ -132,7 +132,7 @@ def _entry(display: str, signals: list[Signal]) -> Entry:
 
 
 def _shape(shapes: list[tuple[int, int]], name: str) -> str:
-    """The shape, with a letter where links differ."""
+    """The shape, with a letter for dimensions in which links differ."""
     letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
     sizes = [{s[d] for s in shapes} for d in (0, 1)]
     rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)

@@ -21,7 +21,7 @@ DIRECTION = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bendin
 KNOWN: dict[Binding | None, str] = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
 
 NONE = "–"
-"""What stands in a cell where there is nothing to say."""
+"""The content of an empty cell."""
 
 
 def decimal(value: float) -> str:
@@ -126,7 +126,7 @@ def plain_unit(text: str) -> str:
 
 
 def symbols(entries: Iterable[Entry]) -> Table:
-    """Every symbol with what it means, and when it is known."""
+    """Every symbol with its meaning and binding time."""
     head = ("symbol", "meaning", "unit", "frame", "shape", "follows from")
     rows = ((f"${e.display}$", e.meaning, e.unit, e.frame, e.shape, KNOWN.get(e.binding, "")) for e in entries)
     return Table(head, (0.13, 0.31, 0.15, 0.12, 0.16, 0.13), tuple(tuple(c or NONE for c in row) for row in rows))

@@ -1,4 +1,4 @@
-"""What a reader sees of an expression: zeros, ones and formalities of the derivation left out."""
+"""Expressions simplified for display: zeros, ones and formal factors of the derivation left out."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...algebra.expression import Expression
 
 
 def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr], str]) -> Expression:
-    """``e`` rebuilt: what is zero or identity by ``values`` is put in, and entries get their names."""
+    """``e`` rebuilt with the zeros and identities among ``values``, and with named entries."""
     inner = lambda x: tidy(x, values, scalar)  # noqa: E731
     match e:
         case ex.Symbol():

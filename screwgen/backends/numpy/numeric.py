@@ -1,4 +1,4 @@
-"""The NumPy back end: every program as a Python function on doubles. It judges the others."""
+"""The NumPy back end: every program as a Python function on doubles. It is the reference implementation."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class Numeric:
         return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
 
     def validity_at_rest(self, q, w_ext=None) -> np.ndarray:
-        """The measures (n, 4) where joints and modes are held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
+        """The measures (n, 4) with joints and modes held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
         functions = self._functions(INVERSE, MEASURING)
         return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
@@ -189,7 +189,7 @@ class Numeric:
 
 
 def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
-    """The shapes of what functions take, by name."""
+    """The shapes of the functions' arguments, by name."""
     return dict.fromkeys(("q", "v", "vdot"), (chain.nq,)) | {
         "tau": (chain.n_joints,),
         "w_ext": (chain.n, 6),

@@ -1,4 +1,4 @@
-"""Programs as Python functions on floats: the judge of the other back ends."""
+"""Programs as Python functions on floats: the reference implementation for the other back ends."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def c5(x: float) -> float:
 
 
 def c6(x: float) -> float:
-    """``c_6``, from c_4 where that has no cancellation."""
+    """``c_6``, from c_4 if there is no cancellation."""
     return series(6, x) if x < LIMIT else (1.0 / 24.0 - c4(x)) / x
 
 

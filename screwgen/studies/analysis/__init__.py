@@ -1,4 +1,4 @@
-"""What a robot's equations are like in a state: regular or not, how they vibrate, which steps they bear."""
+"""The analysis of a robot's equations in a state: regularity, vibrations, stable step sizes."""
 
 from .analyse import SAMPLES, Analysis, analyse, sample_states
 

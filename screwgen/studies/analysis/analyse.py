@@ -1,4 +1,4 @@
-"""Well-posedness, computed: the assembled system, its blocks, the spectrum and the steps that integrators bear.
+"""The analysis: the assembled system, its blocks, its spectrum, and the integrators' stable step sizes.
 
 What Section 6 of the paper argues for, (Msys_diff), (2T) and (DAESOL), is evaluated at a set of states; (stability)
 is set beside step limits from the real spectrum.
@@ -76,8 +76,8 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
     measures: tuple[tuple[float, ...], ...] = ()
     singular = ""
     try:
-        judge = model.numpy()
-        M = judge.assemble(judge.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
+        reference = model.numpy()
+        M = reference.assemble(reference.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
         system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
         blocks = tuple(link_blocks(model, M))
         tau = state.tau if controller is None else None

@@ -1,4 +1,4 @@
-"""What an analysis finds: the numbers, state by state, and their JSON."""
+"""The results of an analysis: the numbers, state by state, and their JSON."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Findings:
         return all(state.well_posed for state in self.states)
 
     def to_json(self) -> str:
-        """The numbers as JSON, SI units; what is infinite or was not computed is null."""
+        """The numbers as JSON, SI units; null if infinite or not computed."""
         return json.dumps(_plain(self._document()), allow_nan=False, ensure_ascii=False, indent=1)
 
     def _document(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Whether the assembled system has one solution: rank and condition of M_sys, and what its blocks are made of.
+"""Regularity of the assembled system: rank and condition number of M_sys, and the structure of its blocks.
 
 The paper shows M_sys invertible from a positive definite differential-modal block, (Msys_diff), and rows of the joints
 that are independent of it. Both can fail: the block is only semidefinite where a link has no inertia about its own
@@ -200,7 +200,7 @@ def null_direction(link: str, direction: np.ndarray, names: list[str]) -> str:
 
 
 def rank_M_star(model: Model, i: int) -> int:
-    """The rank of `M*_i`, (27), the undeformed inertia of link `i` with what sits at its base."""
+    """The rank of `M*_i`, (27), the undeformed inertia of link `i` with its base bodies."""
     block, places = model.blocks(i)["link"], model.chain.parameter_labels[i]
     given = {
         name: np.array([model.parameter_values[places[symbol.name]] for symbol in block.values[name].flat], object)

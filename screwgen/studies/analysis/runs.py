@@ -1,4 +1,4 @@
-"""How far a stored run went from the limits of the model."""
+"""The validity measures of a stored run."""
 
 from __future__ import annotations
 

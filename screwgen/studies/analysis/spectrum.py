@@ -1,4 +1,4 @@
-"""Small motions about a state: the Jacobian of the dynamics, and what one step of a method makes of them.
+"""Linearised motion about a state: the Jacobian of the dynamics, and a method's amplification matrix.
 
 Everything is linearised at the state as it is, rates included. Where the state is no equilibrium these are frozen
 coefficients: they describe what happens near it, for as long as the motion stays near it.
@@ -31,7 +31,7 @@ STILL = 3e-6
 TOLERANCE = 1e-4
 """Growth per radian, relative to the amplitude, that counts as none."""
 DIFFERENCE = 1e-5
-"""By how much a controller's arguments are varied, relative where they exceed 1."""
+"""The variation of a controller's arguments, relative if they exceed 1."""
 
 
 def jacobian(
@@ -80,12 +80,12 @@ def check_step(step: float) -> None:
 
 
 def growth(S: np.ndarray) -> float:
-    """The spectral radius of a step map: the factor per step of what grows fastest, after many steps."""
+    """The spectral radius of a step map: the asymptotic growth factor per step."""
     return float(np.abs(np.linalg.eigvals(S)).max(initial=0.0))
 
 
 class Slopes(NamedTuple):
-    """Derivatives of the accelerations (nq,) by coordinates, rates, torques and what acts within modes and joints."""
+    """Derivatives of the accelerations (nq,) by coordinates, rates, torques and the forces of modes and joints."""
 
     q: np.ndarray
     v: np.ndarray
@@ -126,7 +126,7 @@ class Linearised:
         self._known: dict[float, Slopes] = {}
 
     def trimmed(self) -> Linearised:
-        """The same about the same state, where constant generalised forces make the accelerations zero."""
+        """The same about the same state, with constant generalised forces that make the accelerations zero."""
         trim, out = self.mass_matrix @ self.vdot, copy(self)
         out.trim, out._known = trim, {}
         return out

@@ -1,4 +1,4 @@
-"""How long a step each integrator bears: its own amplification matrix against the motion that it should follow.
+"""The longest stable step of each integrator: its amplification matrix against the exact motion.
 
 A step map has an eigenvalue `μ` for every motion `exp(λ h)` of the linearised arm, recognised by its eigenvector. An
 oscillation that does not grow by itself grows under the method where `log|μ| > TOLERANCE |log μ|`, by a share of its
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 OWN = 1e-2
 """The same for an oscillation that grows by itself, beyond twice its own growth."""
 NOISE = 1e-6
-"""What an eigenvalue of a step map may be off 1 by rounding, where two of them coincide there."""
+"""The largest rounding error of two coinciding eigenvalues 1 of a step map."""
 SHORTEST, LONGEST = 1e-3, 1.0
 """The steps tried: from this many radians of the fastest oscillation to this many seconds."""
 TURN = 2 * np.pi
@@ -73,7 +73,7 @@ def _limit(motion: Linearised, held: Held, method: str, step: float) -> StepLimi
 
 
 class Held:
-    """The motions of an arm held at a state, and what methods make of them."""
+    """The linearised motions of an arm held at a state, and the methods' approximations of them."""
 
     def __init__(self, motion: Linearised):
         self.motion, omega = motion, 1.0
@@ -122,7 +122,7 @@ def unit(vectors: np.ndarray) -> np.ndarray:
 
 
 def exponents(mu: np.ndarray) -> np.ndarray:
-    """`log μ`; of what vanishes in one step, a large negative number."""
+    """`log μ`; a large negative number for a mode that vanishes in one step."""
     return np.log(np.where(np.abs(mu) > 1e-300, mu, 1e-300).astype(complex))
 
 

@@ -1,4 +1,4 @@
-"""The report of an analysis, for a terminal: what matters most comes first."""
+"""The report of an analysis for a terminal, the most important results first."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def _validity(a: Findings) -> list[str]:
 
 
 def limits_of_model(what: str, v: Validity) -> str:
-    """The table of a state or a run, and what is past its bound."""
+    """The table of a state or a run, and the measures past their bounds."""
     notes = [_wrapped(f"- {f.text()}; {f.remedy()}", "  ") for f in v.findings]
     return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
 

@@ -1,0 +1,67 @@
+"""Generated C within a limited number of columns: long statements and comments are broken over several lines."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+
+from ..templates import render
+
+WIDTH = 120
+BREAKS = {", ": 0, "&& ": 1, "|| ": 1, "? ": 2, ": ": 2, "+ ": 3, "- ": 3, "* ": 4}
+"""Statements are broken after a comma or before an operator; tokens of lower rank are preferred."""
+
+
+def rendered(template: str, **values: object) -> str:
+    """A template of the C back end as text, within the columns if it is C."""
+    text = render(f"c/{template}.jinja", **values)
+    return text if template.endswith((".md", "Makefile", ".txt")) else folded(text)
+
+
+def folded(text: str) -> str:
+    """C source with lines of at most WIDTH columns; preprocessor directives are left as they are."""
+    out: list[str] = []
+    inside = False
+    for line in text.split("\n"):
+        if len(line) <= WIDTH or line.startswith("#"):
+            out.append(line)
+        else:
+            out += _comment(line) if inside or line.lstrip().startswith("/*") else _code(line)
+        inside = line.rfind("/*") > line.rfind("*/") or (inside and "*/" not in line)
+    return "\n".join(out)
+
+
+def _comment(line: str) -> list[str]:
+    """A line of a comment, or a comment of one line."""
+    body = line.lstrip()
+    indent, whole = line[: -len(body)], body.startswith("/*") and body.endswith("*/")
+    text = body[:-2].rstrip() if whole else body
+    later = indent + {"/*": " * ", "* ": "* "}.get(body[:2], "")
+    lines = textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=later, break_long_words=False)
+    return lines + [indent + " */"] * whole
+
+
+def _code(line: str) -> list[str]:
+    """A statement; a comment behind it is put before it."""
+    indent = line[: len(line) - len(line.lstrip())]
+    behind = re.fullmatch(r"(.*\S) (/\*.*\*/)", line)
+    if behind:
+        return folded(f"{indent}{behind[2]}\n{behind[1]}").split("\n")
+    out = []
+    while len(line) > WIDTH and (cut := _break(line, len(indent) + 24)):
+        out.append(line[:cut].rstrip())
+        line = f"{indent}    {line[cut:].lstrip()}"
+    return [*out, line]
+
+
+def _break(line: str, least: int) -> int | None:
+    """The best place to break: outside the innermost parentheses, at the weakest token, the later the better."""
+    depth, quoted, best, place = 0, False, (99, 99), None
+    for i, ch in enumerate(line[:WIDTH]):
+        quoted ^= ch == '"'
+        depth += (ch in "([{") - (ch in ")]}")
+        token = line[i : i + (2 if ch in ",?:+-*" else 3)]
+        cost = (depth, BREAKS.get(token, 99))
+        if not quoted and i > least and cost <= best and cost[1] < 99 and (ch == "," or line[i - 1] == " "):
+            best, place = cost, i + (ch == ",")
+    return place

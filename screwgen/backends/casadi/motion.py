@@ -51,7 +51,7 @@ class Held:
         K, D = self.stiffness, self.damping
         felt = {
             "m_eta": self.inertia + h * D + h**2 * K,
-            "f_eta": K * (q[own] + h * v[own]) + D * v[own],
+            "f_eta": K * (q[own, 0] + h * v[own, 0]) + D * v[own, 0],
         }
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
 CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
-MODAL, MIXED = "m (torsion: rad)", "see the joint's rows"
+MODAL, MIXED = "m (torsion: rad)", "various units"
 
 
 class Signal(NamedTuple):
@@ -32,7 +32,8 @@ class Signal(NamedTuple):
     def comment(self) -> str:
         """Unit, meaning and frame, as a header states them."""
         unit = "" if self.unit == "-" else f"{self.unit}: "
-        return unit + self.meaning + ("" if self.frame == "-" else f", in {self.frame}")
+        axes = self.frame if self.frame.startswith("F_i") else f"the {self.frame}"
+        return unit + self.meaning + ("" if self.frame == "-" else f", in {axes}")
 
 
 NODE = {
@@ -42,13 +43,13 @@ NODE = {
     "delta": Signal((6,), ACCELERATION, CARRIER, "part of the acceleration due to joints and modes"),
     "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
     "Lambda": Signal((21,), INERTIA, CARRIER, "articulated inertia of the links carried, upper triangle"),
-    "p": Signal((6,), WRENCH, CARRIER, "their bias force, or in inverse dynamics the wrench on them"),
+    "p": Signal((6,), WRENCH, CARRIER, "bias force of the links carried; in inverse dynamics the wrench on them"),
     "omega_T": Signal((3,), "rad/s", TIP, "angular velocity of the tip section"),
     "v_T": Signal((3,), "m/s", TIP, "velocity of the tip point"),
     "b": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "acc": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section"),
     "f": Signal((6,), WRENCH, TIP, "wrench on the links carried"),
-    "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of that wrench with the angular velocity"),
+    "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of f with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
     "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
@@ -136,14 +137,14 @@ STORE = {
     "modes_w": Signal(("r",), "m/s^2", "-", "term w in etaddot = -L^-T (w + W delta)"),
     "reach": Signal((6, 6), "-, m", F_I, "acceleration of the unloaded tip per unit of delta"),
     "carried": Signal((6, 6), INERTIA, F_I, "inertia of the tip load in series with the modes' compliance"),
-    "p_carried": Signal((6,), WRENCH, F_I, "bias force of the same"),
+    "p_carried": Signal((6,), WRENCH, F_I, "bias force of the tip load in series with the modes' compliance"),
     "h_phi": Signal(("r",), "N", "-", "bias force of the modal rows"),
     "M_D": Signal((6, "r"), "kg*m, kg", F_I, "inertial coupling of twist and modal rows"),
     "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor L of the joint's inertia"),
     "joint_W": Signal(("m", 6), "-, 1/m", F_I, "factor W in qddot = L^-T (w - W delta), delta of the parent"),
     "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
     "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and all that it carries"),
-    "p_i": Signal((6,), WRENCH, F_I, "bias force of the same"),
+    "p_i": Signal((6,), WRENCH, F_I, "bias force of the link and all that it carries"),
     "M_V": Signal((6, 6), INERTIA, F_I, "inertia in the twist rows"),
     "M_T": Signal((6, 6), INERTIA, TIP, "inertia of the bodies at the tip"),
     "h_V": Signal((6,), WRENCH, F_I, "bias force of the twist rows"),

@@ -66,6 +66,15 @@ def test_steps_are_those_of_the_simulation(method):
         assert np.isfinite(np.array(f.jacobian()(q, v, tau, w_ext, p, 1e-5, *f(q, v, tau, w_ext, p, 1e-5))[0])).all()
 
 
+def test_one_rigid_link_has_steps():
+    """Neither modes nor springs: nothing is implicit, and one coordinate is no row of none."""
+    link = {"name": "bar", "length": 1.0, "section": {"rhoA": 1.0}, "joint": {"axes": ["y"]}}
+    model = model_of({"name": "one", "gravity": [0.0, 0.0, -9.81], "links": [link]})
+    q, v = model.casadi()["step"](0.1, 0.2, 0.3, np.zeros((6, 1)), model.parameter_values, 1e-4)
+    (vdot,), _ = model.numpy().forward_dynamics([0.1], [0.2], [0.3], None)
+    assert float(v) == pytest.approx(0.2 + 1e-4 * vdot, abs=1e-7) and float(q) == pytest.approx(0.1 + 2e-5, abs=1e-6)
+
+
 @pytest.mark.parametrize("name", ["ella", "six_link"])
 def test_tip_jacobian_is_that_of_virtual_work(name):
     """A wrench on the tip section does its work on J v: in the bias it is -Jᵀ w, in inertial components."""

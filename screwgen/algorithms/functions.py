@@ -45,7 +45,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3}
     out[0] |= {"acc": out[0]["alpha_0"]}
     for leaf in chain.tree.leaves:
-        out[leaf] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18}
+        out[leaf] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18, "Lambda_T": [0.0] * 21}
         out[leaf] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}
     return out
 

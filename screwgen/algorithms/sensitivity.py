@@ -226,7 +226,7 @@ def tip_load(s: Scope) -> Load:
         M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
         wrench = s.read("tip.f") + mx.multiply(M_T, acc) + bias - s.read("w_ext")
         Gamma = s.read("tip.Gamma") + mx.array(columns(bias, omega)).T
-        Lambda = mx.rotate(R, mx.unpack(s.read("tip.Lambda")) + M_T)
+        Lambda = mx.rotate(R, mx.unpack(s.read("tip.Lambda_T")) + M_T)
         return Load(mx.rotate_wrench(R, wrench), Lambda, rotated_columns(R, mx.multiply(Gamma, R.T)))
 
 
@@ -289,7 +289,7 @@ def joint_answers(s: Scope, carried: Load) -> None:
         s.write("w.F_qdot", F_qdot)
         s.write("base.f", mx.shift_wrench(r_J, mx.rotate_wrench(R, w)))
         handed = mx.shift(r_J, mx.rotate(R, mx.shift(-r_B, carried.Lambda)))
-        s.write("base.Lambda", mx.pack(handed))
+        s.write("base.Lambda_T", mx.pack(handed))
         passed = to_parent(answer, R, omega, omega_J, omega_P, r_B, r_J, v_J)[:, :3]
         s.write("base.Gamma", shifted(r_J, rotated_columns(R, shifted(-r_B, passed))))
     for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes}.items():

@@ -48,6 +48,7 @@ NODE = {
     "v_T": Signal((3,), "m/s", TIP, "velocity of the tip point"),
     "b": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "acc": Signal((6,), ACCELERATION, TIP, "acceleration of the tip section"),
+    "Lambda_T": Signal((21,), INERTIA, TIP, "articulated inertia at the tip, upper triangle row by row"),
     "f": Signal((6,), WRENCH, TIP, "wrench on the links carried"),
     "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of f with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),

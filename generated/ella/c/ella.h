@@ -188,29 +188,28 @@ typedef struct {
 
 /* ----------------------------------------------------------------------------------------- scratch */
 
-/* A node of the chain: the base, or the tip section of a link. Axes of the base node are those of the inertial frame.
- */
+/* A node of the chain: the base (in axes of the inertial frame), or the tip section of a link. */
 typedef struct {
     /* kg*m^2, kg*m, kg: articulated inertia of the links carried, upper triangle, in F_i of the node's link */
     ella_real Lambda[21];
-    /* see the joint's rows: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
-    ella_real PX[36];
-    ella_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in inertial frame */
-    ella_real R[9]; /* rotation of the tip frame, row by row, in inertial frame */
+    ella_real PX[36]; /* various units: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
+    ella_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in the inertial frame */
+    ella_real R[9]; /* rotation of the tip frame, row by row, in the inertial frame */
     ella_real R_T[9]; /* rotation of the tip frame, row by row, in F_i of the node's link */
-    ella_real R_m[9]; /* rotation of the tip frame before projection, row by row, in inertial frame */
+    ella_real R_m[9]; /* rotation of the tip frame before projection, row by row, in the inertial frame */
     ella_real X[36]; /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
     /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
     ella_real alpha_0[6];
-    ella_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    ella_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
     ella_real delta[6];
     ella_real omega[3]; /* rad/s: angular velocity of the tip section, in F_i of the node's link */
-    ella_real omega_T[3]; /* rad/s: angular velocity of the tip section, in tip frame */
-    ella_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in tip frame */
-    ella_real p[6]; /* N*m, N: their bias force, or in inverse dynamics the wrench on them, in F_i of the node's link */
-    ella_real r[3]; /* m: position of the tip point, in inertial frame */
-    ella_real v_T[3]; /* m/s: velocity of the tip point, in tip frame */
+    ella_real omega_T[3]; /* rad/s: angular velocity of the tip section, in the tip frame */
+    ella_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in the tip frame */
+    /* N*m, N: bias force of the links carried; in inverse dynamics the wrench on them, in F_i of the node's link */
+    ella_real p[6];
+    ella_real r[3]; /* m: position of the tip point, in the inertial frame */
+    ella_real v_T[3]; /* m/s: velocity of the tip point, in the tip frame */
 } ella_node;
 
 /* The quantities that a link keeps between the phases of an algorithm. Entries that are constant have no place. */
@@ -219,13 +218,13 @@ typedef struct {
     ella_real Lambda_i[15]; /* kg*m^2, kg*m, kg: articulated inertia of the link and all that it carries, in F_i */
     ella_real M_D[6]; /* kg*m, kg: inertial coupling of twist and modal rows, in F_i */
     ella_real M_V[8]; /* kg*m^2, kg*m, kg: inertia in the twist rows, in F_i */
-    ella_real R_P[9]; /* rotation of F_i, in parent's F_i */
+    ella_real R_P[9]; /* rotation of F_i, in the parent's F_i */
     ella_real R_T[9]; /* rotation of the tip frame, in F_i */
     ella_real S[2]; /* -, m: motion subspace of the joint at the origin of F_i, in F_i */
     ella_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
-    ella_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    ella_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     ella_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
-    ella_real h_T[3]; /* N*m, N: bias force of the bodies at the tip, in tip frame */
+    ella_real h_T[3]; /* N*m, N: bias force of the bodies at the tip, in the tip frame */
     ella_real h_V[6]; /* N*m, N: bias force of the twist rows, in F_i */
     ella_real h_eta[6]; /* N: gyroscopic force and weight on the modes */
     ella_real joint_L[1]; /* unit lower factor L of the joint's inertia */
@@ -235,7 +234,7 @@ typedef struct {
     ella_real modes_W[42]; /* 1/m: factor W in etaddot = -L^-T (w + W delta), in F_i */
     ella_real modes_w[7]; /* m/s^2: term w in etaddot = -L^-T (w + W delta) */
     ella_real omega[3]; /* rad/s: angular velocity, in F_i */
-    ella_real p_i[6]; /* N*m, N: bias force of the same, in F_i */
+    ella_real p_i[6]; /* N*m, N: bias force of the link and all that it carries, in F_i */
     ella_real r_T[2]; /* m: position of the tip point, in F_i */
 } ella_link_store;
 

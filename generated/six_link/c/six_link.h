@@ -233,31 +233,30 @@ typedef struct {
 
 /* ----------------------------------------------------------------------------------------- scratch */
 
-/* A node of the chain: the base, or the tip section of a link. Axes of the base node are those of the inertial frame.
- */
+/* A node of the chain: the base (in axes of the inertial frame), or the tip section of a link. */
 typedef struct {
     /* kg*m^2, kg*m, kg: articulated inertia of the links carried, upper triangle, in F_i of the node's link */
     six_link_real Lambda[21];
-    /* see the joint's rows: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
+    /* various units: next joint's rows, columns of the tip's twist rate, in F_i of the next link */
     six_link_real PX[36];
-    six_link_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in inertial frame */
-    six_link_real R[9]; /* rotation of the tip frame, row by row, in inertial frame */
+    six_link_real Q[4]; /* rotation of the tip frame, unit quaternion (w, x, y, z), in the inertial frame */
+    six_link_real R[9]; /* rotation of the tip frame, row by row, in the inertial frame */
     six_link_real R_T[9]; /* rotation of the tip frame, row by row, in F_i of the node's link */
-    six_link_real R_m[9]; /* rotation of the tip frame before projection, row by row, in inertial frame */
+    six_link_real R_m[9]; /* rotation of the tip frame before projection, row by row, in the inertial frame */
     /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
     six_link_real X[36];
     /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
     six_link_real alpha_0[6];
-    six_link_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    six_link_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
     six_link_real delta[6];
     six_link_real omega[3]; /* rad/s: angular velocity of the tip section, in F_i of the node's link */
-    six_link_real omega_T[3]; /* rad/s: angular velocity of the tip section, in tip frame */
-    six_link_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in tip frame */
-    /* N*m, N: their bias force, or in inverse dynamics the wrench on them, in F_i of the node's link */
+    six_link_real omega_T[3]; /* rad/s: angular velocity of the tip section, in the tip frame */
+    six_link_real omega_m[3]; /* rad/s: angular velocity of the tip section before projection, in the tip frame */
+    /* N*m, N: bias force of the links carried; in inverse dynamics the wrench on them, in F_i of the node's link */
     six_link_real p[6];
-    six_link_real r[3]; /* m: position of the tip point, in inertial frame */
-    six_link_real v_T[3]; /* m/s: velocity of the tip point, in tip frame */
+    six_link_real r[3]; /* m: position of the tip point, in the inertial frame */
+    six_link_real v_T[3]; /* m/s: velocity of the tip point, in the tip frame */
 } six_link_node;
 
 /* The quantities that a link keeps between the phases of an algorithm. Entries that are constant have no place. */
@@ -266,12 +265,12 @@ typedef struct {
     six_link_real Lambda_i[21]; /* kg*m^2, kg*m, kg: articulated inertia of the link and all that it carries, in F_i */
     six_link_real M_D[4]; /* kg*m, kg: inertial coupling of twist and modal rows, in F_i */
     six_link_real M_V[8]; /* kg*m^2, kg*m, kg: inertia in the twist rows, in F_i */
-    six_link_real R_P[9]; /* rotation of F_i, in parent's F_i */
+    six_link_real R_P[9]; /* rotation of F_i, in the parent's F_i */
     six_link_real R_T[9]; /* rotation of the tip frame, in F_i */
     six_link_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
-    six_link_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in tip frame */
+    six_link_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     six_link_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
-    six_link_real h_T[6]; /* N*m, N: bias force of the bodies at the tip, in tip frame */
+    six_link_real h_T[6]; /* N*m, N: bias force of the bodies at the tip, in the tip frame */
     six_link_real h_V[6]; /* N*m, N: bias force of the twist rows, in F_i */
     six_link_real h_eta[4]; /* N: gyroscopic force and weight on the modes */
     six_link_real joint_W[6]; /* -, 1/m: factor W in qddot = L^-T (w - W delta), delta of the parent, in F_i */
@@ -281,7 +280,7 @@ typedef struct {
     six_link_real modes_W[30]; /* 1/m: factor W in etaddot = -L^-T (w + W delta), in F_i */
     six_link_real modes_w[5]; /* m/s^2: term w in etaddot = -L^-T (w + W delta) */
     six_link_real omega[3]; /* rad/s: angular velocity, in F_i */
-    six_link_real p_i[6]; /* N*m, N: bias force of the same, in F_i */
+    six_link_real p_i[6]; /* N*m, N: bias force of the link and all that it carries, in F_i */
     six_link_real r_T[2]; /* m: position of the tip point, in F_i */
 } six_link_link_store;
 

@@ -30,6 +30,9 @@ from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 from .topology.chain import Chain
 from .version import __version__ as VERSION
 
+if TYPE_CHECKING:
+    from .backends.casadi.functions import Made
+
 TARGETS = ("c", "casadi", "latex")
 CONSISTENT = "consistent"
 
@@ -114,7 +117,7 @@ class Model:
         return modal_functions(self.chain)
 
     @cached_property
-    def _casadi(self) -> Mapping:
+    def _casadi(self) -> Made:
         from .backends.casadi import functions as casadi
         from .backends.casadi import motion as casadi_motion
 
@@ -124,7 +127,7 @@ class Model:
             "dae": lambda: casadi.dae(self.chain, found["assemble"]),
         }
         makers = (make(self.chain) for make in (*own, *(p.casadi for p in self._plugins)))
-        found: Mapping = casadi.Made(merged("CasADi function", *makers, integrands))
+        found: Made = casadi.Made(merged("CasADi function", *makers, integrands))
         return found
 
     def casadi(self, methods: Sequence[Method] = ()) -> Mapping:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -190,7 +190,7 @@ def run_evaluate(robot: str, state: str | None, backend: str, form: str, formula
         model = derive(loaded)
         found = evaluation(model, _state(state, model), backend, form)
     else:
-        found = _formulated(derive(loaded, formulation), state)
+        found = _formulated(cast("Formulation", derive(loaded, formulation)), state)
     print(json_format.dumps(found, allow_nan=False))
 
 

@@ -19,8 +19,9 @@ def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:
 
 
 def _equivalent(link: Link, direction: str, values: tuple[float, ...]) -> tuple[float, ...]:
+    assert link.section is not None and link.length is not None  # what modes need, the file states
     inertia = link.section.rhoIp if direction == "torsion" else link.section.rhoA
-    assert inertia is not None  # what modes need, the file states
+    assert inertia is not None
     scale = inertia * link.length ** (2 * ORDER[direction])
     natural = link.modes.shapes(direction).stiffness
     return tuple(scale * (math.tau * f) ** 2 / k for f, k in zip(values, natural, strict=True))

@@ -246,7 +246,7 @@ class Link(Part):
 
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
-        for direction in self.modes.measured if self.section else ():
+        for direction in self.modes.measured:
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
 
@@ -302,9 +302,9 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
     return modes.model_copy(update=update)
 
 
-def refuse_both(section: Section, name: str, direction: str) -> None:
+def refuse_both(section: Section | None, name: str, direction: str) -> None:
     """Refuse a section that states the stiffness `name` of a direction whose frequencies are stated."""
-    if getattr(section, name) is not None:
+    if getattr(section, name, None) is not None:
         spelling = " and ".join(map(quoted, PRODUCTS[name]))
         both = f"is stated beside section.{name} (in the material spelling: {spelling})"
         what = f"{both}, but either gives the stiffness; leave one of them out"

@@ -40,7 +40,7 @@ class Made(Mapping):
 
     def joined(self, makers: Mapping[str, Callable[[], object]]) -> Made:
         """These values, which are not made again, and others."""
-        return Made({name: partial(self.__getitem__, name) for name in self} | makers)
+        return Made({name: partial(self.__getitem__, name) for name in self} | dict(makers))
 
     def __getitem__(self, name: str):
         if name not in self._made:

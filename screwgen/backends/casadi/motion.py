@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 
 import casadi as ca
 
@@ -24,7 +25,7 @@ def motion_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 
 def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.Function]]:
     """What makes ``step_<method>`` of methods, by name."""
-    return {f"step_{m}": lambda m=m: step(chain, m, f"step_{m}") for m in methods}
+    return {f"step_{m}": partial(step, chain, m, f"step_{m}") for m in methods}
 
 
 def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:

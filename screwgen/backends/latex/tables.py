@@ -66,7 +66,7 @@ def _axis(axis: Sequence[float]) -> str:
 
 def _modes(key: LinkClass) -> str:
     counts = ", ".join(str(n) for n in key.counts)
-    return f"{counts} `{'`, `'.join(dict.fromkeys(map(_basis, filter(None, key.bases))))}`" if key.modes else "rigid"
+    return f"{counts} `{'`, `'.join(dict.fromkeys(_basis(b) for b in key.bases if b))}`" if key.modes else "rigid"
 
 
 def _basis(basis: str | Basis) -> str:

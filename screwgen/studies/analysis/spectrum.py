@@ -149,7 +149,7 @@ class Linearised:
     def step_map(self, method: str, step: float) -> np.ndarray:
         """The amplification matrix (2 nq, 2 nq) of a method over `step` seconds."""
         check_step(step)
-        return np.vstack(method_of(method).step(self, *self.identity, step))
+        return np.vstack(method_of(method).step(self, self.identity[0], self.identity[1], step))
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The accelerations of the motions `q`, `v` (nq, k); the torques are those of `identity`, held."""

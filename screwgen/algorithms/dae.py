@@ -11,45 +11,37 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_motion, joint_offset, joint_point, relative_posture, tip_motion
+from .phases import joint_motion, joint_offset, joint_point, relative_posture, tip_motion, tip_state
 from .scope import Scope
 
 
 def dae_kinematics(s: Scope) -> None:
     """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
-    q, twist, omega_R = s.read("q"), s.read("twist"), relative_posture(s)
-    relative = twist[:3] - omega_R
+    q, twist, omega_R, v_R = s.read("q"), s.read("twist"), relative_posture(s), mx.zeros(3)
     if s.key.slides:
-        v_R = mx.multiply(s.kept("R_P").T, s.read("base.v")) + mx.cross(omega_R, _joint_from_tip(s, q))
-        at_joint = twist[3:] + mx.cross(twist[:3], joint_point(s))
-        relative = np.concatenate([relative, at_joint - v_R])
-    qdot = mx.multiply(pseudo_inverse(s, q), relative)
+        mounted = mx.multiply(s.kept("R_rel").T, joint_offset(s, q))
+        v_R = mx.multiply(s.kept("R_P").T, s.read("base.v")) + mx.cross(omega_R, mounted)
+    qdot = mx.multiply(pseudo_inverse(s, q), _difference(s, twist, omega_R, v_R))
     s.write("qdot", qdot)
     joint_motion(s, q, qdot, omega_R)
     tip_motion(s)
-    _, velocity = s.lower("tip_motion", tip_state(s, twist), "omega_t", "v_t")
-    s.write("tip.v", velocity)
-
-
-def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
-    """The inputs from which the block ``tip_motion`` computes the tip's velocity."""
-    eta, etadot = s.read("eta"), s.read("etadot")
-    return {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
+    s.write("tip.v", s.lower("tip_motion", tip_state(s, twist), "v_t")[0])
 
 
 def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: str) -> Array:
     """The joint's relative twist in F_i axes; ``omega`` and ``v`` are the names of the parent's tip twist."""
-    omega_P = s.read(f"base.{omega}")
-    turning = twist[:3] - mx.multiply(R.T, omega_P)
+    omega_P, v_R = s.read(f"base.{omega}"), mx.zeros(3)
+    if s.key.slides:
+        v_R = mx.multiply(R.T, s.read(f"base.{v}") + mx.cross(omega_P, joint_offset(s, q)))
+    return _difference(s, twist, mx.multiply(R.T, omega_P), v_R)
+
+
+def _difference(s: Scope, twist: Array, omega_R: Array, v_R: Array) -> Array:
+    """The link's twist at the joint point less that of the parent there; a joint that only turns has no linear part."""
+    turning = twist[:3] - omega_R
     if not s.key.slides:
         return turning
-    v_R = mx.multiply(R.T, s.read(f"base.{v}") + mx.cross(omega_P, joint_offset(s, q)))
     return np.concatenate([turning, twist[3:] + mx.cross(twist[:3], joint_point(s)) - v_R])
-
-
-def _joint_from_tip(s: Scope, q: Array) -> Array:
-    """The joint point relative to the parent's tip point, in F_i axes."""
-    return mx.multiply(s.kept("R_rel").T, joint_offset(s, q))
 
 
 def pseudo_inverse(s: Scope, q: Array) -> Array:

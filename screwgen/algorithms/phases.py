@@ -59,6 +59,11 @@ def swing(alpha: Array, omega: Array, r: Array) -> Array:
     return mx.cross(alpha, r) + mx.cross(omega, mx.cross(omega, r))
 
 
+def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
+    """The inputs from which the tip blocks compute the motion of the tip section."""
+    return {"omega": twist[:3], "v": twist[3:], "eta": s.read("eta"), "etadot": s.read("etadot")}
+
+
 def tip_motion(s: Scope) -> None:
     """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
     alpha_0 = s.kept("alpha_0")

@@ -20,7 +20,7 @@ import numpy as np
 from ..ir.derivative import columns, stumpff_slope
 from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_offset, joint_point
+from .phases import joint_offset, joint_point, tip_state
 from .phases import swing as swung
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
@@ -85,24 +85,19 @@ def tip_motion(s: Scope, link: Motion) -> Motion:
 
 def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
     """The tip section's motion in F_i components."""
-    given = tip_state(s) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
+    given = tip_state(s, mx.zeros(6)) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
     omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
         etaddot = s.read("etaddot")
         return Motion(omega, alpha + mx.multiply(t.phi, etaddot), a + mx.multiply(Phi, etaddot))
 
 
-def tip_state(s: Scope) -> dict[str, Array]:
-    eta, etadot = s.read("eta"), s.read("etadot")
-    return {"omega": mx.zeros(3), "v": mx.zeros(3), "eta": eta, "etadot": etadot}
-
-
 def tip_point(s: Scope) -> list[Array]:
-    return s.lower("tip", tip_state(s), "r_T", "Phi_c", "udot_T")
+    return s.lower("tip", tip_state(s, mx.zeros(6)), "r_T", "Phi_c", "udot_T")
 
 
 def tip_rotation(s: Scope) -> Array:
-    return s.lower("tip", tip_state(s), "R_T")[0] if s.key.section_rotation else mx.identity(3)
+    return s.lower("tip", tip_state(s, mx.zeros(6)), "R_T")[0] if s.key.section_rotation else mx.identity(3)
 
 
 def turning(s: Scope) -> Turning:
@@ -111,7 +106,7 @@ def turning(s: Scope) -> Turning:
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
     names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s".split()
-    values = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
+    values = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
     with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
         thetaddot = mx.multiply(Psi, s.read("etaddot"))
@@ -149,7 +144,7 @@ def turned_moment(s: Scope, moment: Array) -> Array:
     if not s.key.section_rotation:
         return mx.zeros(s.key.modes, s.key.modes)
     names = ("theta", "x", "c2", "c3", "Psi_c")
-    t = dict(zip(names, s.lower("tip", tip_state(s), *names), strict=True))
+    t = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))
     x, c2, c3, theta = t["x"].item(), t["c2"].item(), t["c3"].item(), t["theta"]
     with s.step("turn of the section: a held moment on the turning axes of the modes"):
         c4, c5 = s.tracer.call("c4", x), s.tracer.call("c5", x)

@@ -25,15 +25,8 @@ def joint_block(key: LinkClass) -> Block:
     omega_P = b.input("omega_P", (3, 1), r"\boldsymbol{\omega}_P", "rad/s", TIP, "angular velocity of the parent's tip")
     v_P = b.input("v_P", (3, 1), r"\mathbf{v}_P", "m/s", TIP, "velocity of the parent's tip point")
     motion, r_m, r_B, R = posture(key, b, q)
-    A, rates = b.symbol("A"), dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
-    omega_J = b.step(
-        "omega_J",
-        A @ qdot,
-        r"\boldsymbol{\omega}_J",
-        unit="rad/s",
-        frame=LINK,
-        meaning="angular velocity of the link relative to its parent's tip",
-    )
+    rates = _rates(b, q, qdot)
+    omega_J = _relative_turn(b, qdot)
     omega_R = b.step(
         "omega_R",
         R.T @ omega_P,
@@ -42,15 +35,7 @@ def joint_block(key: LinkClass) -> Block:
         frame=LINK,
         meaning="angular velocity of the parent's tip",
     )
-    omega = b.step(
-        "omega",
-        omega_R + omega_J,
-        r"\boldsymbol{\omega}_i",
-        unit="rad/s",
-        frame=LINK,
-        equation="45",
-        meaning="angular velocity of the link",
-    )
+    omega = _turn(b, omega_R, omega_J)
     r_J = b.symbol("r_J") if key.slides else r_m
     v_R = b.step(
         "v_R",
@@ -70,8 +55,7 @@ def joint_block(key: LinkClass) -> Block:
         equation="45",
         meaning="velocity of the origin of F_i",
     )
-    speeds = stack(*b.entries(qdot)) if key.joints else zeros(0)
-    axis_rate = rate(motion.angular @ speeds, rates) if key.joints > 1 else zeros(3)
+    axis_rate = _axis_rate(b, motion, qdot, rates)
     beta = b.step(
         "beta_omega",
         axis_rate - hat(omega_J) @ omega_R,
@@ -116,6 +100,40 @@ def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, ome
     return v_J, slip_rate + hat(omega_R) @ v_J
 
 
+def _rates(b: Block, q: Symbol, qdot: Symbol) -> dict[str, Symbol]:
+    """The rate of each coordinate by its name."""
+    return dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
+
+
+def _axis_rate(b: Block, motion: Kinematics, qdot: Symbol, rates: dict[str, Symbol]) -> Expression:
+    """``Adot qdot``: later screws turn the axes of the earlier ones."""
+    speeds = b.entries(qdot)
+    return rate(motion.angular @ stack(*speeds), rates) if len(speeds) > 1 else zeros(3)
+
+
+def _relative_turn(b: Block, qdot: Symbol) -> Symbol:
+    return b.step(
+        "omega_J",
+        b.symbol("A") @ qdot,
+        r"\boldsymbol{\omega}_J",
+        unit="rad/s",
+        frame=LINK,
+        meaning="angular velocity of the link relative to its parent's tip",
+    )
+
+
+def _turn(b: Block, omega_R: Symbol, omega_J: Symbol) -> Symbol:
+    return b.step(
+        "omega",
+        omega_R + omega_J,
+        r"\boldsymbol{\omega}_i",
+        unit="rad/s",
+        frame=LINK,
+        equation="45",
+        meaning="angular velocity of the link",
+    )
+
+
 def motion_block(key: LinkClass) -> Block:
     """The link's motion from that of the parent's tip without joint accelerations, (accconst4); all in F_i axes.
 
@@ -129,8 +147,7 @@ def motion_block(key: LinkClass) -> Block:
     alpha_R = b.input("alpha_R", (3, 1), r"\boldsymbol{\alpha}_R", "rad/s^2", LINK, "its rate")
     a_R = b.input("a_R", (3, 1), r"\mathbf{a}_R", "m/s^2", LINK, "acceleration of the parent's tip point")
     motion, r_m, r_B, R = posture(key, b, q)
-    A, speeds = b.symbol("A"), stack(*b.entries(qdot)) if key.joints else zeros(0)
-    of_q = dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
+    A, rates = b.symbol("A"), _rates(b, q, qdot)
     T = b.symbol("T") if key.slides else zeros(3, key.joints)
     b.step(
         "S",
@@ -141,24 +158,9 @@ def motion_block(key: LinkClass) -> Block:
         numbered=(1,),
         meaning="motion subspace at the origin of F_i",
     )
-    omega_J = b.step(
-        "omega_J",
-        A @ qdot,
-        r"\boldsymbol{\omega}_J",
-        unit="rad/s",
-        frame=LINK,
-        meaning="angular velocity of the link relative to its parent's tip",
-    )
-    omega = b.step(
-        "omega",
-        omega_R + omega_J,
-        r"\boldsymbol{\omega}_i",
-        unit="rad/s",
-        frame=LINK,
-        equation="45",
-        meaning="angular velocity of the link",
-    )
-    axis_rate = rate(motion.angular @ speeds, of_q) if key.joints > 1 else zeros(3)
+    omega_J = _relative_turn(b, qdot)
+    omega = _turn(b, omega_R, omega_J)
+    axis_rate = _axis_rate(b, motion, qdot, rates)
     alpha = b.step(
         "alpha",
         alpha_R - hat(omega_J) @ omega_R + axis_rate,
@@ -186,7 +188,7 @@ def motion_block(key: LinkClass) -> Block:
     )
     seen = {"omega_R": alpha_R}
     if key.slides:
-        v_J, _ = _slip(key, b, motion, qdot, of_q, omega_R)
+        v_J, _ = _slip(key, b, motion, qdot, rates, omega_R)
         seen |= {"r_R": v_J, "v_J": b.symbol("slip_rate") + hat(omega_J) @ v_J}
     a_J = b.step(
         "a_J",

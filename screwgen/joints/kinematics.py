@@ -12,7 +12,7 @@ from functools import reduce
 
 import sympy as sp
 
-from ..algebra.expression import Expression, Rotation, Symbol, add, block, hat, identity, stack, vector, zeros
+from ..algebra.expression import Expression, Rotation, Symbol, add, block, hat, identity, vector, zeros
 from ..algebra.notation import axis_latex
 from ..spec.screw import Screw
 
@@ -52,11 +52,6 @@ def kinematics(screws: Sequence[Screw], coordinates: Sequence[Symbol]) -> Kinema
         block(angular) if screws else zeros(3, 0),
         block(linear) if screws else zeros(3, 0),
     )
-
-
-def subspace(motion: Kinematics) -> Expression:
-    """The motion subspace (6, m), angular part first, at the link's joint point in F_i."""
-    return stack(motion.angular, motion.linear)
 
 
 def _displacement(turns: Sequence[Expression], shifts: Sequence[Expression]) -> Expression:

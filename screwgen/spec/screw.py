@@ -26,16 +26,6 @@ class Screw:
         return "rad" if self.turn else "m"
 
     @property
-    def force(self) -> str:
-        """The unit of the generalised force."""
-        return "N*m" if self.turn else "N"
-
-    @property
     def slides(self) -> bool:
         """Whether the link moves along the axis."""
         return self.travel != 0.0
-
-
-def slide(axis: Vector) -> Screw:
-    """A prismatic degree of freedom: ``q`` m along the axis."""
-    return Screw(axis, turn=False, travel=1.0)

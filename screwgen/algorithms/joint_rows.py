@@ -23,107 +23,29 @@ def joint_rows_block(key: LinkClass) -> Block:
     """
     b = Block("joint_rows", "Rows of the joint")
     m = key.joints
-    R = b.input("R_rel", (3, 3), r"\mathbf{R}_{(i-1)i}", "-", TIP, "rotation of F_i relative to the parent's tip frame")
+    R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
-    S = b.input("S", (size, m), SUBSPACE[size], "-, m", LINK, "columns: the joint's motion subspace", numbered=(1,))
-    S_plus = b.input("S_plus", (m, size), rf"{SUBSPACE[size]}^{{+}}", "-", LINK, "its pseudo-inverse", numbered=(0,))
-    beta = b.input(
-        "beta",
-        (6, 1),
-        r"\boldsymbol{\beta}_i",
-        "rad/s^2, m/s^2",
-        LINK,
-        "acceleration that the velocities cause at the joint",
-    )
-    b_P = b.input("b_P", (6, 1), r"\mathbf{b}_{T,i-1}", "rad/s^2, m/s^2", TIP, "acceleration bias of the parent's tip")
-    tau = b.input("tau", (m, 1), r"\boldsymbol{\tau}_i", "N*m", "-", "joint torques")
-    X = b.step(
-        "X",
-        twice(R.T) @ lever(_offset(b, key)),
-        r"\mathbf{X}_i",
-        unit="-, m",
-        frame=LINK,
-        equation="49",
-        meaning="twist of the joint point in F_i axes from the parent's tip twist",
-    )
-    J_B = b.step(
-        "J_B",
-        lever(joint_point(b, key)),
-        r"\mathbf{J}_B",
-        unit="-, m",
-        frame=LINK,
-        equation="47",
-        meaning="twist of the joint point from that of F_i",
-    )
-    N = b.step(
-        "N",
-        S @ S_plus if m else zeros(size, size),
-        r"\mathbf{N}_i",
-        unit="-",
-        frame=LINK,
-        meaning="projector onto the joint's motion subspace",
-    )
-    b.step(
-        "P",
-        _whole(identity(size) - N, identity(3)),
-        r"\mathbf{P}_i",
-        unit="-",
-        frame=LINK,
-        equation="43",
-        meaning="projector onto the directions that the joint constrains",
-    )
+    S = b.input("S", (size, m), SUBSPACE[size])
+    S_plus = b.input("S_plus", (m, size), rf"{SUBSPACE[size]}^{{+}}")
+    beta = b.input("beta", (6, 1))
+    b_P = b.input("b_P", (6, 1))
+    tau = b.input("tau", (m, 1))
+    X = b.step("X", twice(R.T) @ lever(_offset(b, key)))
+    J_B = b.step("J_B", lever(joint_point(b, key)))
+    N = b.step("N", S @ S_plus if m else zeros(size, size))
+    b.step("P", _whole(identity(size) - N, identity(3)))
     free = identity(size) - N
     if key.armature:
-        J_m = b.parameter(
-            "armature", (m, 1), r"\mathbf{j}_m", "kg*m^2", "-", "rotor inertias seen at the joint", numbered=(0,)
-        )
+        J_m = b.parameter("armature", (m, 1))
         free = free + S_plus.T @ Diagonal(J_m) @ S_plus
-    P_c = b.step(
-        "P_c",
-        _whole(free, identity(3)),
-        r"\mathbf{P}_{c,i}",
-        unit="-, kg*m^2",
-        frame=LINK,
-        equation="43",
-        meaning="P with the rotor inertias about the axes",
-    )
-    b.step(
-        "joint_w",
-        _whole(N, zeros(3, 3)),
-        r"\mathbf{M}_{\mathcal{W},i}",
-        unit=MIXED,
-        equation="59",
-        meaning="columns of the joint's wrench",
-    )
-    b.step(
-        "joint_V", P_c @ J_B, r"\mathbf{M}_{V,i}", unit=MIXED, equation="59", meaning="columns of the link's twist rate"
-    )
-    PX = b.step(
-        "PX",
-        P_c @ X,
-        r"\mathbf{M}_{T,i}",
-        unit=MIXED,
-        equation="59",
-        meaning="columns of the parent's tip, with a minus sign",
-    )
+    P_c = b.step("P_c", _whole(free, identity(3)))
+    b.step("joint_w", _whole(N, zeros(3, 3)))
+    b.step("joint_V", P_c @ J_B)
+    PX = b.step("PX", P_c @ X)
     passive = _passive(b, key)
     bias = -(P_c @ J_B @ beta) - PX @ b_P
-    b.step(
-        "joint_H",
-        bias + _column(S_plus.T @ passive) if passive is not None else bias,
-        r"\mathbf{H}_{p,i}",
-        unit=MIXED,
-        equation="61",
-        meaning="bias of the joint's rows, springs and dampers included",
-    )
-    b.step(
-        "joint_W",
-        _column(S_plus.T @ tau) if m else zeros(6),
-        r"\boldsymbol{\mathcal{W}}_{p,i}",
-        unit="N*m",
-        equation="62",
-        meaning="the motors' torques in the joint's rows",
-    )
+    b.step("joint_H", bias + _column(S_plus.T @ passive) if passive is not None else bias)
+    b.step("joint_W", _column(S_plus.T @ tau) if m else zeros(6))
     return b
 
 
@@ -164,15 +86,15 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
 
 def _offset(b: Block, key: LinkClass) -> Expression:
     if key.slides:
-        return b.input("r_J", (3, 1), r"\mathbf{r}_J", "m", TIP, "joint point relative to the parent's tip point")
+        return b.input("r_J", (3, 1))
     if not key.mount_xyz:
         return zeros(3)
-    return b.parameter("mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point")
+    return b.parameter("mount_xyz", (3, 1))
 
 
 def joint_point(b: Block, key: LinkClass) -> Expression:
     """The joint point in F_i."""
     if not key.frame_at:
         return zeros(3)
-    f = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
+    f = b.parameter("frame_at", (1, 1))
     return stack(-f, zeros(1), zeros(1))

@@ -25,7 +25,7 @@ def energy_block(key: LinkClass) -> Block:
         spin = omega_x + (b.body.phi_t @ b.etadot if key.counts[3] else zeros(1))
         kinetic = kinetic + Integral(spin @ spin, b.body.rhoIp, b.body.fields.integrate)
     half = sp.Rational(1, 2)
-    b.step("kinetic", half * kinetic, "T", unit="J", equation="2T", meaning="kinetic energy")
+    b.step("kinetic", half * kinetic)
     stress = b.eta.T @ (Diagonal(b.body.K) @ b.eta) if key.modes else zeros(1)
-    b.step("stress", half * stress, r"U_{\eta}", unit="J", meaning="stress energy")
+    b.step("stress", half * stress)
     return b

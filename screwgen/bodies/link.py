@@ -8,7 +8,7 @@ import sympy as sp
 from ..algebra.expression import Diagonal, Expression, Integral, Trace, add, block, hat, identity, stack, unit, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import FRAME, Body
+from .contract import Body
 from .lumped import lumped
 from .rigid import Rigid
 from .rod import Rod
@@ -41,11 +41,11 @@ class LinkBlock(Block):
 
     def _declare(self) -> None:
         r, state = self.key.modes, self.input
-        self.omega = state("omega", (3, 1), r"\boldsymbol{\omega}_i", "rad/s", FRAME, "angular velocity of the link")
-        self.vel = state("v", (3, 1), r"\mathbf{v}_i", "m/s", FRAME, "velocity of the origin of F_i")
-        self.g = state("g", (3, 1), r"\mathbf{g}_i", "m/s^2", FRAME, "free fall in F_i, R_oi^T g")
-        self.eta = state("eta", (r, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
-        self.etadot = state("etadot", (r, 1), r"\dot{\boldsymbol{\eta}}_i", "m/s", "-", "modal rates")
+        self.omega = state("omega", (3, 1))
+        self.vel = state("v", (3, 1))
+        self.g = state("g", (3, 1))
+        self.eta = state("eta", (r, 1))
+        self.etadot = state("etadot", (r, 1))
         self.rho = self.field("rho", _column(*sp.symbols("rho_x:z", real=True)), r"\mathbf{r}_{ib}")
         self.udot = self.field("udot", _column(*sp.symbols("udot_x:z", real=True)), r"\dot{\mathbf{r}}_{\xi}")
 
@@ -53,9 +53,7 @@ class LinkBlock(Block):
         """The place of the joint on the centreline of F_i."""
         if not self.key.frame_at:
             return zeros(1)
-        meaning = "place of F_i on the centreline, from the joint"
-        frame_at = self.parameter("frame_at", (1, 1), "f_i", "m", FRAME, meaning)
-        return self.step("start", -frame_at, "a_i", unit="m", equation="5", meaning="place of the joint in F_i")
+        return self.step("start", -self.parameter("frame_at", (1, 1)))
 
     def integral(self, integrand: Expression) -> Integral:
         """``∫ρA integrand dξ`` over the body."""
@@ -64,45 +62,13 @@ class LinkBlock(Block):
     def _constants(self) -> None:
         m_B, S_B, J_B = self._base_bodies()
         mu, S, J = self.body.moments()
-        self.m = self.step("m", mu + m_B, "m_i", unit="kg", equation="27", meaning="mass, base bodies included")
-        self.S_0 = self.step(
-            "S_0",
-            S + S_B,
-            r"\mathbf{S}_0",
-            unit="kg*m",
-            frame=FRAME,
-            equation="27",
-            meaning="first moment, undeformed",
-        )
-        self.J_0 = self.step(
-            "J_0",
-            J + J_B,
-            r"\mathbf{J}_0",
-            unit="kg*m^2",
-            frame=FRAME,
-            meaning="second moment, undeformed",
-            symmetric=True,
-        )
+        self.m = self.step("m", mu + m_B)
+        self.S_0 = self.step("S_0", S + S_B)
+        self.J_0 = self.step("J_0", J + J_B, symmetric=True)
         self.spin = self.body.spin()
-        I_0 = self.step(
-            "I_0",
-            Trace(self.J_0) @ identity(3) - self.J_0 + self.spin,
-            r"\mathbf{I}_{b}",
-            unit="kg*m^2",
-            frame=FRAME,
-            equation="Iibi",
-            symmetric=True,
-            meaning="inertia about the origin, undeformed",
-        )
+        I_0 = self.step("I_0", Trace(self.J_0) @ identity(3) - self.J_0 + self.spin, symmetric=True)
         self.M_star = self.step(
-            "M_star",
-            block([I_0, hat(self.S_0)], [-hat(self.S_0), self.m @ identity(3)]),
-            r"\mathbf{M}^*_i",
-            unit="kg, kg*m, kg*m^2",
-            frame=FRAME,
-            equation="27",
-            meaning="inertia of the undeformed link",
-            symmetric=True,
+            "M_star", block([I_0, hat(self.S_0)], [-hat(self.S_0), self.m @ identity(3)]), symmetric=True
         )
         self.body.fields.name_moment("rhoA", self.values["m"].item())
         self.body.modal()
@@ -121,96 +87,28 @@ class LinkBlock(Block):
     def _moments(self) -> None:
         """Moments of the deformed link, each named for the integrals that follow."""
         rho, udot, r = self.rho, self.udot, self.key.modes
-        self.S = self.step(
-            "S", self.S_0 + self.body.sigma @ self.eta, r"\mathbf{S}", unit="kg*m", frame=FRAME, meaning="first moment"
-        )
-        self.Sdot = self.step(
-            "Sdot",
-            self.body.sigma @ self.etadot,
-            r"\dot{\mathbf{S}}",
-            unit="kg*m/s",
-            frame=FRAME,
-            meaning="rate of the first moment",
-        )
+        self.S = self.step("S", self.S_0 + self.body.sigma @ self.eta)
+        self.Sdot = self.step("Sdot", self.body.sigma @ self.etadot)
         self._name_moment("S", (rho,))
         self._name_moment("Sdot", (udot,))
-        self.step(
-            "L",
-            self.integral(rho @ self.body.phi_row) if r else zeros(3, 0),
-            r"\mathbf{L}",
-            unit="kg*m",
-            frame=FRAME,
-            equation="85",
-            meaning="first moment weighted by each mode shape",
-            numbered=(1,),
-        )
-        self.step(
-            "Ldot",
-            self.integral(udot @ self.body.phi_row) if r else zeros(3, 0),
-            r"\dot{\mathbf{L}}",
-            unit="kg*m/s",
-            frame=FRAME,
-            meaning="rate of L",
-            numbered=(1,),
-        )
+        self.step("L", self.integral(rho @ self.body.phi_row) if r else zeros(3, 0))
+        self.step("Ldot", self.integral(udot @ self.body.phi_row) if r else zeros(3, 0))
         if r:
             self._name_moment("L", (rho, self.body.phi_row))
             self._name_moment("Ldot", (udot, self.body.phi_row))
         J = self.J_0 + self.integral(self.body.r_b @ self.body.u.T + self.body.u @ rho.T) if r else self.J_0
-        self.J = self.step("J", J, r"\mathbf{J}", unit="kg*m^2", frame=FRAME, symmetric=True, meaning="second moment")
+        self.J = self.step("J", J, symmetric=True)
         self._name_moment("J", (rho, rho))
 
     def _inertia(self) -> None:
         """``M(eta)`` and its split into M*, M_DPsi and M_D."""
         inertia = Trace(self.J) @ identity(3) - self.J + self.spin
-        I = self.step(
-            "I",
-            inertia,
-            r"\mathbf{I}_{ib}",
-            unit="kg*m^2",
-            frame=FRAME,
-            symmetric=True,
-            meaning="inertia about the origin, deformed",
-        )
-        M_V = self.step(
-            "M_V",
-            block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]),
-            r"\mathbf{M}_V",
-            unit="kg, kg*m, kg*m^2",
-            frame=FRAME,
-            symmetric=True,
-            meaning="inertia in the twist rows",
-        )
-        self.step(
-            "M_DPsi",
-            M_V - self.M_star,
-            r"\mathbf{M}_{D\Psi,i}",
-            unit="kg, kg*m, kg*m^2",
-            frame=FRAME,
-            equation="B2",
-            symmetric=True,
-            meaning="what the deformation adds to M*",
-        )
+        I = self.step("I", inertia, symmetric=True)
+        M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), symmetric=True)
+        self.step("M_DPsi", M_V - self.M_star, symmetric=True)
         coupling = self.integral(stack(hat(self.rho) @ self.body.Phi, self.body.Phi)) if self.key.modes else zeros(6, 0)
-        M_D = self.step(
-            "M_D",
-            add(coupling, self._spin_coupling()),
-            r"\mathbf{M}_{D,i}",
-            unit="kg, kg*m",
-            frame=FRAME,
-            equation="B1",
-            meaning="wrench that modal accelerations need",
-            numbered=(1,),
-        )
-        self.step(
-            "M_Dphi",
-            M_D.T,
-            r"\mathbf{M}_{D\phi,i}",
-            unit="kg, kg*m",
-            equation="85",
-            meaning="inertial coupling of the modal rows with the twist's rate",
-            numbered=(0,),
-        )
+        M_D = self.step("M_D", add(coupling, self._spin_coupling()))
+        self.step("M_Dphi", M_D.T)
 
     def _spin_coupling(self):
         if not (self.key.spin and self.key.counts[3]):
@@ -220,87 +118,32 @@ class LinkBlock(Block):
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""
         rho, udot, omega = self.rho, self.udot, self.omega
-        a_0 = self.step(
-            "a_0",
-            hat(omega) @ self.vel - self.g,
-            r"\mathbf{a}_0",
-            unit="m/s^2",
-            frame=FRAME,
-            meaning="acceleration of the origin at rest rates, against free fall",
-        )
-        Omega, faster = self._turn_operator(), ", angular acceleration included" if self.turning else ""
-        self.step(
-            "B",
-            self.integral(self.body.udot_modal @ rho.T) if self.key.modes else zeros(3, 3),
-            r"\mathbf{B}",
-            unit="kg*m^2/s",
-            frame=FRAME,
-            meaning="moment of the elastic velocity",
-        )
+        a_0 = self.step("a_0", hat(omega) @ self.vel - self.g)
+        Omega = self._turn_operator()
+        self.step("B", self.integral(self.body.udot_modal @ rho.T) if self.key.modes else zeros(3, 3))
         self._name_moment("B", (udot, rho))
         coriolis = hat(omega) @ udot
         half = self.integral(stack(hat(rho) @ coriolis, coriolis)) if self.key.modes else zeros(6)
-        h_c = self.step("h_c", half, r"\mathbf{h}_c", unit="N*m, N", frame=FRAME, meaning="half of the Coriolis wrench")
-        h_MD = self.step(
-            "h_MD",
-            add(h_c, self._spin_bias("sigma_t")),
-            r"\mathbf{h}_{M_D,i}",
-            unit="N*m, N",
-            frame=FRAME,
-            equation="B3",
-            meaning="Coriolis wrench of the deformation's inertia",
-        )
+        h_c = self.step("h_c", half)
+        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t")))
         field = a_0 + Omega @ rho
         rigid = self.integral(stack(hat(rho) @ field, field))
-        H = self.step(
-            "H_star",
-            add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()),
-            r"\mathbf{H}^*_{\alpha,i}" if self.turning else r"\mathbf{H}^*_i",
-            unit="N*m, N",
-            frame=FRAME,
-            equation="" if self.turning else "29",
-            meaning="gyroscopic wrench and weight" + faster,
-        )
-        display = r"\mathbf{h}_{V\alpha}" if self.turning else r"\mathbf{h}_{V}"
-        self.step("h_V", H + h_MD, display, unit="N*m, N", frame=FRAME, meaning=f"bias of the twist rows{faster}")
+        H = self.step("H_star", add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()))
+        self.step("h_V", H + h_MD)
         modal = self.integral(self.body.Phi.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
         twisted = self.key.spin and self.key.counts[3] and self.turning
-        self.step(
-            "h_eta",
-            add(
-                modal,
-                self.body.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes),
-            ),
-            r"\mathbf{h}_{\eta\alpha}" if self.turning else r"\mathbf{h}_{\eta}",
-            unit="N",
-            equation="" if self.turning else "88",
-            meaning="gyroscopic force and weight on the modes" + faster,
-        )
+        twist = self.body.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes)
+        self.step("h_eta", add(modal, twist))
         if not self.turning:
             self._modal_force()
 
     def _turn_operator(self):
         """The operator from a position to its acceleration by the link's rotation."""
+        centripetal = hat(self.omega) @ hat(self.omega)
         if not self.turning:
-            return self.step(
-                "Omega",
-                hat(self.omega) @ hat(self.omega),
-                r"\tilde{\boldsymbol{\omega}}_i^{2}",
-                unit="1/s^2",
-                frame=FRAME,
-                symmetric=True,
-                meaning="centripetal operator",
-            )
-        meaning = "angular acceleration of the link"
-        self.alpha = self.input("alpha", (3, 1), r"\boldsymbol{\alpha}_i", "rad/s^2", FRAME, meaning)
-        return self.step(
-            "Omega",
-            hat(self.alpha) + hat(self.omega) @ hat(self.omega),
-            r"\boldsymbol{\Omega}_i",
-            unit="1/s^2",
-            frame=FRAME,
-            meaning="acceleration of a place by the link's turning",
-        )
+            return self.step("Omega", centripetal, symmetric=True)
+        self.alpha = self.input("alpha", (3, 1))
+        return self.step("Omega", hat(self.alpha) + centripetal)
 
     def _spun_up(self):
         """The inertial wrench of the sections' rotary inertia at ``alpha``."""
@@ -312,9 +155,7 @@ class LinkBlock(Block):
         stress = Diagonal(self.body.K) @ self.eta
         if self.key.damping:
             stress = stress + Diagonal(self.body.D) @ self.etadot
-        f = self.step("f_eta", stress, r"\mathbf{f}_{\eta}", unit="N", equation="88", meaning="stress and damping")
-        h_eta = self.symbol("h_eta")
-        self.step("h_phi", h_eta + f, r"\mathbf{h}_{\phi,i}", unit="N", equation="88", meaning="bias of the modal rows")
+        self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
     def _spin_bias(self, which: str):
         """``rho I_p ∫(n^T nu) dξ (omega x e_x)``, for the link's rotation (I_s) or its torsion (sigma_t)."""

@@ -16,32 +16,10 @@ def lumped(b: Block, key: LinkClass, section: str, tag: str) -> tuple[Expression
     axes.  All are zero if the section carries no body.
     """
     parts = [_body(b, key, number) for number in key.bodies_at(section)] or [(zeros(1), zeros(3), zeros(3, 3))]
-    frame = "F_i" if section == "base" else "tip frame"
-    about = "joint point" if section == "base" else "tip point"
     m, S, J = (add(*column) for column in zip(*parts, strict=True))
-    mass = b.step(f"m_{tag}", m, f"m_{tag}", unit="kg", meaning=f"mass of the bodies at the {section}")
-    first = b.step(
-        f"S_{tag}", S, rf"\mathbf{{S}}_{tag}", unit="kg*m", frame=frame, meaning=f"their first moment about the {about}"
-    )
-    second = b.step(
-        f"J_{tag}",
-        J,
-        rf"\boldsymbol{{\Theta}}_{tag}",
-        unit="kg*m^2",
-        frame=frame,
-        symmetric=True,
-        meaning=f"their second moment about the {about}",
-    )
-    inertia = b.step(
-        f"I_{tag}",
-        Trace(second) @ identity(3) - second,
-        rf"\mathbf{{I}}_{tag}",
-        unit="kg*m^2",
-        frame=frame,
-        symmetric=True,
-        meaning=f"their inertia about the {about}",
-    )
-    return mass, first, second, inertia
+    mass, first = b.step(f"m_{tag}", m), b.step(f"S_{tag}", S)
+    second = b.step(f"J_{tag}", J, symmetric=True)
+    return mass, first, second, b.step(f"I_{tag}", Trace(second) @ identity(3) - second, symmetric=True)
 
 
 def _body(b: Block, key: LinkClass, number: int) -> tuple[Expression, Expression, Expression]:
@@ -51,29 +29,16 @@ def _body(b: Block, key: LinkClass, number: int) -> tuple[Expression, Expression
     first: Expression = zeros(3)
     second: Expression = zeros(3, 3)
     if body.com:
-        com = b.parameter(
-            f"body{number}_com", (3, 1), rf"\mathbf{{c}}_{{b{tag}}}", "m", "section", f"centre of mass of body {tag}"
-        )
+        shown, meaning = rf"\mathbf{{c}}_{{b{tag}}}", f"centre of mass of body {tag}"
+        com = b.parameter(f"body{number}_com", (3, 1), shown, "m", "section", meaning)
         first, second = m @ com, m @ (com @ com.T)
     if body.inertia:
-        entries = b.parameter(
-            f"body{number}_inertia",
-            (6, 1),
-            rf"\mathbf{{i}}_{{b{tag}}}",
-            "kg*m^2",
-            "section",
-            f"inertia of body {tag} about its centre of mass: xx, yy, zz, xy, xz, yz",
-        )
+        words = {"unit": "kg*m^2", "frame": "section", "meaning": f"inertia of body {tag} about its centre of mass"}
+        column = {**words, "meaning": f"{words['meaning']}: xx, yy, zz, xy, xz, yz"}
+        entries = b.parameter(f"body{number}_inertia", (6, 1), rf"\mathbf{{i}}_{{b{tag}}}", **column)
         xx, yy, zz, xy, xz, yz = b.entries(entries)
-        inertia = b.step(
-            f"I_b{tag}",
-            block([xx, xy, xz], [xy, yy, yz], [xz, yz, zz]),
-            rf"\mathbf{{I}}_{{b{tag}}}",
-            unit="kg*m^2",
-            frame="section",
-            symmetric=True,
-            meaning=f"inertia of body {tag} about its centre of mass",
-        )
+        matrix = block([xx, xy, xz], [xy, yy, yz], [xz, yz, zz])
+        inertia = b.step(f"I_b{tag}", matrix, rf"\mathbf{{I}}_{{b{tag}}}", symmetric=True, **words)
         second = second + _second_moment(inertia)
     return m, first, second
 

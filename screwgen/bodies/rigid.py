@@ -36,7 +36,7 @@ class Rigid:
     def modal(self) -> None:
         """No modes."""
         step = self.b.step
-        step("sigma", self.sigma, r"\boldsymbol{\Sigma}", unit="kg", meaning="momentum of each mode", numbered=(1,))
-        step("M_Wphi", zeros(0, 0), r"\mathbf{M}_{W\phi,i}", unit="kg", meaning="inertia of the modes")
-        step("M_eta", zeros(0), r"\mathbf{m}_{\eta}", unit="kg", meaning="inertia of each mode")
-        step("K", self.K, r"\mathbf{k}_i", unit="N/m", meaning="stiffness of each mode")
+        step("sigma", self.sigma)
+        step("M_Wphi", zeros(0, 0))
+        step("M_eta", zeros(0))
+        step("K", self.K)

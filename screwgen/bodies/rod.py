@@ -8,7 +8,7 @@ import sympy as sp
 from ..algebra.expression import Expression, identity, is_zero, unit, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import FRAME, Moments6
+from .contract import Moments6
 from .fields import AXIS, XI, Fields
 from .rod_stiffness import RodStiffness
 
@@ -18,8 +18,8 @@ class Rod(RodStiffness):
 
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key = b, key
-        self.rhoA = b.parameter("rhoA", (1, 1), r"\rho_i A_i", "kg/m", "-", "mass per length")
-        self.length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
+        self.rhoA = b.parameter("rhoA", (1, 1))
+        self.length = b.parameter("length", (1, 1))
 
     def declare(self, start: Expression) -> None:
         """The fields along the rod; ``start`` is the place of the joint on the centreline."""
@@ -46,61 +46,28 @@ class Rod(RodStiffness):
     def moments(self) -> Moments6:
         """Mass, first and second moment of the straight rod about the origin of F_i."""
         rhoA, r_b = self.rhoA, self.r_b
-        mu = self.b.step("mu", self.integral(identity(1), rhoA), r"\mu_i", unit="kg", meaning="mass of the beam")
+        mu = self.b.step("mu", self.integral(identity(1), rhoA))
         return mu, self.integral(r_b, rhoA), self.integral(r_b @ r_b.T, rhoA)
 
     def spin(self) -> Expression:
         """``∫ rho I_p dξ e_x e_x^T``: spin about the centreline."""
         if not self.key.spin:
             return zeros(3, 3)
-        self.rhoIp = self.b.parameter("rhoIp", (1, 1), r"\rho_i I_{p,i}", "kg*m", "-", "polar inertia per length")
-        self.I_s = self.b.step(
-            "I_s", self.integral(identity(1), self.rhoIp), "I_s", unit="kg*m^2", meaning="spin inertia of the beam"
-        )
+        self.rhoIp = self.b.parameter("rhoIp", (1, 1))
+        self.I_s = self.b.step("I_s", self.integral(identity(1), self.rhoIp))
         self.fields.name_moment("rhoIp", self.b.values["I_s"].item())
         return self.I_s @ (unit(0) @ unit(0).T)
 
     def modal(self) -> None:
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment
-        self.sigma = self.b.step(
-            "sigma",
-            self.integral(self.Phi, self.rhoA),
-            r"\boldsymbol{\Sigma}",
-            unit="kg",
-            frame=FRAME,
-            equation="B1",
-            meaning="momentum of each mode",
-            numbered=(1,),
-        )
-        self.b.step(
-            "chi",
-            self.integral(self.lever, self.rhoA),
-            r"\boldsymbol{\chi}",
-            unit="kg*m",
-            frame=FRAME,
-            meaning="first moment of each mode shape",
-            numbered=(1,),
-        )
+        self.sigma = self.b.step("sigma", self.integral(self.Phi, self.rhoA))
+        self.b.step("chi", self.integral(self.lever, self.rhoA))
         M_eta = self.integral(self.Phi.T @ self.Phi, self.rhoA)
         if self.key.spin and self.key.counts[3]:
-            self.sigma_t = self.b.step(
-                "sigma_t",
-                self.integral(self.phi_t, self.rhoIp),
-                r"\boldsymbol{\Sigma}_t",
-                unit="kg*m^2",
-                meaning="spin momentum of each torsion mode",
-            )
+            self.sigma_t = self.b.step("sigma_t", self.integral(self.phi_t, self.rhoIp))
             M_eta = M_eta + self.integral(self.phi_t.T @ self.phi_t, self.rhoIp)
-        self.b.step(
-            "M_Wphi",
-            M_eta,
-            r"\mathbf{M}_{W\phi,i}",
-            unit="kg",
-            equation="86",
-            symmetric=True,
-            meaning="inertia of the modes (torsion: kg*m^2), diagonal",
-        )
+        self.b.step("M_Wphi", M_eta, symmetric=True)
         for k in self._translational():
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.b.values["sigma"][axis, k], phi[k])

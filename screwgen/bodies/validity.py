@@ -29,20 +29,19 @@ OWN_WEIGHT = 7.8373474
 """``q l^3 / EI`` at which a cantilever buckles under its own weight: 9/4 of the squared first zero of J_(-1/3)."""
 TIP_LOAD = sp.pi**2 / 4
 """``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
-PLANES = {"bending_y": ("EIz", "E_iI_{z_i}"), "bending_z": ("EIy", "E_iI_{y_i}")}
+PLANES = {"bending_y": "EIz", "bending_z": "EIy"}
 BOUNDS = {"deflection": 0.1, "slope": 0.35, "axial_load": 0.02, "rotation": 0.2}
 """The steps of the measures, in the order of all back ends, each with its bound: the value at which the error is about
 1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
 moment) or of the lowest frequency (``sqrt(1 - axial_load)``, ``sqrt(1 + 1.193 rotation / 12.362)``)."""
 MEASURES = tuple(BOUNDS)
-LINK = "F_i"
 
 
 def validity_block(key: LinkClass) -> Block:
     """The measures of a link; a link without bending modes has none, and its block no steps."""
     b = Block("validity", "Limits of the first-order model")
     if key.bends:
-        length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
+        length = b.parameter("length", (1, 1))
         _tip(b, key, length)
         _loads(b, key, length)
     return b
@@ -50,53 +49,39 @@ def validity_block(key: LinkClass) -> Block:
 
 def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
     """Displacement over length and slope of the tip section."""
-    eta = b.input("eta", (key.modes, 1), r"\boldsymbol{\eta}_i", "m", "-", "modal coordinates (torsion: rad)")
+    eta = b.input("eta", (key.modes, 1))
     fields = Fields(key, b.values["length"].item(), 0)
-    for name, rows, field, display, unit, meaning in (
-        ("deflection", fields.tip(), r"\boldsymbol{\phi}_i(c_i)", "u", "m", "transverse displacement of the tip"),
-        ("slope", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)", r"\theta", "rad", "slope of the tip section"),
+    for name, rows, field in (
+        ("deflection", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"),
+        ("slope", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)"),
     ):
-        across = b.step(
-            f"{name}_T",
-            b.field(f"{name}_shapes", rows[1:], field) @ eta,
-            rf"\mathbf{{{display}}}_\perp" if display == "u" else rf"\boldsymbol{{{display}}}_\perp",
-            unit=unit,
-            meaning=f"{meaning}, components y and z in F_i",
-            numbered=(0,),
-        )
-        square = b.step(f"{name}_2", across.T @ across, rf"{display}_\perp^2", unit=f"{unit}^2", meaning="its square")
-        size: Expression = Root(square)
-        if name == "deflection":
-            size = Inverse(length) @ size
-        b.step(name, size, rf"\mathit{{{name}}}", unit="-", meaning=f"{meaning}{' over length' * (name != 'slope')}")
+        across = b.step(f"{name}_T", b.field(f"{name}_shapes", rows[1:], field) @ eta)
+        size: Expression = Root(b.step(f"{name}_2", across.T @ across))
+        b.step(name, Inverse(length) @ size if name == "deflection" else size)
 
 
 def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
     """Axial load over buckling load, and the dimensionless square of the angular velocity."""
-    rhoA = b.parameter("rhoA", (1, 1), r"\rho_iA_i", "kg/m", "-", "mass per length")
-    omega = b.input("omega_t", (2, 1), r"\boldsymbol{\omega}_\perp", "rad/s", LINK, "angular velocity about y and z")
-    a_x = b.input("a_x", (1, 1), "a_x", "m/s^2", LINK, "axial acceleration of F_i against free fall")
-    F_x = b.input("F_x", (1, 1), "F_x", "N", LINK, "axial force of the joint on the link")
-    F_own = b.input("F_own", (1, 1), r"F_{x,\mathrm{own}}", "N", LINK, "axial force that moves link and base bodies")
+    rhoA = b.parameter("rhoA", (1, 1))
+    omega = b.input("omega_t", (2, 1))
+    a_x = b.input("a_x", (1, 1))
+    F_x = b.input("F_x", (1, 1))
+    F_own = b.input("F_own", (1, 1))
     softness = length @ length @ _compliance(b, key, length, rhoA)
-    per_force = _step(b, "per_force", (1 / TIP_LOAD) * softness, "1/N", "inverse buckling load")
+    per_force = b.step("per_force", (1 / TIP_LOAD) * softness)
     mass = rhoA @ length
     weight = (1 / sp.Float(OWN_WEIGHT)) * (mass @ softness)
-    per_a = _step(b, "per_acceleration", weight, "s^2/m", "axial load by acceleration")
-    per_turn = _step(b, "per_turn", mass @ length @ softness, "s^2", "rotation by the square of the turn")
+    per_a = b.step("per_acceleration", weight)
+    per_turn = b.step("per_turn", mass @ length @ softness)
     square = omega.T @ omega
-    Omega_2 = b.step("Omega_2", square, r"\Omega^2", unit="rad^2/s^2", meaning="squared turn of the centreline")
+    Omega_2 = b.step("Omega_2", square)
     a_B: Expression = a_x
     if key.frame_at:
-        frame_at = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
+        frame_at = b.parameter("frame_at", (1, 1))
         a_B = a_x + frame_at @ Omega_2
     load = per_force @ (F_x - F_own) + per_a @ a_B
-    b.step("axial_load", load, r"\mathit{axial}", unit="-", meaning="axial load over buckling load, compression > 0")
-    b.step("rotation", per_turn @ Omega_2, r"\mathit{rotation}", unit="-", meaning="Omega^2 rhoA l^4 / EI")
-
-
-def _step(b: Block, name: str, expression: Expression, unit: str, meaning: str) -> Symbol:
-    return b.step(name, expression, rf"c_{{\mathrm{{{name.rpartition('_')[2]}}}}}", unit=unit, meaning=meaning)
+    b.step("axial_load", load)
+    b.step("rotation", per_turn @ Omega_2)
 
 
 def _compliance(b: Block, key: LinkClass, length: Symbol, rhoA: Symbol) -> Expression:
@@ -105,25 +90,21 @@ def _compliance(b: Block, key: LinkClass, length: Symbol, rhoA: Symbol) -> Expre
     stiff = [_stiffness(b, key, d, length, rhoA) for d in planes]
     if len(stiff) == 1:
         return Inverse(stiff[0])
-    ratio = b.step("EI_ratio", stiff[0] @ Inverse(stiff[1]), "r_i", unit="-", meaning="bending stiffness, y over z")
+    ratio = b.step("EI_ratio", stiff[0] @ Inverse(stiff[1]))
     one = number(1)
     square = (one - ratio) @ (one - ratio)
-    gap = b.step("EI_gap", square, "(1-r_i)^2", unit="-", meaning="relative difference of EIy and EIz, squared")
+    gap = b.step("EI_gap", square)
     larger = sp.Rational(1, 2) * (one + ratio + Root(gap))
-    return b.step("compliance", larger @ Inverse(stiff[0]), "c_i", unit="1/(N*m^2)", meaning="1/EI of the softer plane")
+    return b.step("compliance", larger @ Inverse(stiff[0]))
 
 
 def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: Symbol) -> Symbol:
     """EI of a plane, or ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of its first stated frequency."""
-    name, display = PLANES[direction]
+    name = PLANES[direction]
     if direction not in key.measured:
-        return b.parameter(name, (1, 1), display, "N*m^2", "-", f"bending stiffness of the modes in {direction[-1]}")
+        return b.parameter(name, (1, 1))
     count = key.counts[1 + list(PLANES).index(direction)]
-    shown = rf"\mathbf{{f}}_{{{direction[-1]},i}}"
-    meaning = f"natural frequencies of the modes in {direction[-1]}, clamped-free"
-    f = b.parameter(f"frequencies_{direction}", (count, 1), shown, "Hz", "-", meaning, numbered=(0,))
+    f = b.parameter(f"frequencies_{direction}", (count, 1))
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length
     factor = 4 * sp.pi**2 / sp.Float(float(key.shapes(direction).stiffness[0]))
-    return b.step(
-        f"{name}_first", factor * (own @ first @ first), display, unit="N*m^2", meaning="stiffness equivalent to f_1"
-    )
+    return b.step(f"{name}_first", factor * (own @ first @ first))

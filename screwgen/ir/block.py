@@ -16,6 +16,7 @@ import sympy as sp
 
 from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
+from .quantities import Quantity, described
 
 
 class Binding(IntEnum):
@@ -88,19 +89,23 @@ class Block:
     values: dict[str, Array] = field(default_factory=dict)
     bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
 
-    def input(self, name, shape, display, unit, frame, meaning, binding=Binding.STATE, numbered=()) -> Symbol:
-        """Declare an input and return the symbol that stands for it."""
-        signal = Signal(name, shape, display, unit, frame, meaning, binding, numbered)
+    def input(self, name, shape, *words, binding=Binding.STATE, **named) -> Symbol:
+        """Declare an input and return the symbol that stands for it.
+
+        ``words`` (display, unit, frame, meaning) and ``numbered`` replace those of the table of quantities.
+        """
+        given = dict(zip(("display", "unit", "frame", "meaning"), words, strict=False)) | named
+        signal = _signal(name, shape, described(self.name, name, given), binding)
         self.inputs[name] = signal
         self.values[name] = np.empty(shape, dtype=object)
         for index, label in signal.labels():
             self.values[name][index] = sp.Symbol(label, real=True)
             self.bindings[self.values[name][index]] = binding
-        return Symbol(name, shape, display)
+        return Symbol(name, shape, signal.display)
 
-    def parameter(self, name, shape, display, unit, frame, meaning, numbered=()) -> Symbol:
+    def parameter(self, name, shape, *words, **named) -> Symbol:
         """Declare an input that is known before the state."""
-        return self.input(name, shape, display, unit, frame, meaning, Binding.PARAMETER, numbered)
+        return self.input(name, shape, *words, binding=Binding.PARAMETER, **named)
 
     def entries(self, symbol: Symbol) -> list[Symbol]:
         """The entries of a column as 1 x 1 symbols that share its values."""
@@ -116,17 +121,21 @@ class Block:
         self.values[name] = values
         return Symbol(name, values.shape, display)
 
-    def step(self, name, expression, display, *, unit, frame="-", meaning, equation="", symmetric=False, numbered=()):
-        """Append ``name = expression`` and return the symbol of the new quantity."""
+    def step(self, name, expression, display=None, *, symmetric=False, **words) -> Symbol:
+        """Append ``name = expression`` and return the symbol of the new quantity.
+
+        ``words`` (unit, frame, equation, meaning, numbered) replace those of the table of quantities.
+        """
         if name in self.values:
             raise ValueError(f"block {self.name}: {name} is defined twice")
         raw = components(expression, self.values)
-        signal = Signal(name, expression.shape, display, unit, frame, meaning, self._binding(raw), numbered)
+        quantity = described(self.name, name, {"display": display, **words})
+        signal = _signal(name, expression.shape, quantity, self._binding(raw))
         values, assignments = self._name(signal, raw, symmetric)
         self.bindings.update((symbol, signal.binding) for symbol, _ in assignments)
         self.values[name] = values
-        self.steps[name] = Step(signal, expression, equation, assignments)
-        return Symbol(name, expression.shape, display)
+        self.steps[name] = Step(signal, expression, quantity.equation, assignments)
+        return Symbol(name, expression.shape, quantity.display)
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of an earlier signal."""
@@ -154,6 +163,10 @@ class Block:
                 values[i, j] = sp.Symbol(label, real=True)
                 assignments.append((values[i, j], entry))
         return values, tuple(assignments)
+
+
+def _signal(name: str, shape: tuple[int, int], q: Quantity, binding: Binding) -> Signal:
+    return Signal(name, shape, q.display, q.unit, q.frame, q.meaning, binding, q.numbered)
 
 
 def _negated(entry: sp.Expr) -> bool:

@@ -10,7 +10,6 @@ from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .kinematics import Kinematics, kinematics
 
-TIP = "parent's tip frame"
 LINK = "F_i"
 
 
@@ -22,58 +21,20 @@ def joint_block(key: LinkClass) -> Block:
     """
     b = Block("joint", "Joint")
     q, qdot = _coordinates(b, key)
-    omega_P = b.input("omega_P", (3, 1), r"\boldsymbol{\omega}_P", "rad/s", TIP, "angular velocity of the parent's tip")
-    v_P = b.input("v_P", (3, 1), r"\mathbf{v}_P", "m/s", TIP, "velocity of the parent's tip point")
+    omega_P = b.input("omega_P", (3, 1))
+    v_P = b.input("v_P", (3, 1))
     motion, r_m, r_B, R = posture(key, b, q)
     rates = _rates(b, q, qdot)
     omega_J = _relative_turn(b, qdot)
-    omega_R = b.step(
-        "omega_R",
-        R.T @ omega_P,
-        r"\boldsymbol{\omega}_R",
-        unit="rad/s",
-        frame=LINK,
-        meaning="angular velocity of the parent's tip",
-    )
+    omega_R = b.step("omega_R", R.T @ omega_P)
     omega = _turn(b, omega_R, omega_J)
     r_J = b.symbol("r_J") if key.slides else r_m
-    v_R = b.step(
-        "v_R",
-        R.T @ (v_P + hat(omega_P) @ r_J),
-        r"\mathbf{v}_R",
-        unit="m/s",
-        frame=LINK,
-        meaning="velocity of the joint point, fixed to the parent",
-    )
+    v_R = b.step("v_R", R.T @ (v_P + hat(omega_P) @ r_J))
     v_J, slipping = _slip(key, b, motion, qdot, rates, omega_R)
-    b.step(
-        "v",
-        v_R + v_J - hat(omega) @ r_B,
-        r"\mathbf{v}_i",
-        unit="m/s",
-        frame=LINK,
-        equation="45",
-        meaning="velocity of the origin of F_i",
-    )
+    b.step("v", v_R + v_J - hat(omega) @ r_B)
     axis_rate = _axis_rate(b, motion, qdot, rates)
-    beta = b.step(
-        "beta_omega",
-        axis_rate - hat(omega_J) @ omega_R,
-        r"\boldsymbol{\beta}_{\omega}",
-        unit="rad/s^2",
-        frame=LINK,
-        equation="accconst4",
-        meaning="angular acceleration that the velocities cause at the joint",
-    )
-    b.step(
-        "beta_v",
-        -hat(omega_J) @ v_R + slipping - hat(beta) @ r_B,
-        r"\boldsymbol{\beta}_{v}",
-        unit="m/s^2",
-        frame=LINK,
-        equation="accconst4",
-        meaning="acceleration that the velocities cause at the joint",
-    )
+    beta = b.step("beta_omega", axis_rate - hat(omega_J) @ omega_R)
+    b.step("beta_v", -hat(omega_J) @ v_R + slipping - hat(beta) @ r_B)
     return b
 
 
@@ -81,22 +42,8 @@ def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, ome
     """For sliding joints: the joint point's velocity relative to the parent, and its contribution to ``beta_v``."""
     if not key.slides:
         return zeros(3), zeros(3)
-    v_J = b.step(
-        "v_J",
-        b.symbol("T") @ qdot,
-        r"\mathbf{v}_J",
-        unit="m/s",
-        frame=LINK,
-        meaning="velocity of the joint point relative to the parent's tip",
-    )
-    slip_rate = b.step(
-        "slip_rate",
-        rate(motion.linear @ stack(*b.entries(qdot)), rates),
-        r"\dot{\mathbf{T}}_i\dot{\mathbf{q}}_i",
-        unit="m/s^2",
-        frame=LINK,
-        meaning="acceleration of the joint point by the rates alone, in the axes of F_i",
-    )
+    v_J = b.step("v_J", b.symbol("T") @ qdot)
+    slip_rate = b.step("slip_rate", rate(motion.linear @ stack(*b.entries(qdot)), rates))
     return v_J, slip_rate + hat(omega_R) @ v_J
 
 
@@ -112,26 +59,11 @@ def _axis_rate(b: Block, motion: Kinematics, qdot: Symbol, rates: dict[str, Symb
 
 
 def _relative_turn(b: Block, qdot: Symbol) -> Symbol:
-    return b.step(
-        "omega_J",
-        b.symbol("A") @ qdot,
-        r"\boldsymbol{\omega}_J",
-        unit="rad/s",
-        frame=LINK,
-        meaning="angular velocity of the link relative to its parent's tip",
-    )
+    return b.step("omega_J", b.symbol("A") @ qdot)
 
 
 def _turn(b: Block, omega_R: Symbol, omega_J: Symbol) -> Symbol:
-    return b.step(
-        "omega",
-        omega_R + omega_J,
-        r"\boldsymbol{\omega}_i",
-        unit="rad/s",
-        frame=LINK,
-        equation="45",
-        meaning="angular velocity of the link",
-    )
+    return b.step("omega", omega_R + omega_J)
 
 
 def motion_block(key: LinkClass) -> Block:
@@ -141,73 +73,25 @@ def motion_block(key: LinkClass) -> Block:
     """
     b = Block("joint_motion", "Motion of the link")
     q, qdot = _coordinates(b, key)
-    omega_R = b.input(
-        "omega_R", (3, 1), r"\boldsymbol{\omega}_R", "rad/s", LINK, "angular velocity of the parent's tip"
-    )
-    alpha_R = b.input("alpha_R", (3, 1), r"\boldsymbol{\alpha}_R", "rad/s^2", LINK, "its rate")
-    a_R = b.input("a_R", (3, 1), r"\mathbf{a}_R", "m/s^2", LINK, "acceleration of the parent's tip point")
+    omega_R = b.input("omega_R", (3, 1))
+    alpha_R = b.input("alpha_R", (3, 1))
+    a_R = b.input("a_R", (3, 1))
     motion, r_m, r_B, R = posture(key, b, q)
     A, rates = b.symbol("A"), _rates(b, q, qdot)
     T = b.symbol("T") if key.slides else zeros(3, key.joints)
-    b.step(
-        "S",
-        stack(A, T + hat(r_B) @ A),
-        r"\mathbf{S}_i",
-        unit="-, m",
-        frame=LINK,
-        numbered=(1,),
-        meaning="motion subspace at the origin of F_i",
-    )
+    b.step("S", stack(A, T + hat(r_B) @ A))
     omega_J = _relative_turn(b, qdot)
     omega = _turn(b, omega_R, omega_J)
     axis_rate = _axis_rate(b, motion, qdot, rates)
-    alpha = b.step(
-        "alpha",
-        alpha_R - hat(omega_J) @ omega_R + axis_rate,
-        r"\boldsymbol{\alpha}_i",
-        unit="rad/s^2",
-        frame=LINK,
-        meaning="angular acceleration while no joint accelerates",
-        equation="accconst4",
-    )
-    r_R = b.step(
-        "r_R",
-        R.T @ (b.symbol("r_J") if key.slides else r_m),
-        r"\mathbf{r}_R",
-        unit="m",
-        frame=LINK,
-        meaning="joint point relative to the parent's tip point",
-    )
-    b.step(
-        "lever",
-        r_R - r_B,
-        r"\mathbf{r}_{R,i}",
-        unit="m",
-        frame=LINK,
-        meaning="origin of F_i relative to the parent's tip point",
-    )
+    alpha = b.step("alpha", alpha_R - hat(omega_J) @ omega_R + axis_rate)
+    r_R = b.step("r_R", R.T @ (b.symbol("r_J") if key.slides else r_m))
+    b.step("lever", r_R - r_B)
     seen = {"omega_R": alpha_R}
     if key.slides:
         v_J, _ = _slip(key, b, motion, qdot, rates, omega_R)
         seen |= {"r_R": v_J, "v_J": b.symbol("slip_rate") + hat(omega_J) @ v_J}
-    a_J = b.step(
-        "a_J",
-        a_R + acceleration(r_R, omega_R, seen),
-        r"\mathbf{a}_J",
-        unit="m/s^2",
-        frame=LINK,
-        equation="accconst4",
-        meaning="acceleration of the joint point while no joint accelerates",
-    )
-    b.step(
-        "a",
-        a_J - acceleration(r_B, omega, {"omega": alpha}),
-        r"\mathbf{a}_i",
-        unit="m/s^2",
-        frame=LINK,
-        equation="accconst4",
-        meaning="acceleration of the origin of F_i while no joint accelerates",
-    )
+    a_J = b.step("a_J", a_R + acceleration(r_R, omega_R, seen))
+    b.step("a", a_J - acceleration(r_B, omega, {"omega": alpha}))
     return b
 
 
@@ -230,42 +114,11 @@ def posture(key: LinkClass, b: Block, q: Symbol) -> tuple[Kinematics, Expression
     motion = kinematics(key.screws, b.entries(q))
     r_m, r_B = joint_points(key, b)
     R_m = _mount_rotation(key, b)
-    R = b.step(
-        "R_rel",
-        R_m @ motion.rotation,
-        r"\mathbf{R}_{(i-1)i}",
-        unit="-",
-        frame=TIP,
-        meaning="rotation of F_i relative to the parent's tip frame",
-    )
-    b.step(
-        "A",
-        motion.angular,
-        r"\mathbf{A}_i",
-        unit="-",
-        frame=LINK,
-        equation="43",
-        meaning="columns: the joint's axes",
-        numbered=(1,),
-    )
+    R = b.step("R_rel", R_m @ motion.rotation)
+    b.step("A", motion.angular)
     if key.slides:
-        b.step(
-            "T",
-            motion.linear,
-            r"\mathbf{T}_i",
-            unit="m/rad, -",
-            frame=LINK,
-            meaning="columns: how the coordinates move the joint point",
-            numbered=(1,),
-        )
-        b.step(
-            "r_J",
-            r_m + R_m @ motion.displacement,
-            r"\mathbf{r}_J",
-            unit="m",
-            frame=TIP,
-            meaning="joint point relative to the parent's tip point",
-        )
+        b.step("T", motion.linear)
+        b.step("r_J", r_m + R_m @ motion.displacement)
     return motion, r_m, r_B, R
 
 
@@ -273,17 +126,10 @@ def _mount_rotation(key: LinkClass, b: Block) -> Expression:
     """``R_m``: components in the mount's axes to the parent's tip frame."""
     if not key.mount_rpy:
         return identity(3)
-    rpy = b.parameter("mount_rpy", (3, 1), r"\boldsymbol{\alpha}_m", "rad", TIP, "roll, pitch, yaw of the mount")
+    rpy = b.parameter("mount_rpy", (3, 1))
     roll, pitch, yaw = b.entries(rpy)
     axes = [tuple(sp.Integer(int(i == j)) for i in range(3)) for j in range(3)]
-    return b.step(
-        "R_m",
-        Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll),
-        r"\mathbf{R}_m",
-        unit="-",
-        frame=TIP,
-        meaning="rotation of the mount",
-    )
+    return b.step("R_m", Rotation(axes[2], yaw) @ Rotation(axes[1], pitch) @ Rotation(axes[0], roll))
 
 
 def joint_points(key: LinkClass, b: Block) -> tuple[Expression, Expression]:
@@ -291,12 +137,8 @@ def joint_points(key: LinkClass, b: Block) -> tuple[Expression, Expression]:
     r_m: Expression = zeros(3)
     r_B: Expression = zeros(3)
     if key.mount_xyz:
-        r_m = b.parameter(
-            "mount_xyz", (3, 1), r"\mathbf{r}_m", "m", TIP, "joint point relative to the parent's tip point"
-        )
+        r_m = b.parameter("mount_xyz", (3, 1))
     if key.frame_at:
-        frame_at = b.parameter("frame_at", (1, 1), "f_i", "m", LINK, "place of F_i on the centreline, from the joint")
-        r_B = b.step(
-            "r_B", -frame_at @ unit(0), r"\mathbf{r}_B", unit="m", frame=LINK, equation="47", meaning="joint point"
-        )
+        frame_at = b.parameter("frame_at", (1, 1))
+        r_B = b.step("r_B", -frame_at @ unit(0))
     return r_m, r_B

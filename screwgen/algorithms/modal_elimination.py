@@ -123,30 +123,41 @@ def _compliant_accelerations(s: Scope, delta: Array) -> Array:
 
 
 def _root(s: Scope, Y: Array) -> Array:
-    """``U`` with ``U U^T = Y``, plane by plane: slope and displacement couple within a plane, but planes do not couple.
+    """``U`` with ``U U^T = Y``, by the Cholesky factors of the blocks of rows that no mode couples to others.
 
-    A plane with one mode has rank one; its second pivot is then zero in exact arithmetic and left out.
+    A block that fewer modes move than it has rows has their number as rank; the further pivots, zero in exact
+    arithmetic, are left out.
     """
-    axial, in_y, in_z, torsion = s.key.counts
-    planes = [((3,), axial), ((5, 1), in_z), ((4, 2), in_y), ((0,), torsion)]
-    columns = []
-    for rows, modes in planes:
-        if modes:
-            columns += _plane(s, Y, [r for r in rows if s.key.section_rotation or r > 2], modes)
+    columns = [column for rows, rank in _blocks(_shapes(s)) for column in _cholesky(s, Y, rows, rank)]
     return mx.array(columns).T if columns else mx.zeros(6, 0)
 
 
-def _plane(s: Scope, Y: Array, rows: list[int], modes: int) -> list[Array]:
-    if not rows:
-        return []
-    sub = mx.symmetric(len(rows), lambda i, j: Y[rows[i], rows[j]])
-    rank = min(len(rows), modes)
-    first = s.tracer.call("sqrt", sub[0, 0])
-    columns = [mx.zeros(6)]
-    columns[0][rows[0]] = first
-    if len(rows) == 2:
-        columns[0][rows[1]] = sub[1, 0] / first
-    if rank == 2:
-        columns.append(mx.zeros(6))
-        columns[1][rows[1]] = s.tracer.call("sqrt", sub[1, 1] - columns[0][rows[1]] * columns[0][rows[1]])
+ROWS = (3, 5, 1, 4, 2, 0)
+"""The rows of the tip shapes in the order of the factor: displacements go before the rotations that they cause."""
+
+
+def _blocks(shapes: Array) -> list[tuple[list[int], int]]:
+    """The rows that modes couple, with the rank of their block of ``Y``: for a rod, the planes of bending."""
+    moved = {row: frozenset(k for k, value in enumerate(shapes[row]) if value != 0) for row in ROWS}
+    blocks: list[tuple[list[int], frozenset[int]]] = []
+    for row, modes in moved.items():
+        if not modes:
+            continue
+        coupled = [block for block in blocks if block[1] & modes]
+        blocks = [block for block in blocks if block not in coupled]
+        blocks.append(([r for rows, _ in coupled for r in rows] + [row], modes.union(*(m for _, m in coupled))))
+    return [(rows, min(len(rows), len(modes))) for rows, modes in blocks]
+
+
+def _cholesky(s: Scope, Y: Array, rows: list[int], rank: int) -> list[Array]:
+    """The first ``rank`` columns of the Cholesky factor of the block of ``Y`` in these rows."""
+    columns: list[Array] = []
+    for k in range(rank):
+        rest = [Y[row, rows[k]] - sum((c[row] * c[rows[k]] for c in columns), 0.0) for row in rows[k:]]
+        pivot = s.tracer.call("sqrt", rest[0])
+        column = mx.zeros(6)
+        column[rows[k]] = pivot
+        for row, value in zip(rows[k + 1 :], rest[1:], strict=True):
+            column[row] = value / pivot
+        columns.append(column)
     return columns

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen import PD, Body, Joint, Link, Model, Modes, Mount, Robot, Section
-from screwgen.simulation.motion import LATERAL, displacements, modal_columns
+from screwgen.simulation.motion import displacements, modal_columns
 
 FILE = Path(__file__).resolve().parents[1] / "ella_paper.toml"
 
@@ -127,7 +127,7 @@ def start(model: Model, axial: bool = False, scale: float = 1.0) -> np.ndarray:
     `axial`: with the printed component along the link too. At q = 0 with link 1 straight F_2 has inertial axes.
     """
     q = np.zeros(model.nq)
-    for k, direction in enumerate(LATERAL):
+    for k, direction in enumerate(("axial", "bending_y", "bending_z")):
         if columns := modal_columns(model, model.n_links - 1, direction) if axial or k else []:
             unit = np.zeros((1, model.nq))
             unit[0, columns[0]] = 1.0

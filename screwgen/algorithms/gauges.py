@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..bodies.markers import strains
 from ..topology.chain import Chain
 
 
@@ -26,11 +27,9 @@ class Gauge:
 
 def gauges(chain: Chain) -> list[Gauge]:
     """One gauge per link and direction with bending modes, link by link, y before z."""
-    out = []
-    for i, key in enumerate(chain.keys):
-        for direction in ("bending_y", "bending_z"):
-            places = [k for k, (d, _) in enumerate(key.directions) if d == direction]
-            if places:
-                curvatures = (row[0] for row in key.shapes(direction).evaluate([0.0], 2))
-                out.append(Gauge(i, direction, chain.eta_offset[i] + places[0], tuple(curvatures)))
-    return out
+    return [
+        Gauge(i, bending.direction, chain.eta_offset[i] + bending.modes[0], tuple(bending.weights))
+        for i, key in enumerate(chain.keys)
+        for bending in strains(key, 0.0)
+        if bending.direction.startswith("bending")
+    ]

@@ -12,6 +12,7 @@ from ..errors import UsageError
 from ..model import Model, derive
 from ..simulation.state import State, read_state, refusals, state_of
 from ..spec.load import one_line
+from ..spec.parameters import coordinate_units, force_units
 from ..spec.ranges import within
 from .output import load_robot
 
@@ -142,9 +143,10 @@ def text(model: Model, e: Equilibrium) -> str:
     angles = "joint angles, held" if e.held else "joint angles"
     torques = "torques that hold them" if e.held else "torques given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
-    units = ["rad, on its spring" if name in e.passive else "rad" for name in model.q_names[:m]]
+    named = zip(model.q_names[:m], coordinate_units(model.robot), strict=False)
+    units = [f"{unit}, on its spring" if name in e.passive else unit for name, unit in named]
     lines += table(angles, model.q_names[:m], e.q[:m], units)
-    lines += table(torques, model.tau_names, e.tau, ["N·m"] * m)
+    lines += table(torques, model.tau_names, e.tau, force_units(model.robot))
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
     lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
     titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")

@@ -21,8 +21,9 @@ def _read(path: Path) -> dict[str, Quantity]:
     table = {}
     for line in path.read_text(encoding="utf-8").splitlines():
         if line and not line.startswith("#"):
-            name, *words = (cell.strip() for cell in line.split("|"))
-            table[name] = Quantity(*words[:5], tuple(map(int, " ".join(words[5:]).split())))
+            name, display, unit, frame, equation, meaning, *numbered = (cell.strip() for cell in line.split("|"))
+            dimensions = tuple(int(n) for cell in numbered for n in cell.split())
+            table[name] = Quantity(display, unit, frame, equation, meaning, dimensions)
     return table
 
 

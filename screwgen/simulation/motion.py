@@ -5,22 +5,18 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..arguments import Numbers
+from ..bodies import markers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
-from ..spec.robot import DIRECTIONS, Modes
 
 if TYPE_CHECKING:
     from ..model import Model
-
-LATERAL = DIRECTIONS[:3]
-"""The directions that move the centreline: along x, y and z of F_i."""
 
 
 class Screws(NamedTuple):
@@ -53,18 +49,19 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np
 
     `points`: places along the link as s in [0, 1], base to tip.
     """
-    q, modes = _samples(model, q, "q"), model.robot.links[link].modes
-    out = np.zeros((len(q), len(points), 3))
-    for k, direction in enumerate(LATERAL):
-        if columns := modal_columns(model, link, direction):
-            out[:, :, k] = q[:, columns] @ _shapes(modes, direction, tuple(map(float, points)))
-    return out
+    shapes = markers.displacement(model.chain.keys[link], tuple(map(float, points)))
+    return np.einsum("nr,pkr->npk", _modal(model, q, link), shapes)
 
 
 def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`."""
-    q, columns = _samples(model, q, "q"), modal_columns(model, link, "torsion")
-    return q[:, columns] @ _shapes(model.robot.links[link].modes, "torsion", tuple(map(float, points)))
+    return _modal(model, q, link) @ markers.twist(model.chain.keys[link], tuple(map(float, points))).T
+
+
+def _modal(model: Model, q: np.ndarray, link: int) -> np.ndarray:
+    """The modal coordinates (N, r) of a link."""
+    first = model.n_joints + model.chain.eta_offset[link]
+    return _samples(model, q, "q")[:, first : first + model.chain.keys[link].modes]
 
 
 def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
@@ -75,12 +72,6 @@ def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
         place[:, 0] += (link.length or 0.0) * points - (link.frame_at or 0.0)
         lines.append(r[i] + place @ R[i].T)
     return np.array(lines)
-
-
-@lru_cache(maxsize=64)
-def _shapes(modes: Modes, direction: str, points: tuple[float, ...]) -> np.ndarray:
-    """The mode shapes of a direction at points (count, points)."""
-    return np.array(modes.shapes(direction).evaluate(points)).reshape(getattr(modes, direction), len(points))
 
 
 def modal_columns(model: Model, link: int, direction: str) -> list[int]:

@@ -164,6 +164,18 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     )
 
 
+def coordinate_units(robot: Robot) -> list[str]:
+    """The units of q (nq)."""
+    counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=True)]
+    modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
+    return [screw.unit for link in robot.links for screw in link.joint.screws] + modal
+
+
+def force_units(robot: Robot) -> list[str]:
+    """The units of tau: N·m for axes that turn, N for axes that slide."""
+    return ["N·m" if screw.turn else "N" for link in robot.links for screw in link.joint.screws]
+
+
 def per_axis(robot: Robot, quantity: str) -> tuple[str, ...]:
     """One name for each joint axis, link by link."""
     return tuple(f"{link.name}.{quantity}[{j}]" for link in robot.links for j in range(len(link.joint.axes)))

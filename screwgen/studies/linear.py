@@ -11,10 +11,10 @@ import numpy as np
 from .. import notebook
 from ..arguments import Given, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
+from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..spec.load import one_line
-from ..spec.parameters import WRENCH, coordinate_names
-from ..spec.robot import DIRECTIONS
+from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
 from ..topology.chain import Chain
 
 OUTPUTS = ("joint_angles", "tip_position")
@@ -164,7 +164,7 @@ def linearise(
     names = coordinate_names(chain.robot)
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
-    units = coordinate_units(chain)
+    units = coordinate_units(chain.robot)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
     vdot, y, vdot_x, vdot_u, y_x, y_u = (np.array(x) + 0.0 for x in derivatives(q, v, tau, w_ext.T, numbers.p))
     i, j = list(rows.values()), list(columns.values())
@@ -200,14 +200,14 @@ Groups = dict[str, dict[str, str]]
 def input_groups(chain: Chain) -> Groups:
     """The inputs in the order of u = [tau; w_ext]; `tip_wrench` is that on the last tip."""
     wrenches = [(f"{link.name}.w_ext.{part}", unit) for link in chain.robot.links for part, unit in WRENCH_UNITS]
-    torques = dict.fromkeys(coordinate_names(chain.robot).tau, "N·m")
+    torques = dict(zip(coordinate_names(chain.robot).tau, force_units(chain.robot), strict=True))
     return {"torques": torques, "wrenches_on_tips": dict(wrenches), "tip_wrench": dict(wrenches[-6:])}
 
 
 def output_groups(chain: Chain) -> Groups:
     """The outputs in the order of y."""
     names, m = coordinate_names(chain.robot), chain.n_joints
-    units = coordinate_units(chain)
+    units = coordinate_units(chain.robot)
     q = dict(zip(names.q, units, strict=True))
     v = {name: f"{unit}/s" for name, unit in zip(names.v, units, strict=True)}
     parts = {
@@ -218,20 +218,12 @@ def output_groups(chain: Chain) -> Groups:
     }
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = {f"{link.name}.{part}": unit for link in chain.robot.links for part, unit in WRENCH_UNITS}
-    strains = {
-        f"{link.name}.base_strain.{direction}": STRAIN_UNITS[direction]
-        for link in chain.robot.links
-        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
-        if count
+    gauged = {
+        f"{link.name}.base_strain.{strain.direction}": STRAIN_UNITS[strain.direction]
+        for link, key in zip(chain.robot.links, chain.keys, strict=True)
+        for strain in strains(key, 0.0)
     }
-    return {**parts, **tip, "wrenches": wrenches, "base_strain": strains}
-
-
-def coordinate_units(chain: Chain) -> list[str]:
-    """The units of q (nq)."""
-    counts = [(d, n) for link in chain.robot.links for d, n in zip(DIRECTIONS, link.modes.counts, strict=True)]
-    modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
-    return ["rad"] * chain.n_joints + modal
+    return {**parts, **tip, "wrenches": wrenches, "base_strain": gauged}
 
 
 def entries(groups: Groups) -> dict[str, str]:

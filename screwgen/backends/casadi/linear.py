@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import casadi as ca
 
 from ...algorithms import fused
 from ...algorithms.functions import Functions
-from ...bases import ORDER
+from ...bodies.markers import strains
 from ...spec.parameters import parameters
-from ...spec.robot import DIRECTIONS, Link
 from ...topology.chain import Chain
 from .functions import expressions, function
 
@@ -77,21 +74,10 @@ def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     Axial: u_x' (1); bending: the curvatures u_y'' and u_z'' (1/m); torsion: the twist θ_x' (rad/m).
     """
     names = [x.name for x in parameters(chain.robot)]
-    rows, at = [], chain.n_joints
-    for link in chain.robot.links:
-        length = p[names.index(f"{link.name}.length")]
-        for direction, count in strained(link):
-            weights = base_slopes(link, direction)
-            rows.append(ca.dot(ca.DM(weights), q[at : at + count]) / length ** ORDER[direction])
-            at += count
+    rows = []
+    for link, key, first in zip(chain.robot.links, chain.keys, chain.eta_offset, strict=False):
+        for strain in strains(key, 0.0):
+            length = p[names.index(f"{link.name}.length")]
+            eta = q[[chain.n_joints + first + k for k in strain.modes]]
+            rows.append(ca.dot(ca.DM(strain.weights), eta) / length**strain.order)
     return ca.vertcat(ca.SX(0, 1), *rows)
-
-
-def strained(link: Link) -> list[tuple[str, int]]:
-    """The directions of a link that have modes, and how many."""
-    return [(d, n) for d, n in zip(DIRECTIONS, link.modes.counts, strict=True) if n]
-
-
-def base_slopes(link: Link, direction: str) -> Sequence[float]:
-    """The derivatives of that order of the shapes ψ_k(s) at s = 0."""
-    return [row[0] for row in link.modes.shapes(direction).evaluate([0.0], ORDER[direction])]

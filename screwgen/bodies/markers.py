@@ -1,0 +1,62 @@
+"""The sections of a link as markers: what a unit of each mode does to the section at s, as numbers.
+
+Drawings, strain gauges and the strains of a linearisation ask here, and know nothing of bases and directions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from ..bases import ORDER
+from ..spec.link_class import LinkClass
+from .fields import AXIS
+
+
+class Strain(NamedTuple):
+    """A strain of the centreline at a section, ``weights @ eta[modes] / l**order`` with the length l of the link."""
+
+    direction: str
+    """``axial`` (1), ``bending_y``, ``bending_z`` (1/m) or ``torsion`` (rad/m)."""
+    modes: list[int]
+    """The modes that cause it, neighbours in the link's modal coordinates."""
+    weights: list[float]
+    """The derivatives of their shapes with respect to s."""
+    order: int
+
+
+@lru_cache(maxsize=64)
+def displacement(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
+    """(points, 3, r): displacement of the centreline at s in [0, 1] by each mode, in F_i components."""
+    out = np.zeros((len(points), 3, key.modes))
+    for direction in dict.fromkeys(d for d, _ in key.directions if d in AXIS):
+        out[:, AXIS[direction], _columns(key, direction)] = _values(key, direction, points)
+    return out
+
+
+@lru_cache(maxsize=64)
+def twist(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
+    """(points, r): torsion angle of the sections at s in [0, 1] by each mode, about x of F_i."""
+    out = np.zeros((len(points), key.modes))
+    if columns := _columns(key, "torsion"):
+        out[:, columns] = _values(key, "torsion", points)
+    return out
+
+
+def strains(key: LinkClass, s: float) -> list[Strain]:
+    """The strains at the section s, one for each direction that has modes."""
+    return [
+        Strain(d, _columns(key, d), [float(x) for x in _values(key, d, (s,), ORDER[d])[0]], ORDER[d])
+        for d in dict.fromkeys(d for d, _ in key.directions)
+    ]
+
+
+def _columns(key: LinkClass, direction: str) -> list[int]:
+    return [k for k, (d, _) in enumerate(key.directions) if d == direction]
+
+
+def _values(key: LinkClass, direction: str, points: Sequence[float], order: int = 0) -> np.ndarray:
+    return np.array(key.shapes(direction).evaluate(list(points), order)).T

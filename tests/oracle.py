@@ -39,7 +39,7 @@ class Oracle:
 
     def __init__(self, robot: dict, extra_nodes: int = 0):
         self.robot = robot
-        self.links = [read_link(link, extra_nodes) for link in robot["links"]]
+        self.links = [read_link(link, extra_nodes, robot.get("order", 1)) for link in robot["links"]]
         self.n = len(self.links)
         self.gravity = np.array(robot["gravity"], dtype=float)
         self.joint_slices = slices([len(link.axes) for link in self.links])
@@ -74,10 +74,10 @@ class Oracle:
         return clouds
 
     def _with_rates(self, clouds: list[Cloud], direction: ca.SX) -> list[Cloud]:
-        moving = [getattr(cloud, name) for cloud in clouds for name in Cloud.MOVING]
+        moving = [getattr(cloud, name) for cloud in clouds for name in cloud.moving]
         values = iter(rates(moving, self.q, direction))
         for cloud in clouds:
-            cloud.rate = {name: next(values) for name in Cloud.MOVING}
+            cloud.rate = {name: next(values) for name in cloud.moving}
         return clouds
 
     def along_motion(self, expressions: list[ca.SX]) -> list[ca.SX]:
@@ -127,8 +127,12 @@ class Oracle:
         spin = per_column(cloud.spin_rate, cloud.spin_inertia)
         momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), spin]
         acceleration, base, tip, twist = self.along_motion(momenta)
-        acceleration -= ca.repmat(ca.DM(self.gravity), 1, len(cloud.masses))
-        power = ca.dot(per_column(acceleration, cloud.masses), trial.rate["points"])
+        weight = ca.repmat(ca.DM(self.gravity), 1, len(cloud.masses))
+        power = ca.dot(per_column(acceleration - weight, cloud.masses), trial.rate["points"])
+        if cloud.second is not None:
+            later, undeformed = self.along_motion([cloud.rate["second"], cloud.rate["bare"]])
+            power += ca.dot(per_column(later, cloud.masses), trial.rate["bare"])
+            power += ca.dot(per_column(undeformed - weight, cloud.masses), trial.rate["second"])
         power += ca.dot(base, trial.R @ trial.omega) + ca.dot(tip, trial.tip_R @ trial.tip_omega)
         return power + ca.dot(twist, trial.rate["twist"])
 

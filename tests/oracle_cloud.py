@@ -84,9 +84,15 @@ class Cloud:
     spin_inertia: np.ndarray  # (N,): rhoIp l weights, kg·m²
     base_inertia: np.ndarray  # (3, 3), in F_i axes
     tip_inertia: np.ndarray  # (3, 3), in tip-frame axes
+    bare: ca.SX | None = None  # points of the undeformed link, 3×N; of a link of order 2
+    second: ca.SX | None = None  # second-order displacement of the points, 3×N, inertial axes
     rate: dict[str, ca.SX] = field(default_factory=dict)
 
-    MOVING = ("points", "R", "origin", "tip_R", "tip_point", "twist")
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """What has a rate. Of products with the second order only those with the undeformed link are kept."""
+        names = ("points", "R", "origin", "tip_R", "tip_point", "twist")
+        return names if self.second is None else (*names, "bare", "second")
 
     @property
     def omega(self) -> ca.SX:
@@ -109,18 +115,24 @@ class Cloud:
         spins = ca.dot(per_column(spin, self.spin_inertia), spin)
         base = ca.dot(self.omega, ca.DM(self.base_inertia) @ self.omega)
         tip = ca.dot(self.tip_omega, ca.DM(self.tip_inertia) @ self.tip_omega)
+        if self.second is not None:
+            points += 2 * ca.dot(per_column(self.rate["bare"], self.masses), self.rate["second"])
         return (points + spins + base + tip) / 2
 
     def first_moment(self) -> ca.SX:
         """Σ m r (3)."""
-        return self.points @ ca.DM(self.masses)
+        return (self.points if self.second is None else self.points + self.second) @ ca.DM(self.masses)
 
     def linear_momentum(self) -> ca.SX:
-        return self.rate["points"] @ ca.DM(self.masses)
+        velocity = self.rate["points"]
+        return (velocity if self.second is None else velocity + self.rate["second"]) @ ca.DM(self.masses)
 
     def angular_momentum(self) -> ca.SX:
         """About the inertial origin, inertial components."""
         orbital = cross_sum(self.points, per_column(self.rate["points"], self.masses))
+        if self.second is not None:
+            orbital += cross_sum(self.second, per_column(self.rate["bare"], self.masses))
+            orbital += cross_sum(self.bare, per_column(self.rate["second"], self.masses))
         return orbital + self.intrinsic_momentum() + self.tip_momentum()
 
     def intrinsic_momentum(self) -> ca.SX:
@@ -164,7 +176,14 @@ def tip_rotation(link: Link, q: ca.SX, where: dict) -> ca.SX:
     slope_y = column("bending_y", link.shapes["bending_y"].tip_slope) / link.length
     slope_z = column("bending_z", link.shapes["bending_z"].tip_slope) / link.length
     twist = column("torsion", link.shapes["torsion"].tip)
-    return rotation_vector_matrix(ca.vertcat(twist, -slope_z, slope_y))
+    theta = ca.vertcat(twist, -slope_z, slope_y)
+    return rotation_vector_matrix(theta if link.second is None else theta + quadratic(link.second.turn, q, where))
+
+
+def quadratic(H: np.ndarray, q: ca.SX, where: dict) -> ca.SX:
+    """1/2 eta^T H_c eta for the three axes c of H (3, r, r)."""
+    eta = q[where[DIRECTIONS[0]].start : where[DIRECTIONS[-1]].stop]
+    return ca.vertcat(*[ca.dot(eta, ca.DM(h) @ eta) / 2 for h in H])
 
 
 def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_rotation) -> Cloud:
@@ -178,12 +197,23 @@ def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_ro
     shift = deformed(link, q, where, {d: link.shapes[d].nodes for d in DIRECTIONS})
     shift[0, :] += ca.DM(link.a + link.length * link.nodes).T
     tip_shift = deformed(link, q, where, {d: link.shapes[d].tip[:, None] for d in DIRECTIONS})
+    if link.second is not None:
+        tip_shift += quadratic(link.second.tip, q, where)
     tip_point = origin + R @ (tip_shift + ca.DM([link.a + link.length, 0, 0]))
     tip_R = R @ tip_rotation(link, q, where) if section_rotation else R
     placed = [ca.repmat(origin, 1, len(link.nodes)) + R @ shift]
     placed += [joint_point + R @ ca.DM(body.com) for body in link.base]
     placed += [tip_point + tip_R @ ca.DM(body.com) for body in link.tip]
+    bare, second = None, None
+    if link.second is not None:
+        fixed = ca.SX.zeros(3, len(link.base) + len(link.tip))
+        places = ca.DM(np.outer([1.0, 0, 0], link.a + link.length * link.nodes))
+        bare = ca.horzcat(ca.repmat(origin, 1, len(link.nodes)) + R @ places, fixed)
+        moved = [quadratic(link.second.place[..., j], q, where) for j in range(len(link.nodes))]
+        second = ca.horzcat(R @ ca.horzcat(*moved), fixed)
     return Cloud(
+        bare=bare,
+        second=second,
         masses=np.array([*(link.rhoA * link.length * link.weights), *(b.mass for b in link.base + link.tip)]),
         points=ca.horzcat(*placed),
         R=R,

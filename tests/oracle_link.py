@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy.linalg
+from oracle_second_order import SecondOrder, second_order
 from oracle_shapes import DIRECTIONS, Shapes, quadrature, shapes_of
 
 STIFFNESS_OF = {"axial": "EA", "bending_y": "EIz", "bending_z": "EIy", "torsion": "GJ"}
@@ -45,6 +46,7 @@ class Link:
     weights: np.ndarray  # (N,), sum 1
     K: np.ndarray  # (r, r), modal stiffness
     damping: np.ndarray  # (r,), modal damping coefficients
+    second: SecondOrder | None  # of a link of order 2 with modes
 
 
 def hat(a) -> np.ndarray:
@@ -94,7 +96,7 @@ def modal_matrices(link: dict, line: dict, shapes: dict) -> tuple[np.ndarray, np
     return K, 2.0 * ratio * np.sqrt(np.diag(K) * np.array(inertia))
 
 
-def read_link(link: dict, extra_nodes: int = 0) -> Link:
+def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
     modes, joint, line = link.get("modes", {}), link["joint"], line_properties(link["section"])
     counts = {name: modes.get(name, 0) for name in DIRECTIONS}
@@ -105,6 +107,7 @@ def read_link(link: dict, extra_nodes: int = 0) -> Link:
     axes = np.array([unit_axis(getattr(axis, "axis", axis)) for axis in joint["axes"]]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
     mount, bodies = joint.get("mount", {}), link.get("bodies", [])
+    quadratic = link.get("order", order) == 2 and any(counts.values())
     return Link(
         length=link["length"],
         a=-link.get("frame_at", 0.0),
@@ -126,4 +129,5 @@ def read_link(link: dict, extra_nodes: int = 0) -> Link:
         weights=weights,
         K=K,
         damping=damping,
+        second=second_order(modes.get("basis", "polynomial"), counts, link["length"], nodes) if quadratic else None,
     )

@@ -41,7 +41,7 @@ def rod_shapes(basis: str, modes: int, count: int) -> Shapes:
 
 def _shapes(functions: list, order: int, count: int) -> Shapes:
     nodes, weights = quadrature(count)
-    table, tip = _tabulate(functions, nodes), _tabulate(functions, [1.0])
+    table, tip = tabulate(functions, nodes), tabulate(functions, [1.0])
     return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], (table[order] * weights) @ table[order].T)
 
 
@@ -64,7 +64,7 @@ def shapes_of(direction: str, basis: str, modes: int, count: int) -> Shapes:
     return bending_shapes(basis, modes, count)
 
 
-def _tabulate(functions, points) -> np.ndarray:
+def tabulate(functions, points) -> np.ndarray:
     """(3, r, N): value, first and second derivative of each function; a function maps s to these three."""
     with mp.workdps(120):
         table = [[[float(d) for d in f(mp.mpf(float(s)))] for s in points] for f in functions]

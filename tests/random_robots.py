@@ -25,6 +25,7 @@ LIMITS = {
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
+    "second_order": 0.0,  # of a link, or of a robot
     "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
 }
 
@@ -55,6 +56,10 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         robot["section_rotation"] = True
     soft = chance(rng, limits["soft"])
     robot["links"] = [random_link(rng, i, limits, soft) for i in range(count)]
+    if limits["second_order"]:
+        for part in (robot, *robot["links"]):
+            if chance(rng, limits["second_order"]):
+                part["order"] = int(rng.integers(1, 3))
     return robot if any(link["joint"]["axes"] for link in robot["links"]) else _unweld(rng, robot, limits)
 
 

@@ -48,10 +48,16 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
 
     Of the methods to eliminate modes the one with the fewest operations is taken.
     """
-    ways = WAYS if any(phase.eliminates for phase in algorithm) else (FACTOR,)
-    ways = ways if FEW <= key.modes <= MANY else (FACTOR if key.modes < FEW else COMPLIANCE,)
+    ways = _ways(key) if any(phase.eliminates for phase in algorithm) else (FACTOR,)
     traced = [_traced(key, algorithm, way) for way in ways]
     return min(traced, key=lambda programs: sum(p.operation_count for p in programs))
+
+
+def _ways(key: LinkClass) -> tuple[str, ...]:
+    """The methods worth tracing. To second order the tip shapes of a straight link lose rank: only the factor holds."""
+    if key.order == 2 or key.modes < FEW:
+        return (FACTOR,)
+    return WAYS if key.modes <= MANY else (COMPLIANCE,)
 
 
 def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[Program, ...]:

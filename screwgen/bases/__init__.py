@@ -15,9 +15,9 @@ from functools import cache
 
 from .clamped_free import clamped_free
 from .polynomial import polynomial
-from .shapes import Family, Shapes, products
+from .shapes import Family, Shapes, integrals, products
 
-__all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Basis", "Family", "Shapes", "products", "shapes"]
+__all__ = ["BASES", "DEFAULT", "NATURAL", "ORDER", "Basis", "Family", "Shapes", "integrals", "products", "shapes"]
 
 Basis = Callable[[int, int], Shapes]
 """The shapes of a number of modes, of order 1 or 2."""

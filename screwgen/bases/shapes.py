@@ -13,7 +13,7 @@ from functools import cache
 import mpmath
 from mpmath import mpf
 
-from .functions import ClosedForm, inner
+from .functions import ClosedForm, inner, polynomial_form
 
 Matrix = tuple[tuple[float, ...], ...]
 
@@ -127,6 +127,31 @@ def products(a: Shapes, b: Shapes) -> Matrix:
         return tuple(tuple(float(k == l) for l in range(a.count)) for k in range(a.count))
     with mpmath.workdps(working_digits(max(a.count, b.count))):
         return tuple(rounded(inner(f, g) for g in b.functions) for f in a.functions)
+
+
+@cache
+def integrals(a: Shapes, b: Shapes, first: int, second: int, times: int, weight: int | None = None) -> Matrix:
+    """Integrals of f = psi_k^(first) of `a` times psi_l^(second) of `b`: a.count x b.count, dimensionless.
+
+    `weight` None: f integrated `times` (1 or more) from 0, at s = 1. Otherwise the integral over [0, 1] of s^weight
+    times that repeated integral. Both are single integrals of f times a polynomial.
+    """
+    digits = working_digits(max(a.count, b.count))
+    with mpmath.workdps(digits):
+        kernel = polynomial_form(_kernel(times, weight))
+        left = [kernel * psi.derivative(first) for psi in a.functions]
+        right = [psi.derivative(second) for psi in b.functions]
+        return tuple(rounded(inner(f, g) for g in right) for f in left)
+
+
+def _kernel(times: int, weight: int | None) -> list[mpf]:
+    """The polynomial p with ``∫ s^weight ∫…∫ f = ∫ p f``; with `weight` None ``(1 - s)^(times - 1) / (times - 1)!``."""
+    p = [mpf(0)] * (weight or 0) + [mpf(1)]
+    for _ in range(times if weight is not None else times - 1):
+        primitive = [mpf(0), *(c / (n + 1) for n, c in enumerate(p))]
+        p = [-c for c in primitive]
+        p[0] += mpmath.fsum(primitive)
+    return p
 
 
 def latex_number(value: mpf, digits: int = 7) -> str:

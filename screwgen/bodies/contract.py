@@ -46,6 +46,10 @@ class Body(Protocol):
         """(3, 3), kg·m²: the rotary inertia of the sections about the centreline."""
         ...
 
+    def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
+        """``∫ρA u dξ`` (3, 1) of the elastic displacement, and its rate."""
+        ...
+
     def modal(self) -> None:
         """State ``sigma``, ``M_Wphi``, ``M_eta``, ``K`` and ``D``, and name the moments of the mode shapes."""
         ...

@@ -87,8 +87,9 @@ class LinkBlock(Block):
     def _moments(self) -> None:
         """Moments of the deformed link, each named for the integrals that follow."""
         rho, udot, r = self.rho, self.udot, self.key.modes
-        self.S = self.step("S", self.S_0 + self.body.sigma @ self.eta)
-        self.Sdot = self.step("Sdot", self.body.sigma @ self.etadot)
+        displaced, rate = self.body.displaced(self.eta, self.etadot)
+        self.S = self.step("S", self.S_0 + displaced)
+        self.Sdot = self.step("Sdot", rate)
         self._name_moment("S", (rho,))
         self._name_moment("Sdot", (udot,))
         self.step("L", self.integral(rho @ self.body.phi_row) if r else zeros(3, 0))
@@ -106,7 +107,8 @@ class LinkBlock(Block):
         I = self.step("I", inertia, symmetric=True)
         M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), symmetric=True)
         self.step("M_DPsi", M_V - self.M_star, symmetric=True)
-        coupling = self.integral(stack(hat(self.rho) @ self.body.Phi, self.body.Phi)) if self.key.modes else zeros(6, 0)
+        moved = self.body.moved
+        coupling = self.integral(stack(hat(self.rho) @ moved, moved)) if self.key.modes else zeros(6, 0)
         M_D = self.step("M_D", add(coupling, self._spin_coupling()))
         self.step("M_Dphi", M_D.T)
 
@@ -125,12 +127,13 @@ class LinkBlock(Block):
         coriolis = hat(omega) @ udot
         half = self.integral(stack(hat(rho) @ coriolis, coriolis)) if self.key.modes else zeros(6)
         h_c = self.step("h_c", half)
-        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t")))
+        bend = self.integral(stack(hat(rho) @ self.body.bend, self.body.bend)) if self.key.order == 2 else zeros(6)
+        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t"), bend))
         field = a_0 + Omega @ rho
         rigid = self.integral(stack(hat(rho) @ field, field))
         H = self.step("H_star", add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()))
         self.step("h_V", H + h_MD)
-        modal = self.integral(self.body.Phi.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
+        modal = self.integral(self.body.moved.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
         twisted = self.key.spin and self.key.counts[3] and self.turning
         twist = self.body.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes)
         self.step("h_eta", add(modal, twist))

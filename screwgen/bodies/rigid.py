@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, zeros
+from ..algebra.expression import Expression, Symbol, zeros
 from ..ir.block import Block
 from .contract import Moments6
 from .moments import Moments
@@ -32,6 +32,10 @@ class Rigid:
     def spin(self) -> Expression:
         """Zero: the link itself has no inertia."""
         return zeros(3, 3)
+
+    def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
+        """Zero: nothing bends."""
+        return self.sigma @ eta, self.sigma @ etadot
 
     def modal(self) -> None:
         """No modes."""

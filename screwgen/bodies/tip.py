@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, hat, identity, unit, zeros
+from ..algebra.expression import Expression, Symbol, block, hat, identity, unit, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .fields import Fields
 from .lumped import lumped
 from .rotation import angle_steps
+from .second_order import PLACE, TURN, matrix
 
 
 def tip_block(key: LinkClass) -> Block:
@@ -22,9 +24,8 @@ def tip_block(key: LinkClass) -> Block:
     b = Block("tip", "Tip section")
     omega = b.input("omega", (3, 1))
     v = b.input("v", (3, 1))
-    R_T, r_T, udot, omega_s, alpha_s = _moving_tip(b, key)
-    rates = {"r_T": udot, "omega_s": alpha_s}
-    omega_T, v_T = omega + omega_s, v + hat(omega) @ r_T + udot
+    R_T, r_T, omega_s, rates = _moving_tip(b, key)
+    omega_T, v_T = omega + omega_s, v + hat(omega) @ r_T + rates["r_T"]
     b.step("omega_T", R_T.T @ omega_T)
     b.step("v_T", R_T.T @ v_T)
     b.step("b_omega", turned_rate(R_T, omega_s, omega_T, rates))
@@ -42,8 +43,8 @@ def tip_motion_block(key: LinkClass) -> Block:
     alpha = b.input("alpha", (3, 1))
     v = b.input("v", (3, 1))
     a = b.input("a", (3, 1))
-    _, r_T, udot, omega_s, alpha_s = _moving_tip(b, key)
-    rates = {"omega": alpha, "r_T": udot, "omega_s": alpha_s}
+    _, r_T, omega_s, rates = _moving_tip(b, key)
+    rates["omega"] = alpha
     b.step("omega_t", omega + omega_s)
     b.step("v_t", v + moving_rate(r_T, omega, rates))
     b.step("alpha_t", alpha + moving_rate(omega_s, omega, rates))
@@ -51,12 +52,16 @@ def tip_motion_block(key: LinkClass) -> Block:
     return b
 
 
-def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Symbol, Expression, Expression]:
-    """``R_T, r_T``, the rate of the tip's displacement, the section's relative angular velocity and its rate."""
+def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Expression, dict[str, Expression]]:
+    """``R_T, r_T``, the section's relative angular velocity, and the rates without ``etaddot`` of what moves."""
     etadot = b.input("etadot", (key.modes, 1))
     R_T, r_T = tip_pose(b, key)
     udot = b.step("udot_T", b.symbol("Phi_c") @ etadot)
-    return R_T, r_T, udot, *_turning(b, key, etadot)
+    omega_s, alpha_s = _turning(b, key, etadot)
+    rates: dict[str, Expression] = {"r_T": udot, "omega_s": alpha_s}
+    if key.order == 2:
+        rates["udot_T"] = b.step("Gammadot_c", _rows(b, "H", etadot)) @ etadot
+    return R_T, r_T, omega_s, rates
 
 
 def tip_pose_block(key: LinkClass) -> Block:
@@ -73,20 +78,43 @@ def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     if key.length:
         length = b.parameter("length", (1, 1))
     fields = Fields(key, b.values["length"].item() if key.length else sp.S.Zero, sp.S.Zero)
-    Phi = b.step("Phi_c", b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"))
+    Phi: Expression = b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c_i)")
+    moved = _with_slopes(b, key, "Phi_c", Phi, _constants(b, "H", PLACE, fields), eta)
     reach: Expression = length
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1))
         reach = b.step("reach", length - frame_at)
-    r_T = b.step("r_T", reach @ unit(0) + Phi @ eta)
+    r_T = b.step("r_T", reach @ unit(0) + moved)
     return _tip_rotation(b, key, fields, eta), r_T
+
+
+def _with_slopes(b: Block, key: LinkClass, name: str, linear: Expression, H: list[Symbol], eta: Symbol) -> Expression:
+    """Define the derivative with ``eta`` of a quantity of the tip, ``linear`` plus rows ``eta^T H_c``; returns it."""
+    if key.order == 1:
+        return b.step(name, linear) @ eta
+    Gamma = b.step({"Phi_c": "Gamma_c", "Psi_c": "Lambda_c"}[name], block(*([eta.T @ h] for h in H)))
+    b.step(name, linear + Gamma)
+    return linear @ eta + sp.Rational(1, 2) * (Gamma @ eta)
+
+
+def _constants(b: Block, letter: str, terms: list, fields: Fields) -> list[Symbol]:
+    """The matrices ``H_c`` of the second-order shape at the tip, as steps; none at first order."""
+    if fields.key.order == 1:
+        return []
+    parts = [np.array(matrix(fields.key, t, fields.length, None).tolist(), dtype=object) for t in terms]
+    named = zip("xyz", parts, strict=True)
+    return [b.step(f"{letter}_{c}", b.field(f"{letter}_{c}_tip", H), symmetric=True) for c, H in named]
+
+
+def _rows(b: Block, letter: str, x: Symbol) -> Expression:
+    return block(*([x.T @ b.symbol(f"{letter}_{c}")] for c in "xyz"))
 
 
 def _tip_rotation(b: Block, key: LinkClass, fields: Fields, eta: Symbol) -> Expression:
     if not key.section_rotation:
         return identity(3)
-    Psi = b.step("Psi_c", b.field("Psi_tip", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)"))
-    theta = b.step("theta", Psi @ eta)
+    Psi = b.field("Psi_tip", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)")
+    theta = b.step("theta", _with_slopes(b, key, "Psi_c", Psi, _constants(b, "T", TURN, fields), eta))
     _, c1, c2, c3, square = angle_steps(b, theta, "x", "c", "tip section")
     b.step("J_l", identity(3) + c2 @ hat(theta) + c3 @ square)
     return b.step("R_T", identity(3) + c1 @ hat(theta) + c2 @ square)
@@ -101,7 +129,9 @@ def _turning(b: Block, key: LinkClass, etadot: Symbol) -> tuple[Expression, Expr
     turning = thetadot + c2 @ (hat(theta) @ thetadot) + c3 @ (hat(theta) @ (hat(theta) @ thetadot))
     omega_s = b.step("omega_s", turning)
     xdot = b.step("xdot", 2 * (theta.T @ thetadot))
-    slopes = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
+    slopes: dict[str, Expression] = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
+    if key.order == 2:
+        slopes["thetadot"] = b.step("Lambdadot_c", _rows(b, "T", etadot)) @ etadot
     alpha_s = b.step("alpha_s", rate(turning, {"theta": thetadot, **slopes}))
     return omega_s, alpha_s
 

@@ -16,7 +16,7 @@ import sympy as sp
 
 from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
-from .quantities import Quantity, described
+from .quantities import QUANTITIES, Quantity, described
 
 
 class Binding(IntEnum):
@@ -116,10 +116,10 @@ class Block:
             out.append(alias)
         return out
 
-    def field(self, name: str, values: Array, display: str) -> Symbol:
+    def field(self, name: str, values: Array, display: str | None = None) -> Symbol:
         """A quantity that varies along the link and occurs only under an integral."""
         self.values[name] = values
-        return Symbol(name, values.shape, display)
+        return Symbol(name, values.shape, display or QUANTITIES[name].display)
 
     def step(self, name, expression, display=None, *, symmetric=False, **words) -> Symbol:
         """Append ``name = expression`` and return the symbol of the new quantity.

@@ -47,6 +47,8 @@ class LinkClass:
     """Whether the link states a section, and so is a rod."""
     body: Hashable | None = None
     """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
+    order: int = 1
+    """The order of the rod's shape in its strains, 1 or 2."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
 
@@ -89,8 +91,8 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body.at == section]
 
 
-def link_class(link: Link, section_rotation: bool) -> LinkClass:
-    """The class of a link in a robot whose ``section_rotation`` is given."""
+def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
+    """The class of a link in a robot whose ``section_rotation`` and ``order`` are given."""
     joint, modes = link.joint, link.modes
     counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
     mount = joint.mount
@@ -111,5 +113,6 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
+        order=(link.order or order) if any(counts) else 1,
         measured=modes.measured,
     )

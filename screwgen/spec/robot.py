@@ -20,7 +20,7 @@ from .physics import axes, inertia, own_body
 from .ranges import several, within
 from .screw import Screw
 from .section import PRODUCTS, Section
-from .values import boolean, choice, count, quoted, refuse
+from .values import boolean, choice, count, quoted, refuse, shape_order
 
 
 def basis(value: Any) -> str | Basis:
@@ -223,6 +223,9 @@ class Link(Part):
     )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
+    order: Annotated[int, PlainValidator(shape_order)] | None = Field(
+        None, description="the order of the link's shape, 1 or 2; without it the robot's"
+    )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
@@ -274,6 +277,9 @@ class Robot(Part):
     )
     section_rotation: Annotated[bool, PlainValidator(boolean)] = Field(
         True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
+    )
+    order: Annotated[int, PlainValidator(shape_order)] = Field(
+        1, description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness"
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
 

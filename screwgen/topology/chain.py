@@ -18,7 +18,7 @@ class Chain:
 
     def __init__(self, robot: Robot):
         self.robot = robot
-        self.keys = [link_class(link, robot.section_rotation) for link in robot.links]
+        self.keys = [link_class(link, robot.section_rotation, robot.order) for link in robot.links]
         self.tree = chain(len(self.keys))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))

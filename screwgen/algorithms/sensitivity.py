@@ -109,9 +109,37 @@ def turning(s: Scope) -> Turning:
     values = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
     with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
-        thetaddot = mx.multiply(Psi, s.read("etaddot"))
+        Psidot, Psiddot = shape_rates(s, "Lambdadot_c")
+        thetaddot = mx.multiply(Psi, s.read("etaddot")) + mx.multiply(Psidot, s.read("etadot"))
         Jdot, Jddot = _rates_of_J(s, values, thetaddot)
-        return Turning(*(mx.multiply(m, Psi) for m in (J, Jdot, Jddot)), values["omega_s"])
+        phidot = mx.multiply(Jdot, Psi) + mx.multiply(J, Psidot)
+        phiddot = mx.multiply(Jddot, Psi) + 2.0 * mx.multiply(Jdot, Psidot) + mx.multiply(J, Psiddot)
+        return Turning(mx.multiply(J, Psi), phidot, phiddot, values["omega_s"])
+
+
+def shape_rates(s: Scope, name: str) -> tuple[Array, Array]:
+    """The first and second time derivative of the tip's shapes ``Phi_c`` or ``Psi_c``; zero at first order.
+
+    They are linear in the modal coordinates, so the second has the modal accelerations where the first has the rates.
+    """
+    if s.key.order == 1:
+        return mx.zeros(3, s.key.modes), mx.zeros(3, s.key.modes)
+    state = tip_state(s, mx.zeros(6))
+    first, second = (s.lower("tip", state | {"etadot": s.read(rate)}, name)[0] for rate in ("etadot", "etaddot"))
+    return first, second
+
+
+def held_load(s: Scope, moment: Array, force: Array) -> Array:
+    """How a moment and a force, held at the tip, change the modal forces by the change of the shapes: (r, r)."""
+    if s.key.order == 1:
+        return mx.zeros(s.key.modes, s.key.modes)
+    state = tip_state(s, mx.zeros(6))
+    parts = [(force, s.lower("tip", state, "H_x", "H_y", "H_z"))]
+    if s.key.section_rotation:
+        J, *turned = s.lower("tip", state, "J_l", "T_x", "T_y", "T_z")
+        parts.append((mx.multiply(J.T, moment), turned))
+    with s.step("shapes of the tip: a held load on their change with the modes"):
+        return sum((H * x for load, rows in parts for H, x in zip(rows, load, strict=True)), mx.zeros(*[s.key.modes] * 2))
 
 
 def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:
@@ -193,8 +221,12 @@ def link_answers(s: Scope) -> Load:
         s.write("w.rows_eta", np.hstack([slopes["omega"][6:] + mx.multiply(E.T, with_omega), coupling.T]))
         s.write("w.M_eta_eta", mx.congruence(E, load.Lambda))
     z = tip_motion_in_link(s, link, t)
+    Phidot, Phiddot = shape_rates(s, "Gammadot_c")
     with s.step("link: change of the tip's motion with the modes and their rates, in F_i components"):
-        u_eta, u_etadot = changed_by_modes(link, z, t, Phi), changed_by_rates(link, t, Phi)
+        u_eta = changed_by_modes(link, z, t, Phi)
+        u_eta[6:] = u_eta[6:] + Phiddot + 2.0 * cross_columns(link.omega, Phidot)
+        u_etadot = changed_by_rates(link, t, Phi)
+        u_etadot[6:] = u_etadot[6:] + 2.0 * Phidot
         s.write("w.tip_eta", u_eta)
         s.write("w.tip_etadot", u_etadot)
     with s.step("link: change of wrench and modal forces with the modes and their rates"):
@@ -206,7 +238,8 @@ def link_answers(s: Scope) -> Load:
             d_force = slopes[name][6:] + mx.multiply(E.T, d_load)
             moved = name == "eta"
             s.write(f"w.F_{name}", d_wrench + lever if moved else d_wrench)
-            s.write(f"w.f_{name}", d_force + turned_moment(s, load.wrench[:3]) if moved else d_force)
+            held = turned_moment(s, load.wrench[:3]) + held_load(s, load.wrench[:3], load.wrench[3:]) if moved else 0.0
+            s.write(f"w.f_{name}", d_force + held)
     for name, value in {"R_T": tip_rotation(s), "r_T": r_T, "udot_T": udot, "omega_s": t.omega_s, "E": E}.items():
         s.write(f"w.{name}", value)
     return carried

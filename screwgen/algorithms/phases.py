@@ -119,7 +119,7 @@ def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
 def eliminate(s: Scope) -> None:
     """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
     own = rows(s)
-    if s.key.bends:
+    if s.key.unstiffened:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
     M, h = eliminate_modes(s, own, *tip_load(s))
     Lambda, p = eliminate_joint(s, M, h)
@@ -164,7 +164,7 @@ def accelerate(s: Scope) -> None:
         s.write("alpha", alpha)
         etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
-    if s.key.bends:
+    if s.key.unstiffened:
         own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
         axial_motion(s, s.kept("omega"), alpha[3], own)
     with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
@@ -198,7 +198,7 @@ def inverse_inward(s: Scope) -> None:
     bodies = body_force(s.read("tip.omega"), s.read("tip.alpha_0") + s.read("tip.delta"), m, S, I)
     load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
-    if s.key.bends:
+    if s.key.unstiffened:
         axial_motion(s, s.kept("omega"), s.kept("alpha_0")[3] + delta[3], needed[3])
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
     modal = mx.multiply(M_D.T, delta) + s.read("m_eta") * etaddot

@@ -109,7 +109,7 @@ def turning(s: Scope) -> Turning:
     values = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
     with s.step("turn of the section: J_l and its two rates on every mode, relative acceleration"):
-        Psidot, Psiddot = shape_rates(s, "Lambdadot_c")
+        Psidot, Psiddot = shape_rates(s, "Psi2dot")
         thetaddot = mx.multiply(Psi, s.read("etaddot")) + mx.multiply(Psidot, s.read("etadot"))
         Jdot, Jddot = _rates_of_J(s, values, thetaddot)
         phidot = mx.multiply(Jdot, Psi) + mx.multiply(J, Psidot)
@@ -139,7 +139,8 @@ def held_load(s: Scope, moment: Array, force: Array) -> Array:
         J, *turned = s.lower("tip", state, "J_l", "T_x", "T_y", "T_z")
         parts.append((mx.multiply(J.T, moment), turned))
     with s.step("shapes of the tip: a held load on their change with the modes"):
-        return sum((H * x for load, rows in parts for H, x in zip(rows, load, strict=True)), mx.zeros(*[s.key.modes] * 2))
+        loaded = (H * x for load, rows in parts for H, x in zip(rows, load, strict=True))
+        return sum(loaded, mx.zeros(s.key.modes, s.key.modes))
 
 
 def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:
@@ -221,7 +222,7 @@ def link_answers(s: Scope) -> Load:
         s.write("w.rows_eta", np.hstack([slopes["omega"][6:] + mx.multiply(E.T, with_omega), coupling.T]))
         s.write("w.M_eta_eta", mx.congruence(E, load.Lambda))
     z = tip_motion_in_link(s, link, t)
-    Phidot, Phiddot = shape_rates(s, "Gammadot_c")
+    Phidot, Phiddot = shape_rates(s, "Phi2dot")
     with s.step("link: change of the tip's motion with the modes and their rates, in F_i components"):
         u_eta = changed_by_modes(link, z, t, Phi)
         u_eta[6:] = u_eta[6:] + Phiddot + 2.0 * cross_columns(link.omega, Phidot)

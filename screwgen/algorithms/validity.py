@@ -20,11 +20,16 @@ def axial_motion(s: Scope, omega: Array, a_x: Value, own: Value) -> None:
 
 
 def measure(s: Scope) -> None:
-    """The measures of a link from its modal coordinates, the axial force of its joint and its motion."""
+    """The measures of a link from its modal coordinates, the axial force of its joint and its motion.
+
+    A link of order 2 has no limit of axial load and rotation: these measures are zero.
+    """
     if not s.key.bends:
         s.write("measures", mx.zeros(len(MEASURES)))
         return
-    motion, wrench = s.read("motion"), s.read("wrench")
-    given = {"eta": s.read("eta"), "omega_t": motion[:2], "a_x": motion[2:3], "F_x": wrench[3:4]}
-    given["F_own"] = motion[3:]
-    s.write("measures", np.concatenate([np.ravel(x) for x in s.lower("validity", given, *MEASURES)]))
+    given, names = {"eta": s.read("eta")}, MEASURES[:2]
+    if s.key.unstiffened:
+        motion, names = s.read("motion"), MEASURES
+        given |= {"omega_t": motion[:2], "a_x": motion[2:3], "F_x": s.read("wrench")[3:4], "F_own": motion[3:]}
+    found = [np.ravel(x) for x in s.lower("validity", given, *names)]
+    s.write("measures", np.concatenate([*found, mx.zeros(len(MEASURES) - len(names))]))

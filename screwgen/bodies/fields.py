@@ -7,14 +7,12 @@ import sympy as sp
 
 from ..bases import ORDER, products
 from ..spec.link_class import LinkClass
-from .moments import Moments
-from .second_order import PLACE, matrix
+from .moments import XI, Moments
+from .second_order import shapes
 
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
 """Row of the strain vector u_x', u_y'', u_z'', θ_x'."""
-
-XI = sp.Symbol("xi", real=True)
 
 
 class Fields(Moments):
@@ -25,25 +23,8 @@ class Fields(Moments):
         self.phi = [sp.Symbol(f"phi_{k + 1}", real=True) for k in range(key.modes)]
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
         self._constants = {d: key.shapes(d) for d, _ in key.directions}
-        self._second = self._second_order() if key.order == 2 else {}
-        super().__init__([XI, *self.phi, *self.strain_shape, *self._second])
-
-    def _second_order(self) -> dict[sp.Symbol, tuple[sp.Expr, sp.Expr]]:
-        """The entries of the ``H_c``, with the integrals of each and of s times each over s from 0 to 1."""
-        out = {}
-        for axis, terms in zip("xyz", PLACE, strict=True):
-            whole, moment = (matrix(self.key, terms, self.length, weight) for weight in (0, 1))
-            for k, m in np.ndindex(whole.shape):
-                if k <= m and (whole[k, m] != 0 or moment[k, m] != 0):
-                    out[sp.Symbol(f"h_{axis}_{k + 1}_{m + 1}", real=True)] = (whole[k, m], moment[k, m])
-        return out
-
-    def H(self, axis: str) -> np.ndarray:
-        """The symmetric r x r matrix of second-order shapes along an axis."""
-        at = lambda k, m: sp.Symbol(f"h_{axis}_{min(k, m) + 1}_{max(k, m) + 1}", real=True)  # noqa: E731
-        r = range(self.key.modes)
-        entries = [[at(k, m) if at(k, m) in self._second else sp.S.Zero for m in r] for k in r]
-        return np.array(entries, dtype=object).reshape(len(r), len(r))
+        self.second = shapes(key, length) if key.order == 2 else {}
+        super().__init__([XI, *self.phi, *self.strain_shape, *self.second])
 
     # the shapes as matrices -------------------------------------------------------------------
 
@@ -96,10 +77,10 @@ class Fields(Moments):
         powers = sum(g == XI for g in monomial)
         shapes = [self.phi.index(g) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
-        if second := [g for g in monomial if g in self._second]:
+        if second := [g for g in monomial if g in self.second]:
             if len(monomial) > 1 + powers:
                 return sp.S.Zero
-            whole, moment = self._second[second[0]]
+            whole, moment = self.second[second[0]]
             return l * (whole if powers == 0 else a * whole + l * moment)
         if strains:
             return self._stiffness(*strains)

@@ -14,6 +14,9 @@ from collections.abc import Iterable
 import numpy as np
 import sympy as sp
 
+XI = sp.Symbol("xi", real=True)
+"""The place along the centreline of a rod, from the origin of F_i."""
+
 
 class Moments:
     """The generators of a body and the rule that integrates polynomials in them."""
@@ -24,7 +27,7 @@ class Moments:
         self.moments: dict[tuple, sp.Expr] = {}
 
     def name_coarse(self, symbols, expressions) -> None:
-        """Let each symbol stand for a sum of finer generators."""
+        """Let each symbol stand for a sum of finer generators; what is named last is expanded first."""
         self.coarse.update(zip(np.ravel(symbols), np.ravel(expressions), strict=True))
 
     def name_moment(self, weight: str, value: sp.Expr, *generators: sp.Symbol) -> None:
@@ -57,10 +60,10 @@ class Moments:
             return self.moments[weight, key]
         by_name = {g.name: g for g in self._generators()}
         monomial = [by_name[n] for n in key]
-        for position, generator in enumerate(monomial):
-            if generator in self.coarse:
-                rest = sp.Mul(*monomial[:position], *monomial[position + 1 :])
-                return self.integrate(sp.expand(rest * self.coarse[generator]), weight)
+        for generator in reversed(self.coarse):
+            if generator in monomial:
+                monomial.remove(generator)
+                return self.integrate(sp.expand(sp.Mul(*monomial) * self.coarse[generator]), weight)
         value = self._fine(monomial)
         return value if weight is None else sp.Symbol(weight, real=True) * value
 

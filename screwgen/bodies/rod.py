@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, add, block, identity, is_zero, unit, zeros
+from ..algebra.expression import Expression, Symbol, identity, is_zero, unit, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .contract import Moments6
 from .fields import AXIS, XI, Fields
 from .rod_stiffness import RodStiffness
+from .second_order import SecondOrder
 
 
 class Rod(RodStiffness):
@@ -18,7 +19,6 @@ class Rod(RodStiffness):
 
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key = b, key
-        self.rows: dict[str, np.ndarray] = {}
         self.rhoA = b.parameter("rhoA", (1, 1))
         self.length = b.parameter("length", (1, 1))
 
@@ -36,37 +36,13 @@ class Rod(RodStiffness):
         self.moved = self.Phi
         u, udot = self._field_of("eta"), self._field_of("etadot")
         if self.key.order == 2:
-            u_2, udot_2 = self._second_order(f)
-            u, udot = u + u_2, udot + udot_2
+            self.second = SecondOrder(self.b, f, f.second, self.key.modes)
+            self.moved, self.bend = self.second.Phi, self.second.bend
+            u, udot = u + self.second.u, udot + self.second.udot
         self.u = field("u", u, r"\mathbf{r}_{\xi}")
         self.udot_modal = field("udot_modal", udot, r"\dot{\mathbf{r}}_{\xi}")
-        f.name_coarse(self.b.values["rho"], self.b.values["r_b"] + self.b.values["u"])
         f.name_coarse(self.b.values["udot"], self.b.values["udot_modal"])
-
-    def _second_order(self, f: Fields) -> tuple[np.ndarray, np.ndarray]:
-        """The second-order part of the displacement and its rate; ``Gamma = d u_2/d eta`` is linear in eta.
-
-        The acceleration of an element has the part ``Gamma(etadot) etadot`` at constant modal rates.
-        """
-        eta, etadot = self.b.values["eta"], self.b.values["etadot"]
-        H = [f.H(axis) for axis in "xyz"]
-        self.H = [self.b.field(f"H_{axis}", H[i]) for i, axis in enumerate("xyz")]
-        Gamma, Gammadot = (self._coarse_rows(f, name, H, x) for name, x in (("Gamma", eta), ("Gammadot", etadot)))
-        self.moved = self.b.field("Phi_eta", self.b.values["Phi"] + Gamma)
-        self.bend = self.b.field("bend", np.array([[x] for x in sp.symbols("bend_x:z", real=True)], dtype=object))
-        f.name_coarse(self.b.values["bend"], Gammadot.dot(etadot))
-        return sp.Rational(1, 2) * Gamma.dot(eta), Gamma.dot(etadot)
-
-    def _coarse_rows(self, f: Fields, name: str, H: list[np.ndarray], x: np.ndarray) -> np.ndarray:
-        """The (3, r) matrix with the rows ``x^T H_c``, each entry a generator."""
-        rows = np.array([h.dot(x)[:, 0] for h in H], dtype=object)
-        out = np.full(rows.shape, sp.S.Zero, dtype=object)
-        for (i, k), value in np.ndenumerate(rows):
-            if value != 0:
-                out[i, k] = sp.Symbol(f"{name}_{'xyz'[i]}_{k + 1}", real=True)
-                f.name_coarse([out[i, k]], [value])
-        self.rows[name] = out
-        return out
+        f.name_coarse(self.b.values["rho"], self.b.values["r_b"] + self.b.values["u"])
 
     def _field_of(self, coordinates: str) -> np.ndarray:
         """``Phi`` times modal coordinates, in the finest generators."""
@@ -93,8 +69,8 @@ class Rod(RodStiffness):
         """``∫ρA u dξ`` and its rate."""
         if self.key.order == 1:
             return self.sigma @ eta, self.sigma @ etadot
-        Gamma = self.b.symbol("Gamma")
-        return add(self.sigma @ eta, sp.Rational(1, 2) * (Gamma @ eta)), add(self.sigma @ etadot, Gamma @ etadot)
+        sigma2 = self.b.symbol("sigma2")
+        return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
 
     def modal(self) -> None:
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
@@ -114,27 +90,7 @@ class Rod(RodStiffness):
         self._products_of_shapes()
         self._stiffness()
         if self.key.order == 2:
-            self._second_moments()
-
-    def _second_moments(self) -> None:
-        """``∫ρA H_c dξ`` and ``∫ρA ξ H_c dξ``, and with them the moments of ``Gamma`` and of its rate."""
-        XIs = self.b.field("xi", np.array([[XI]], dtype=object))
-        for suffix, lever in (("", None), ("_1", XIs)):
-            matrices = []
-            for axis, H in zip("xyz", self.H, strict=True):
-                name = f"E_{axis}{suffix}"
-                matrices.append(self.b.step(name, self.integral(H if lever is None else lever @ H, self.rhoA), symmetric=True))
-                for index, shape in np.ndenumerate(self.b.values[H.name]):
-                    if shape != 0:
-                        powers = () if lever is None else (XI,)
-                        self.fields.name_moment("rhoA", self.b.values[name][index], *powers, shape)
-            for name, rate in (("Gamma", "eta"), ("Gammadot", "etadot")):
-                x = self.b.symbol(rate)
-                step = self.b.step(name + suffix, block(*([x.T @ E] for E in matrices)))
-                for index, generator in np.ndenumerate(self.rows[name]):
-                    if generator != 0:
-                        powers = () if lever is None else (XI,)
-                        self.fields.name_moment("rhoA", self.b.values[step.name][index], *powers, generator)
+            self.second.moments(self.rhoA)
 
     def _products_of_shapes(self) -> None:
         """``∫ρA φ_k φ_m`` of modes in different directions.

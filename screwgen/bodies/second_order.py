@@ -13,14 +13,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+import numpy as np
 import sympy as sp
 
+from ..algebra.expression import Integral, Symbol, block
 from ..bases import integrals
+from ..ir.block import Block
 from ..spec.link_class import LinkClass
+from .moments import XI, Moments
+
+AXES = "xyz"
 
 
 class Term(NamedTuple):
-    """``factor · ∫…∫ first second``, integrated ``times`` over ξ; a factor is a direction and an order of derivative."""
+    """``factor · ∫…∫ first second``, integrated ``times`` over ξ; of each strain its direction and derivative."""
 
     factor: sp.Expr
     first: tuple[str, int]
@@ -43,9 +49,10 @@ def _terms(quadratic: sp.Matrix, times: int) -> list[list[Term]]:
     out: list[list[Term]] = []
     for component in quadratic:
         polynomial = sp.Poly(sp.expand(component), *sorted(quadratic.free_symbols, key=str))
-        factors = ([g for g, n in zip(polynomial.gens, powers, strict=True) for _ in range(n)] for powers in polynomial.monoms())
-        pairs = zip(factors, polynomial.coeffs(), strict=True)
-        out.append([Term(c, read(x), read(y), times) for (x, y), c in pairs] if component != 0 else [])
+        out.append([])
+        for powers, factor in polynomial.terms() if component != 0 else ():
+            first, second = (read(g) for g, n in zip(polynomial.gens, powers, strict=True) for _ in range(n))
+            out[-1].append(Term(factor, first, second, times))
     return out
 
 
@@ -71,6 +78,22 @@ def entries(key: LinkClass, terms: list[Term]) -> Iterator[tuple[int, int, Term,
                 yield modes[term.first[0], i], modes[term.second[0], j], term, i, j
 
 
+def shapes(key: LinkClass, length: sp.Expr) -> dict[sp.Symbol, tuple[sp.Expr, sp.Expr]]:
+    """The entries of the ``H_c(ξ)``, with the integrals of each and of s times each over s from 0 to 1."""
+    out = {}
+    for axis, terms in zip(AXES, PLACE, strict=True):
+        whole, moment = (matrix(key, terms, length, weight) for weight in (0, 1))
+        for k, m in np.ndindex(whole.shape):
+            if k <= m and (whole[k, m] != 0 or moment[k, m] != 0):
+                out[entry(axis, k, m)] = (whole[k, m], moment[k, m])
+    return out
+
+
+def entry(axis: str, k: int, m: int) -> sp.Symbol:
+    """The entry of the symmetric ``H_c(ξ)`` of two modes."""
+    return sp.Symbol(f"h_{axis}_{min(k, m) + 1}_{max(k, m) + 1}", real=True)
+
+
 def matrix(key: LinkClass, terms: list[Term], length: sp.Expr, weight: int | None) -> sp.Matrix:
     """The symmetric matrix ``H`` with ``1/2 eta^T H eta`` the sum of ``terms``.
 
@@ -84,3 +107,52 @@ def matrix(key: LinkClass, terms: list[Term], length: sp.Expr, weight: int | Non
         out[k, m] += value
         out[m, k] += value
     return out
+
+
+class SecondOrder:
+    """The second-order fields of a rod in its link's block, and their moments of mass.
+
+    ``Phi_2 = d u_2/d eta`` has the rows ``eta^T H_c``. The fields are sums of generators, one for each of its entries.
+    """
+
+    def __init__(self, b: Block, fields: Moments, known: dict[sp.Symbol, object], modes: int):
+        self.b, self.fields = b, fields
+        eta, etadot = b.values["eta"], b.values["etadot"]
+        at = lambda c, k, m: entry(c, k, m) if entry(c, k, m) in known else sp.S.Zero  # noqa: E731
+        r = range(modes)
+        self.H = [b.field(f"H_{c}", np.array([[at(c, k, m) for m in r] for k in r], dtype=object)) for c in AXES]
+        self.rows = {"sigma2": self._rows("phi2", eta), "sigma2dot": self._rows("phi2dot", etadot)}
+        Phi_2, Phi_2dot = self.rows.values()
+        self.u, self.udot = sp.Rational(1, 2) * Phi_2.dot(eta), Phi_2.dot(etadot)
+        self.Phi = b.field("Phi_eta", b.values["Phi"] + Phi_2)
+        self.bend = b.field("bend", np.array([[x] for x in sp.symbols("bend_x:z", real=True)], dtype=object))
+        fields.name_coarse(b.values["bend"], Phi_2dot.dot(etadot))
+
+    def _rows(self, name: str, x: np.ndarray) -> np.ndarray:
+        """The (3, r) matrix with the rows ``x^T H_c``, each entry a generator."""
+        out = np.array([self.b.values[H.name].dot(x)[:, 0] for H in self.H], dtype=object)
+        for (i, k), value in np.ndenumerate(out):
+            if value != 0:
+                out[i, k] = sp.Symbol(f"{name}_{AXES[i]}_{k + 1}", real=True)
+                self.fields.name_coarse([out[i, k]], [value])
+        return out
+
+    def moments(self, rhoA: Symbol) -> None:
+        """``∫ρA H_c dξ`` and ``∫ρA ξ H_c dξ``, and with them the moments of ``Phi_2`` and of its rate."""
+        xi = self.b.field("xi", np.array([[XI]], dtype=object))
+        self._moments(rhoA, self.H, "E_{}", {"sigma2": "sigma2", "sigma2dot": "sigma2dot"})
+        self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", {"chi2": "sigma2", "chi2dot": "sigma2dot"}, XI)
+
+    def _moments(self, rhoA: Symbol, fields: list, names: str, steps: dict[str, str], *lever: sp.Symbol) -> None:
+        E = []
+        for axis, field, H in zip(AXES, fields, self.H, strict=True):
+            E.append(self.b.step(names.format(axis), Integral(field, rhoA, self.fields.integrate), symmetric=True))
+            self._name(E[-1], self.b.values[H.name], lever)
+        for name, rows in steps.items():
+            x = self.b.symbol("etadot" if rows.endswith("dot") else "eta")
+            self._name(self.b.step(name, block(*([x.T @ e] for e in E))), self.rows[rows], lever)
+
+    def _name(self, step: Symbol, generators: np.ndarray, lever: tuple[sp.Symbol, ...]) -> None:
+        for index, generator in np.ndenumerate(generators):
+            if generator != 0:
+                self.fields.name_moment("rhoA", self.b.values[step.name][index], *lever, generator)

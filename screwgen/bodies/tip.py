@@ -60,7 +60,7 @@ def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Expressio
     omega_s, alpha_s = _turning(b, key, etadot)
     rates: dict[str, Expression] = {"r_T": udot, "omega_s": alpha_s}
     if key.order == 2:
-        rates["udot_T"] = b.step("Gammadot_c", _rows(b, "H", etadot)) @ etadot
+        rates["udot_T"] = b.step("Phi2dot", _rows(b, "H", etadot)) @ etadot
     return R_T, r_T, omega_s, rates
 
 
@@ -92,7 +92,7 @@ def _with_slopes(b: Block, key: LinkClass, name: str, linear: Expression, H: lis
     """Define the derivative with ``eta`` of a quantity of the tip, ``linear`` plus rows ``eta^T H_c``; returns it."""
     if key.order == 1:
         return b.step(name, linear) @ eta
-    Gamma = b.step({"Phi_c": "Gamma_c", "Psi_c": "Lambda_c"}[name], block(*([eta.T @ h] for h in H)))
+    Gamma = b.step({"Phi_c": "Phi2", "Psi_c": "Psi2"}[name], block(*([eta.T @ h] for h in H)))
     b.step(name, linear + Gamma)
     return linear @ eta + sp.Rational(1, 2) * (Gamma @ eta)
 
@@ -131,7 +131,7 @@ def _turning(b: Block, key: LinkClass, etadot: Symbol) -> tuple[Expression, Expr
     xdot = b.step("xdot", 2 * (theta.T @ thetadot))
     slopes: dict[str, Expression] = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
     if key.order == 2:
-        slopes["thetadot"] = b.step("Lambdadot_c", _rows(b, "T", etadot)) @ etadot
+        slopes["thetadot"] = b.step("Psi2dot", _rows(b, "T", etadot)) @ etadot
     alpha_s = b.step("alpha_s", rate(turning, {"theta": thetadot, **slopes}))
     return omega_s, alpha_s
 

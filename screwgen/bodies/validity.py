@@ -39,11 +39,12 @@ MEASURES = tuple(BOUNDS)
 
 def validity_block(key: LinkClass) -> Block:
     """The measures of a link; a link without bending modes has none, and its block no steps."""
-    b = Block("validity", "Limits of the first-order model")
+    b = Block("validity", "Limits of the model")
     if key.bends:
         length = b.parameter("length", (1, 1))
         _tip(b, key, length)
-        _loads(b, key, length)
+        if key.unstiffened:
+            _loads(b, key, length)
     return b
 
 

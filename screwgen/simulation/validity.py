@@ -135,6 +135,8 @@ class Finding:
     def remedy(self) -> str:
         """The suggested remedy."""
         cut = f"cut the link into welded pieces ({self.pieces} links of length l/{self.pieces}, joint.axes = [])"
+        if self.measure in ("axial_load", "rotation"):
+            cut = f"give the link order = 2, or {cut}"
         if self.unstable:
             return f"lower the load or stiffen the link, or {cut}"
         return f"{cut}, stiffen it or lower its load"

@@ -63,6 +63,11 @@ class LinkClass:
         return any(self.counts[1:3])
 
     @property
+    def unstiffened(self) -> bool:
+        """Whether the link bends in a model that leaves out what axial loads and rotation do to its stiffness."""
+        return self.bends and self.order == 1
+
+    @property
     def joints(self) -> int:
         """The number of joint coordinates."""
         return len(self.screws)

@@ -148,7 +148,8 @@ def _robot(robot: Robot, chain: Chain) -> Section:
 def _theory(robot: Robot, chain: Chain) -> list[Section]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
-    conventions = render("latex/conventions.tex.jinja", gravity=free_fall, citation=CITATION)
+    first = all(key.order == 1 for key in chain.keys)
+    conventions = render("latex/conventions.tex.jinja", gravity=free_fall, citation=CITATION, first_order=first)
     equations = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,

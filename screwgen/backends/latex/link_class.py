@@ -8,7 +8,8 @@ from ...algebra.notation import axis_latex
 from ...bases import Shapes
 from ...ir.block import Binding, Block
 from ...spec.link_class import LinkClass
-from .content import Display, Heading, Item, Paragraph, Section, equation
+from ..templates import render
+from .content import Display, Heading, Item, Paragraph, Section, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
@@ -78,6 +79,8 @@ def _field(key: LinkClass) -> Iterator[Item]:
         r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
+    if key.order == 2:
+        yield from parse(render("latex/second_order.tex.jinja"))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)

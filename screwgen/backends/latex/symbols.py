@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from ...algebra.expression import Symbol
 from ...algebra.notation import latex
 from ...ir.block import Binding, Block, Signal
+from ...ir.quantities import QUANTITIES
 from .content import Named, frame, unit, words
 from .steps import BlockView
 
@@ -32,6 +33,9 @@ FIELDS = {
     "ones": ("column of ones", "-", CONSTANT),
 }
 """What varies along the link, and has no signal of its own: meaning, unit, binding at a given place."""
+
+MOVING = ("Phi_eta", "bend")
+"""Fields of the second order that depend on the state."""
 
 TWIST, WRENCH = "rad/s, m/s", "N*m, N"
 ALL = r"(6 + r_i) × (6 + r_i)"
@@ -116,6 +120,9 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
             meaning, unit_, binding = FIELDS[key]
             frame_ = "F_i" if used.shape[0] == 3 and key != "ones" else "-"
             yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding)
+        elif q := QUANTITIES.get(used.name):
+            binding = STATE if used.name in MOVING else PARAMETER
+            yield Signal(used.name, used.shape, used.display, q.unit, q.frame, q.meaning, binding)
 
 
 def field_key(name: str) -> str | None:

@@ -8,7 +8,9 @@ READY = $(VENV)/.ready
 BENCH = .venv-bench
 MINIMA = .venv-minima
 WORKERS ?= 2
-export PYTHONDONTWRITEBYTECODE = 1
+QUIET = -q -p no:cacheprovider -p no:unraisableexception
+# Compiled Python is kept, but not beside its sources.
+export PYTHONPYCACHEPREFIX = $(CURDIR)/$(VENV)/pycache
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
 export OMP_NUM_THREADS = 1
 export OPENBLAS_NUM_THREADS = 1
@@ -24,11 +26,11 @@ mpc: $(READY)
 	$(BIN)/python examples/mpc_ella.py
 
 test: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
 # What `make test` leaves out: the rest of its sweeps, and a million steps. About ten minutes.
 test-long: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider -m long $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
 docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html

@@ -35,6 +35,19 @@ def pytest_configure():
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.fixture(scope="module", autouse=True)
+def _frozen():
+    """What the tests of a file leave is kept for all tests: no later search for garbage looks through it again."""
+    yield
+    gc.collect()
+    gc.freeze()
+
+
+def swept(cases, *kept) -> list:
+    """The cases of a sweep: `make test` takes those to be kept, `make test-long` the others."""
+    return [case if case in kept else pytest.param(case, marks=pytest.mark.long) for case in cases]
+
+
 def pytest_collection_modifyitems(items):
     """The slowest files first: with several workers, none of them is begun when all the rest is done."""
     items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in SLOWEST)

@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conftest import swept
 from helpers import EPS32, Case, casadi_forward, disagreement, drawn, example, flat, quick, relative
 from oracle import Oracle, part_error
 
@@ -17,8 +18,6 @@ from screwgen import Robot
 from screwgen.spec import dump
 
 SEEDS = range(50)
-COMPILED = range(15)
-"""Of these robots the C is compiled too: three of each number of links, in both layouts."""
 
 
 def links_of(seed: int) -> int:
@@ -30,11 +29,8 @@ def name_of(seed: int) -> str:
     return f"seed{seed:02d}-{links_of(seed)}links"
 
 
-every_robot = pytest.mark.parametrize("seed", SEEDS, ids=name_of)
-compiled_robots = pytest.mark.parametrize(
-    "seed", [s if s in COMPILED else pytest.param(s, marks=pytest.mark.long) for s in SEEDS], ids=name_of
-)
-some_robots = pytest.mark.parametrize("seed", range(55, 60), ids=name_of)
+every_robot = pytest.mark.parametrize("seed", swept(SEEDS, *SEEDS[:10]), ids=name_of)
+some_robots = pytest.mark.parametrize("seed", swept(range(55, 60), 56, 57), ids=name_of)
 
 
 @cache
@@ -84,7 +80,7 @@ def test_accelerations_and_wrenches(seed):
     check(case, errors)
 
 
-@compiled_robots
+@every_robot
 def test_accelerations_and_wrenches_in_c(seed):
     case = case_of(seed)
     compiled = quick(case.model, layout=("fused", "modular")[seed % 2])
@@ -106,7 +102,7 @@ def test_back_ends_agree(seed):
     assert max(errors.values()) <= case.agreement, errors
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", swept(range(4), 0, 1))
 def test_single_precision(seed):
     """Float C is right to 50 eps32 cond M, on robots where that leaves digits."""
     case = drawn(200 + seed, 1 + seed, limit=2e3)

@@ -21,6 +21,7 @@ SLOWEST = (
 hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdir(), "screwgen-hypothesis"))
 settings.register_profile("screwgen", derandomize=True, deadline=None, database=None, print_blob=False)
 settings.load_profile("screwgen")
+os.environ.setdefault("CFLAGS", "-O0")  # of generated folders' own Makefiles
 os.environ.setdefault("SCREWGEN_CACHE", os.path.join(tempfile.gettempdir(), f"screwgen-cache-{os.getuid()}"))
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import random_robots as rr
+from conftest import swept
 from helpers import arm, equal_links, example, link, model_of, quick
 
 import screwgen

@@ -1,5 +1,5 @@
 # make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
-# figures and a report. make test: the test suite. make test-long: what takes longer.
+# figures and a report. make test: the test suite, every feature. make test-long: the rest of its sweeps.
 # All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
@@ -28,7 +28,9 @@ mpc: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
-# What `make test` leaves out: the rest of its sweeps, and a million steps. About ten minutes.
+# What `make test` leaves out: the rest of its sweeps over random robots, layouts, bindings, compilers, bases and numbers
+# of modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
+# the short form of `make firmware`. About half an hour.
 test-long: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 

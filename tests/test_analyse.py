@@ -65,7 +65,7 @@ def equilibrium(model, joints: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.n
 # -------- the linearised dynamics and the steps
 
 
-@pytest.mark.parametrize("seed", swept(range(4), 1, 3))
+@pytest.mark.parametrize("seed", swept(range(4), 3))
 def test_the_jacobian_is_the_derivative_of_the_dynamics(seed):
     robot, state, _ = rr.draw_regular(np.random.default_rng(seed), 2, limit=1e6)
     model, s = model_of(robot), State(*(np.array(state[k]) for k in ("q", "v", "tau", "w_ext")))
@@ -125,7 +125,7 @@ def test_a_controller_acts_on_the_state_at_the_steps_start():
 def test_growth_predicted_is_growth_of_a_run():
     model, omega = single()
     h, steps = 1e-3, 400
-    run = screwgen.simulate(model, steps * h, h, [1e-3], integrator="euler")
+    run = screwgen.simulate(model, steps * h, h, [1e-3], integrator="euler", backend="numpy")
     S = step_map(model, "euler", [0.0], [0.0], h)
     amplitude = np.hypot(run.q[:, 0] * omega, run.v[:, 0])
     assert growth(S) == pytest.approx(np.sqrt(1 + (omega * h) ** 2), rel=1e-12)
@@ -242,7 +242,7 @@ def assembled(model, s: State) -> np.ndarray:
     return np.array(f["assemble"](x, s.tau, s.w_ext.T, model.parameter_values)[0])
 
 
-@pytest.mark.parametrize("seed", swept(range(5), 2, 3))
+@pytest.mark.parametrize("seed", swept(range(5), 2))
 def test_numbers_of_random_robots(seed):
     """Rank, condition and structure against numpy on CasADi's M_sys; one zero singular value per axis with P alone."""
     rng = np.random.default_rng(seed)

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from conftest import swept
 import random_robots as rr
+from conftest import swept
 from helpers import arm
 from helpers import link as plain_link
 from oracle import Oracle

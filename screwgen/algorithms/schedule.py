@@ -56,7 +56,7 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
 
 @cache
 def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[tuple[Program, ...], dict[str, Layout]]:
-    """The programs by one method, with the layouts of the link's store; algorithms share those of their first phases."""
+    """The programs by one method, and the layouts of the link's store; algorithms share those of equal first phases."""
     if not algorithm:
         return (), {}
     *before, phase = algorithm

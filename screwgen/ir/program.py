@@ -213,7 +213,7 @@ class Tracer:
 
 
 def _later(a: Value, b: Value) -> bool:
-    """Whether the operands of a sum or product are in the other order in its key: numbers of nodes rise, floats last."""
+    """Whether the key of a sum or product has the operands in the other order: numbers of nodes rise, floats last."""
     return not isinstance(a, Node) or (isinstance(b, Node) and b.id < a.id)
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 import pytest
-from conftest import swept
 import random_robots as rr
 import sympy as sp
+from conftest import swept
 from helpers import arm, example, example_dict, flat, link, model_of, relative
 from latex_documents import PLUGINS, page, tex
 

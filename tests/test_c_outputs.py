@@ -45,9 +45,14 @@ def test_partial_outputs_equal_numpy(seed, kind):
     assert relative(compiled.mass_matrix(q), judge.mass_matrix(q)) <= 1e-12
 
 
+@cache
+def of_ella(layout: str) -> dict[str, str]:
+    return CProject(example("ella").chain, "x", "runtime", layout).files()
+
+
 def test_steps_compute_neither_wrenches_nor_pose():
     """Fused: both stand behind their conditions, and no operation of a wrench runs without one."""
-    text = CProject(example("ella").chain, "x", "runtime", "fused").files()["ella_dynamics.c"]
+    text = of_ella("fused")["ella_dynamics.c"]
     for asked, written in (
         ("ELLA_WRENCHES", "wrench"),
         ("ELLA_TIP_POSE", "tip_rotation"),
@@ -102,7 +107,7 @@ def test_a_function_too_long_for_compilers_is_refused():
 def test_sources_of_both_layouts_declare_what_they_promise():
     """The header names the functions for parts of the result once each."""
     for layout in ("fused", "modular"):
-        header = CProject(example("ella").chain, "x", "runtime", layout).files()["ella.h"]
+        header = of_ella(layout)["ella.h"]
         for function in ("accelerations", "inverse_dynamics", "mass_matrix"):
             assert len(re.findall(rf"\bella_{function}\(", header)) == 1
 
@@ -116,5 +121,5 @@ def test_parameters_without_effect_are_marked():
 
 
 def test_links_have_names_in_c():
-    header = CProject(example("ella").chain, "x").files()["ella.h"]
+    header = of_ella("fused")["ella.h"]
     assert re.search(r"ELLA_LINK_UPPER_ARM = 0,\n +ELLA_LINK_FOREARM = 1\n", header)

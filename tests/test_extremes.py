@@ -54,7 +54,7 @@ def test_modal_state_exactly_zero(layout):
 
 def test_tiny_states():
     """Squares of the smallest angles underflow to zero; nothing divides by them."""
-    case = drawn(710, 3)
+    case = drawn(710, 2)
     ends = BackEnds(case)
     for size in (1e-3, 1e-9, 1e-20, 1e-160, 1e-300):
         ends.check(rr.tiny_state(np.random.default_rng(710), case.robot, size))
@@ -65,7 +65,7 @@ def test_huge_joint_angles():
 
     The derivative of the accelerations by the angles turns that into a tolerance.
     """
-    case = drawn(720, 3)
+    case = drawn(720, 2)
     ends, m = BackEnds(case), case.model.n_joints
     f, p = case.model.casadi()["forward_dynamics"], case.model.parameter_values
     for angle in (1e3, 1e6):
@@ -110,11 +110,11 @@ def test_slender_links():
 
 
 def test_zero_gravity():
-    check(drawn(750, 3, no_gravity=1.0))
+    check(drawn(750, 2, no_gravity=1.0))
 
 
 def test_no_modes_at_all():
-    check(drawn(751, 4, rigid=1.0))
+    check(drawn(751, 3, rigid=1.0))
 
 
 def test_welded_chain():
@@ -136,7 +136,7 @@ def test_welded_and_rigid_has_nothing_to_solve():
 
 
 def test_without_section_rotation():
-    check(drawn(760, 3, no_section_rotation=1.0))
+    check(drawn(760, 2, no_section_rotation=1.0))
 
 
 @pytest.mark.parametrize("basis", swept(["clamped_free", "polynomial"], "clamped_free"))

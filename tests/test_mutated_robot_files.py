@@ -96,7 +96,7 @@ def robot_or_one_line(path, content):
         refusal(path)
 
 
-@pytest.mark.parametrize("count", [100, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [200, pytest.param(2000, marks=pytest.mark.long)])
 def test_mutants_give_a_robot_or_one_line(path, count):
     @settings(max_examples=count)
     @given(text=mutants())
@@ -107,7 +107,7 @@ def test_mutants_give_a_robot_or_one_line(path, count):
     each()
 
 
-@pytest.mark.parametrize("count", [100, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [200, pytest.param(2000, marks=pytest.mark.long)])
 def test_bytes_give_a_robot_or_one_line(path, count):
     @settings(max_examples=count)
     @given(content=splices() | st.binary(max_size=200) | texts.map(str.encode))

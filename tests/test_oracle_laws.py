@@ -167,7 +167,7 @@ def test_states_are_moderate():
     [rr.undeformed_state, rr.tiny_state, rr.huge_angle_state, lambda rng, robot: rr.rest_state(robot)],
     ids=["undeformed", "tiny", "huge_angle", "rest"],
 )
-@pytest.mark.parametrize("robots", [rr.random_robot, rr.heavy_payload_robot, rr.slender_robot])
+@pytest.mark.parametrize("robots", swept([rr.random_robot, rr.heavy_payload_robot, rr.slender_robot], rr.random_robot))
 def test_extreme_draws_are_judged(robots, states):
     _, state, oracle = rr.draw_regular(np.random.default_rng(2), robots=robots, states=states, limit=1e12)
     vdot, wrench = oracle.forward_dynamics(**state)

@@ -45,7 +45,7 @@ def test_only_optimised_code_of_one_target_is_compiled_twice(folder):
 
 @pytest.mark.parametrize("layout", ["fused", "modular"])
 def test_both_compute_the_same_bits(layout):
-    model = drawn(7, 1).model
+    model = drawn(7, 1, max_modes=1).model
     one = model.compile(layout, flags=("-O1", f"-D{model.robot.name.upper()}_ONE_TARGET"))
     chosen = model.compile(layout, flags=("-O1",))
     rng = np.random.default_rng(5)

@@ -1,5 +1,5 @@
 # make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
-# figures and a report. make test: the test suite. make test-long: what takes longer.
+# figures and a report. make test: the test suite, every feature. make test-long: the rest of its sweeps.
 # All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
@@ -8,7 +8,9 @@ READY = $(VENV)/.ready
 BENCH = .venv-bench
 MINIMA = .venv-minima
 WORKERS ?= 2
-export PYTHONDONTWRITEBYTECODE = 1
+QUIET = -q -p no:cacheprovider -p no:unraisableexception
+# Compiled Python is kept, but not beside its sources.
+export PYTHONPYCACHEPREFIX = $(CURDIR)/$(VENV)/pycache
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
 export OMP_NUM_THREADS = 1
 export OPENBLAS_NUM_THREADS = 1
@@ -24,11 +26,13 @@ mpc: $(READY)
 	$(BIN)/python examples/mpc_ella.py
 
 test: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
-# What `make test` leaves out: the rest of its sweeps, and a million steps. About ten minutes.
+# What `make test` leaves out: the rest of its sweeps over random robots, layouts, bindings, compilers, bases and numbers
+# of modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
+# the short form of `make firmware`. About half an hour.
 test-long: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -q -p no:cacheprovider -m long $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
 docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html

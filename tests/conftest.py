@@ -21,6 +21,8 @@ SLOWEST = (
 hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdir(), "screwgen-hypothesis"))
 settings.register_profile("screwgen", derandomize=True, deadline=None, database=None, print_blob=False)
 settings.load_profile("screwgen")
+os.environ.setdefault("CFLAGS", "-O0")  # of generated folders' own Makefiles
+os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")  # a robot needs more than sympy's thousand entries
 os.environ.setdefault("SCREWGEN_CACHE", os.path.join(tempfile.gettempdir(), f"screwgen-cache-{os.getuid()}"))
 
 
@@ -33,6 +35,19 @@ def pytest_configure():
     gc.set_threshold(100_000, 50, 50)
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _frozen():
+    """What the tests of a file leave is kept for all tests: no later search for garbage looks through it again."""
+    yield
+    gc.collect()
+    gc.freeze()
+
+
+def swept(cases, *kept) -> list:
+    """The cases of a sweep: `make test` takes those to be kept, `make test-long` the others."""
+    return [case if case in kept else pytest.param(case, marks=pytest.mark.long) for case in cases]
 
 
 def pytest_collection_modifyitems(items):

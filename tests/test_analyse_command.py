@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import swept
 from helpers import equal_links, example, flat, model_of
 
 import screwgen
@@ -58,7 +59,7 @@ def test_the_command_takes_states_and_a_controller(capsys, tmp_path):
     assert max(m["eigenvalue"][0] for m in data["states"][0]["motions"]) < 1
 
 
-@pytest.mark.parametrize("count", [2, 32])
+@pytest.mark.parametrize("count", swept([2, 32], 2))
 def test_the_picture_is_the_same_twice(count):
     model = model_of(equal_links(count, 3))
     s = structure(model)

@@ -17,6 +17,7 @@ from batch_c import (
     stepped,
     written,
 )
+from conftest import swept
 from helpers import model_of
 
 from screwgen.algorithms import fused
@@ -34,7 +35,7 @@ BAD_ARGUMENT = 3
 # -------- the same operations: the same bits
 
 
-@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("width", swept(WIDTHS, 0, 32))
 def test_lanes_of_every_width_step_bit_for_bit_as_the_scalar_code(width, name="ella"):
     given = scenarios(name, 19)
     for method in METHODS:

@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+from itertools import product
 from pathlib import Path
 
 import mpmath
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from batch_c import ROBOTS, model, write_into, written
-from conftest import require_tool
+from conftest import require_tool, swept
 
 from screwgen.backends.c import batch as c_batch
 from screwgen.backends.c.project import CProject
@@ -105,9 +106,14 @@ def worst_deviation(x: np.ndarray, found: list[list[float]]) -> float:
 # -------- the source
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize("options", ["", "-march=native -fopenmp", "-DELLA_LANE_BYTES=0", "-DELLA_REAL_FLOAT"])
-def test_the_source_compiles_without_a_warning(tmp_path, compiler, options):
+OPTIONS = ("", "-march=native -fopenmp", "-DELLA_LANE_BYTES=0", "-DELLA_REAL_FLOAT")
+EITHER = [("gcc", OPTIONS[1]), ("gcc", OPTIONS[3]), ("clang", OPTIONS[0]), ("clang", OPTIONS[2])]
+"""Every option with one of the compilers."""
+
+
+@pytest.mark.parametrize("given", swept(product(("gcc", "clang"), OPTIONS), *EITHER), ids=" ".join)
+def test_the_source_compiles_without_a_warning(tmp_path, given):
+    compiler, options = given
     require_tool(compiler)
     for binding in ("runtime", "baked"):
         write_into(tmp_path, "ella", binding)
@@ -233,7 +239,7 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("method", ["rk4", "semi_implicit"])
+@pytest.mark.parametrize("method", swept(["rk4", "semi_implicit"], "semi_implicit"))
 def test_a_robot_of_a_batch_costs_less_than_two_fifths_of_a_scalar_step(tmp_path, method):
     """Executed instructions of 64 steps, both sides with the same flags: registers of 32 bytes where there are such."""
     require_tool("valgrind")

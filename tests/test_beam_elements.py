@@ -103,7 +103,14 @@ def test_elements_have_converged(arm, joints):
 
 
 @pytest.mark.parametrize(
-    "links, bending, bound", [(2, 2, 1e-4), (3, 2, 2e-2), (3, 3, 1e-4), (5, 2, 2e-2), (5, 3, 1e-4)]
+    "links, bending, bound",
+    [
+        (2, 2, 1e-4),
+        (3, 2, 2e-2),
+        (3, 3, 1e-4),
+        pytest.param(5, 2, 2e-2, marks=pytest.mark.long),
+        pytest.param(5, 3, 1e-4, marks=pytest.mark.long),
+    ],
 )
 def test_polynomials_converge(links, bending, bound):
     """With so many bending modes per plane, one in stretching and one in torsion."""

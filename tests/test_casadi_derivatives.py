@@ -11,6 +11,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
+from conftest import swept
 from helpers import EPS, arm, drawn, example, flat, link, model_of, quick, relative
 
 from screwgen.backends.casadi.functions import as_function
@@ -181,7 +182,7 @@ def count(cell: str) -> int:
     return int(cell.removeprefix("all ").split()[0])
 
 
-@pytest.mark.parametrize("which", ROBOTS)
+@pytest.mark.parametrize("which", swept(ROBOTS, "ella", "rigid"))
 def test_patterns_are_as_documented(which):
     """Against the sparsity of CasADi's symbolic Jacobian, entry by entry of the table."""
     model = robot(which)

@@ -4,15 +4,15 @@ import subprocess
 import sys
 
 from conftest import require_tool
-from helpers import ROOT, example
+from helpers import ROOT, arm, link, model_of
 
 
 def test_demo_runs_over_an_older_folder():
-    """Of an arm without rotors: the folder is replaced, and compiled as users do."""
+    """Of another arm of the same name: the folder is replaced."""
     require_tool("make")
     require_tool("cc")
     header = ROOT / "build" / "ella" / "c" / "ella.h"
-    example("converged").write(ROOT / "build" / "ella", targets=("c",))
+    model_of(arm(link()) | {"name": "ella"}).write(ROOT / "build" / "ella", targets=("c",))
     before = header.read_text()
     done = subprocess.run([sys.executable, ROOT / "examples" / "demo.py"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -189,8 +189,7 @@ def test_statuses():
 # -------- the folder
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize("binding", ["runtime", "baked"])
+@pytest.mark.parametrize(("compiler", "binding"), [("gcc", "runtime"), ("clang", "baked")])
 def test_folder_compiles_without_a_warning(tmp_path, compiler, binding):
     from test_c_code import WARNINGS
 

@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conftest import swept
 from helpers import EPS32, Case, casadi_forward, disagreement, drawn, example, flat, quick, relative
 from oracle import Oracle, part_error
 
@@ -17,8 +18,6 @@ from screwgen import Robot
 from screwgen.spec import dump
 
 SEEDS = range(50)
-COMPILED = range(15)
-"""Of these robots the C is compiled too: three of each number of links, in both layouts."""
 
 
 def links_of(seed: int) -> int:
@@ -30,16 +29,18 @@ def name_of(seed: int) -> str:
     return f"seed{seed:02d}-{links_of(seed)}links"
 
 
-every_robot = pytest.mark.parametrize("seed", SEEDS, ids=name_of)
-compiled_robots = pytest.mark.parametrize(
-    "seed", [s if s in COMPILED else pytest.param(s, marks=pytest.mark.long) for s in SEEDS], ids=name_of
-)
-some_robots = pytest.mark.parametrize("seed", range(55, 60), ids=name_of)
+every_robot = pytest.mark.parametrize("seed", swept(SEEDS, *SEEDS[:10]), ids=name_of)
+some_robots = pytest.mark.parametrize("seed", swept(range(5, 10), 6, 7), ids=name_of)
 
 
 @cache
 def case_of(seed: int) -> Case:
     return drawn(seed, links_of(seed))
+
+
+def layouts_of(seed: int) -> tuple[str, str]:
+    """The layout in which a robot's C is compiled, and the other one."""
+    return ("modular", "fused") if seed % 2 else ("fused", "modular")
 
 
 def casadi_dae(case: Case) -> dict[str, np.ndarray]:
@@ -84,10 +85,10 @@ def test_accelerations_and_wrenches(seed):
     check(case, errors)
 
 
-@compiled_robots
+@every_robot
 def test_accelerations_and_wrenches_in_c(seed):
     case = case_of(seed)
-    compiled = quick(case.model, layout=("fused", "modular")[seed % 2])
+    compiled = quick(case.model, layout=layouts_of(seed)[0])
     results = {form: compiled.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
     check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
 
@@ -97,7 +98,7 @@ def test_back_ends_agree(seed):
     """C = CasADi = NumPy, all layouts, baked and runtime parameters: to max(1e-12, 50 eps cond M)."""
     case = case_of(seed)
     judge = case.model.numpy().forward_dynamics(*case.inputs)
-    layout, other = ("fused", "modular")[:: 1 if seed % 2 else -1]
+    layout, other = layouts_of(seed)
     results = {"CasADi": casadi_forward(case.model, *case.inputs)}
     for name, options in {"runtime": {"layout": layout}, "baked": {"layout": other, "parameters": "baked"}}.items():
         compiled = quick(case.model, **options)
@@ -106,11 +107,11 @@ def test_back_ends_agree(seed):
     assert max(errors.values()) <= case.agreement, errors
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", swept(range(4), 0, 1))
 def test_single_precision(seed):
     """Float C is right to 50 eps32 cond M, on robots where that leaves digits."""
     case = drawn(200 + seed, 1 + seed, limit=2e3)
-    compiled = quick(case.model, layout=("fused", "modular")[seed % 2], single=True)
+    compiled = quick(case.model, layout=layouts_of(seed)[0], single=True)
     expected = case.oracle.forward_dynamics(**case.state)
     tolerance = 50 * EPS32 * case.oracle.condition(case.state["q"])
     assert tolerance < 0.02
@@ -137,10 +138,10 @@ def test_all_other_functions(seed):
         numeric.energy(q, v), oracle.energy(q, v), rtol=1e-12, atol=1e-12 * abs(sum(oracle.energy(q, v)))
     )
     assert np.allclose([float(e) for e in functions["energy"](q, v, p)], numeric.energy(q, v), rtol=1e-12)
-    check_poses(case, functions, p)
+    check_poses(case, functions, p, layouts_of(seed)[0])
 
 
-def check_poses(case: Case, functions, p):
+def check_poses(case: Case, functions, p, layout: str):
     (q, v, tau, w_ext), numeric, n = case.inputs, case.model.numpy(), case.model.n_links
     poses = case.oracle.poses(q)
     for given, R, origin in ((numeric.link_pose(q), "R", "origin"), (numeric.tip_poses(q), "tip_R", "tip_point")):
@@ -148,7 +149,7 @@ def check_poses(case: Case, functions, p):
     R, position = (np.array(a) for a in functions["link_pose"](q, p))
     assert np.allclose(np.stack(np.hsplit(R, n)), poses["R"], atol=1e-12)
     assert np.allclose(position.T, poses["origin"], atol=1e-12)
-    compiled = quick(case.model, layout="modular")
+    compiled = quick(case.model, layout=layout)
     tips = [numeric.tip_pose(q), functions["tip_pose"](q, p)]
     tips += [compiled.complete_dynamics(q, v, tau, w_ext, form)[2:] for form in ("joint", "dae")]
     for R, position in tips:

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from dense_filter import DenseFilter
-from helpers import G, arm, example, link, model_of
+from helpers import QUICK, G, arm, example, link, model_of
 
 from screwgen import SingularError, UsageError
 from screwgen.errors import ScrewgenError
@@ -39,9 +39,7 @@ def model(name):
 
 @cache
 def compiled(name, single=False, binding="runtime"):
-    return CompiledEstimator(
-        model(name), single=single, binding=binding, flags=("-O2",) if name == "ella" else ("-O1",)
-    )
+    return CompiledEstimator(model(name), single=single, binding=binding, flags=QUICK)
 
 
 def gauge_rows(model) -> np.ndarray:
@@ -97,7 +95,7 @@ class Truth:
 # -------- against the dense filter
 
 
-@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100)])
+@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 100), ("skew", "baked", 60)])
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""
     robot, e = model(name), compiled(name, binding=binding)
@@ -127,13 +125,14 @@ def test_equals_a_dense_filter(name, binding, steps):
 # -------- over long runs
 
 
+@pytest.mark.parametrize("steps", [1000, pytest.param(10_000, marks=pytest.mark.long)])
 @pytest.mark.parametrize("single", [False, True], ids=["double", "float"])
-def test_covariance_stays_symmetric_and_definite_over_ten_thousand_steps(single):
+def test_covariance_stays_symmetric_and_definite_over_many_steps(single, steps):
     """And the estimate stays where the truth is: within five deviations, or a few rounding errors of float."""
     robot, e = model("ella"), compiled("ella", single)
     truth, rng, w_ext = Truth(robot, 4), np.random.default_rng(5), np.zeros((2, 6))
     e.start(truth.q, truth.v, deviation_of(robot), 10 * deviation_of(robot), noise_of(robot))
-    for k in range(10_000):
+    for k in range(steps):
         tau = truth.torque()
         truth.step(tau, w_ext, 1e-3)
         e.predict(tau, w_ext, 1e-3)
@@ -150,7 +149,7 @@ def test_covariance_stays_symmetric_and_definite_over_ten_thousand_steps(single)
 def test_an_undamped_vibration_neither_grows_nor_decays():
     """Without noise the expected energy tr(K P_qq) + tr(M P_vv) of a free beam is conserved, however long the step."""
     beam = model_of(arm(link("beam", axes=[], modes={"axial": 1, "bending_y": 3}, section=SOFT), gravity=(0, 0, 0)))
-    e, n = CompiledEstimator(beam, flags=("-O1",)), beam.nq
+    e, n = CompiledEstimator(beam, flags=QUICK), beam.nq
     M, K = beam.numpy().mass_matrix(np.zeros(n)), np.diag(beam.numpy().constants[0]["K"])
     assert np.sqrt(np.max(np.diag(K) / np.diag(M))) * 0.01 > 2, "the step must be long for the stiffest mode"
     energy = lambda P: np.trace(K @ P[:n, :n]) + np.trace(M @ P[n:, n:])  # noqa: E731
@@ -179,7 +178,7 @@ def test_josephs_form_keeps_what_a_precise_measurement_leaves():
 def test_a_gauge_measures_what_beam_theory_says(direction):
     """A clamped beam with a force F at its tip: u'' = F l / EI at the base; the fibre on that side is compressed."""
     beam = model_of(arm(link("beam", 0.8, [], modes={"basis": "polynomial", direction: 2}, section=SOFT)))
-    e = CompiledEstimator(beam, flags=("-O1",))
+    e = CompiledEstimator(beam, flags=QUICK)
     eta = np.array([0.01, 0.002])
     force = beam.numpy().inverse_dynamics(eta, np.zeros(2), np.zeros(2), np.zeros((1, 6)))
     force = force - beam.numpy().inverse_dynamics(np.zeros(2), np.zeros(2), np.zeros(2), np.zeros((1, 6)))
@@ -197,7 +196,7 @@ def test_a_gauge_measures_what_beam_theory_says(direction):
 def test_an_accelerometer_at_rest_feels_the_ground():
     """A pendulum that hangs, in its frame: free fall is along x, what is felt against it."""
     rod = model_of(arm(link("rod", 1.0, "y")))
-    e, hanging = CompiledEstimator(rod, flags=("-O1",)), [np.pi / 2]
+    e, hanging = CompiledEstimator(rod, flags=QUICK), [np.pi / 2]
     e.start(hanging, [0.0], 1e-3, 1e-3, Noise(0.0, acceleration=1e-3))
     e.update([0.0], np.zeros((1, 6)), acceleration=[-G, 0.0, 0.0])
     assert np.allclose(e.state, [hanging, [0.0]], rtol=0, atol=1e-12)
@@ -209,7 +208,7 @@ def test_parameters_at_run_time_reach_the_gauges():
     p[robot.parameter_names.index("upper_arm.length")] *= 2
     found = []
     for values in (None, p):
-        e = CompiledEstimator(robot, values)
+        e = CompiledEstimator(robot, values, flags=QUICK)
         e.start(np.zeros(9), np.zeros(9), 1e-9, 1e-9, Noise(0.0, strain=1.0, fibre=1.0))
         e.put(np.zeros(9), np.zeros(9), np.diag(np.r_[np.zeros(4), 1e6, np.zeros(13)]))
         e.update(np.zeros(3), np.zeros((2, 6)), strain=[1.0, np.nan, np.nan, np.nan])
@@ -252,7 +251,7 @@ def test_failures_leave_the_estimate_untouched():
 
 def test_a_singular_posture_names_its_link():
     wrist = model_of(arm(link("wrist", axes="xzx", bodies=TIP)))
-    e, free = CompiledEstimator(wrist, flags=("-O1",)), np.zeros((1, 6))
+    e, free = CompiledEstimator(wrist, flags=QUICK), np.zeros((1, 6))
     e.start(np.zeros(3), np.zeros(3), 1e-3, 1e-3, Noise(1.0, acceleration=1.0))
     with pytest.raises(SingularError, match="wrist"):
         e.predict(np.zeros(3), free, 1e-3)
@@ -271,7 +270,7 @@ def test_a_singular_posture_names_its_link():
 )
 def test_without_joints_or_without_modes(robot):
     robot = model_of(robot)
-    e, n, m = CompiledEstimator(robot, flags=("-O1",)), robot.nq, robot.n_joints
+    e, n, m = CompiledEstimator(robot, flags=QUICK), robot.nq, robot.n_joints
     e.start(np.zeros(n), np.zeros(n), 1e-3, 1e-3, Noise(1.0, 0.0, 1e-3, 1e-3, 1e-1, FIBRE))
     free = np.zeros((robot.n_links, 6))
     for _ in range(3):

@@ -20,8 +20,12 @@ import targets  # noqa: E402
 QUICK = {("fused", "baked"), ("modular", "runtime")}
 
 
+@pytest.mark.long
 def test_on_the_cortex_m4f():
-    """Self-check, 1,000 steps and budgets of float, fused and modular; the exit status says whether all of it holds."""
+    """What `make firmware` does for all targets.
+
+    Self-check, 1,000 steps and budgets of float, fused and modular; the exit status says whether all of it holds.
+    """
     for tool in ("cc", "arm-none-eabi-gcc", "qemu-system-arm"):
         require_tool(tool)
     command = [sys.executable, ROOT / "firmware" / "firmware.py", "--quick"]

@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import QUICK, arm, link, model_of
 
 from screwgen import UsageError
 from screwgen.integrators import METHODS, Method, Move, Stage
@@ -43,7 +43,7 @@ def model():
 
 @cache
 def compiled():
-    return model().compile(methods=OWN)
+    return model().compile(flags=QUICK, methods=OWN)
 
 
 @cache
@@ -169,7 +169,7 @@ def test_order_is_that_of_the_table(form, method):
             return c.dae_state(*c.step(q, v, *inputs, 0.1 / steps, method, steps))
         return c.dae_step(c.dae_state(q, v), *inputs, 0.1 / steps, method, steps)
 
-    exact = end("rk4", 20000, "joint")
+    exact = end("rk4", 8000, "joint")
     errors = [np.abs(end(method, n) - exact).max() for n in (200, 400, 800)]
     slopes = np.log2(np.array(errors[:-1]) / errors[1:])
     assert np.allclose(slopes, method.order, atol=0.2), (slopes, errors)

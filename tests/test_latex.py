@@ -7,8 +7,9 @@ from collections import Counter
 
 import pytest
 import sympy as sp
+from conftest import swept
 from helpers import arm, link
-from latex_documents import PLUGINS, every_robot, page, robot, tex, views
+from latex_documents import NAMES, PLUGINS, every_robot, page, robot, tex, views
 
 from screwgen import Robot
 from screwgen.algebra.notation import latex as formula
@@ -26,7 +27,7 @@ from screwgen.topology.chain import Chain
 # -------- LaTeX
 
 
-@every_robot
+@pytest.mark.parametrize("name", swept(NAMES, "ella"))
 def test_the_same_every_time(name):
     assert latex.document(robot(name), PLUGINS) == tex(name)
     assert latex.html(robot(name), PLUGINS) == page(name)

@@ -9,9 +9,9 @@ from xml.etree import ElementTree
 import jinja2
 import numpy as np
 import pytest
-from conftest import require_tool
+from conftest import require_tool, swept
 from helpers import arm, link
-from latex_documents import every_robot, page, robot, tex, too_wide
+from latex_documents import NAMES, page, robot, tex, too_wide
 
 from screwgen import Robot, ScrewgenError
 from screwgen.backends.latex import document as latex
@@ -24,7 +24,7 @@ ACCENTED = r"\tilde{\boldsymbol{\theta}}_c^{2} + \dot{\mathbf{r}}^{\top} + \ddot
 # -------- HTML
 
 
-@every_robot
+@pytest.mark.parametrize("name", swept(NAMES, "ella", "strange"))
 def test_html_is_well_formed_and_has_mathml(name):
     tree = ElementTree.fromstring(page(name))
     formulas = [e for e in tree.iter() if e.tag in ("math", f"{MATHML}math")]
@@ -81,7 +81,7 @@ def test_the_templates_are_where_they_belong():
 # -------- pdflatex
 
 
-@pytest.mark.parametrize("name", ["ella", "strange", "measured", pytest.param("six_link", marks=pytest.mark.long)])
+@pytest.mark.parametrize("name", swept(NAMES, "strange"))
 def test_pdflatex_compiles_and_nothing_runs_off_the_page(name, tmp_path):
     assert too_wide(tex(name), tmp_path) <= 5.0
 

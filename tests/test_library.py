@@ -28,8 +28,9 @@ def answer(folder, files=SMALL, flags=("-O0",)) -> int:
 
 def answer_elsewhere(folder) -> int:
     """The answer in a process of its own: this one keeps what it has loaded from a path."""
-    script = "import sys; from pathlib import Path; from test_library import answer; print(answer(Path(sys.argv[1])))"
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests")])}
+    script = "import sys; from screwgen.runtime.library import load\n"
+    script += f"print(load({SMALL!r}, ('-O0',), cache=sys.argv[1]).answer())"
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
     done = subprocess.run(
         [sys.executable, "-c", script, str(folder)], env=environment, capture_output=True, text=True, check=True
     )
@@ -70,9 +71,9 @@ from screwgen import Robot, derive
 model = derive(Robot.model_validate({arm(link("a", modes={"bending_y": 1}), link("b", axes="y"))!r}))
 print("ready", flush=True)
 sys.stdin.readline()
-print(model.compile().forward_dynamics([0.1] * 3, [0.0] * 3)[0].tolist())
+print(model.compile(flags=("-O0",)).forward_dynamics([0.1] * 3, [0.0] * 3)[0].tolist())
 """
-    settings = os.environ | {"SCREWGEN_CACHE": str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"}
+    settings = os.environ | {"SCREWGEN_CACHE": str(tmp_path)}
     start = dict(
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=settings, cwd=ROOT
     )

@@ -96,14 +96,22 @@ def robot_or_one_line(path, content):
         refusal(path)
 
 
-@settings(max_examples=500, deadline=None)
-@given(text=mutants())
-def test_mutants_give_a_robot_or_one_line(path, text):
-    tomllib.loads(text)
-    robot_or_one_line(path, text.encode())
+@pytest.mark.parametrize("count", [200, pytest.param(2000, marks=pytest.mark.long)])
+def test_mutants_give_a_robot_or_one_line(path, count):
+    @settings(max_examples=count)
+    @given(text=mutants())
+    def each(text):
+        tomllib.loads(text)
+        robot_or_one_line(path, text.encode())
+
+    each()
 
 
-@settings(max_examples=300, deadline=None)
-@given(content=splices() | st.binary(max_size=200) | texts.map(str.encode))
-def test_bytes_give_a_robot_or_one_line(path, content):
-    robot_or_one_line(path, content)
+@pytest.mark.parametrize("count", [200, pytest.param(2000, marks=pytest.mark.long)])
+def test_bytes_give_a_robot_or_one_line(path, count):
+    @settings(max_examples=count)
+    @given(content=splices() | st.binary(max_size=200) | texts.map(str.encode))
+    def each(content):
+        robot_or_one_line(path, content)
+
+    each()

@@ -1,15 +1,16 @@
 """The generated C under gcc's analyser, clang-tidy, cppcheck with MISRA rules, sanitizers and valgrind.
 
-Of a small robot, fused in double and modular in float, the slow ones modular alone; `make analyse-c` takes three larger
-robots in all combinations.
+Of a small robot, fused in double or modular in float; `make analyse-c` takes three larger robots in all combinations.
 """
 
 import pytest
 from c_robots import FEW
 from c_tools import clang_tidy, cppcheck, deviations, gcc_analyser, memchecked, misra, sanitized
+from conftest import swept
 
-every_kind = pytest.mark.parametrize("kind", FEW, ids=str)
 one_kind = pytest.mark.parametrize("kind", FEW[1:], ids=str)
+fused = pytest.mark.parametrize("kind", swept(FEW, FEW[0]), ids=str)
+modular = pytest.mark.parametrize("kind", swept(FEW, FEW[1]), ids=str)
 
 
 @one_kind
@@ -17,7 +18,7 @@ def test_gcc_analyser_finds_nothing(tmp_path, kind):
     assert gcc_analyser(kind, tmp_path) == []
 
 
-@every_kind
+@modular
 def test_clang_tidy_finds_nothing(tmp_path, kind):
     assert clang_tidy(kind, tmp_path) == []
 
@@ -31,13 +32,13 @@ def test_cppcheck_finds_nothing_but_listed_deviations(tmp_path, kind):
     assert len(misra(findings)) > 50  # the addon ran
 
 
-@every_kind
+@modular
 def test_sanitizers_find_nothing(tmp_path, kind):
     """Addresses and undefined behaviour, over null pointers, wild numbers and wild arguments."""
     assert sanitized(kind, tmp_path) == []
 
 
-@every_kind
+@fused
 def test_valgrind_finds_nothing(tmp_path, kind):
     """No result depends on what scratch held before a call, and nothing is leaked."""
     assert memchecked(kind, tmp_path) == []

@@ -178,12 +178,12 @@ def test_a_stopped_run_keeps_its_samples_and_fails(tmp_path, capsys):
     heavy = limits.beam(20.0, axes=["z"], armature=[1.0]).robot
     path, out = tmp_path / "heavy.toml", tmp_path / "run.npz"
     path.write_text(screwgen.dump(heavy))
-    arguments = ["simulate", str(path), "--duration", "2", "--step", "1e-3", "--form", "dae", "-o", str(out)]
+    arguments = ["simulate", str(path), "--duration", "2", "--step", "2e-3", "--form", "dae", "-o", str(out)]
     assert main([*arguments, "--keep"]) == 1
     err = capsys.readouterr().err.splitlines()
     assert [line.split(":")[1] for line in err] == [" warning", " error"] and "run.part.npy keeps the run" in err[1]
     kept = np.load(tmp_path / "run.part.npy")
-    assert 10 < len(kept) < 2000 and not out.exists()
+    assert 10 < len(kept) < 1000 and not out.exists()
     assert main(arguments) == 1 and not out.exists()
 
 
@@ -261,9 +261,9 @@ def test_analyse_prints_the_table_of_a_state_and_of_a_run(tmp_path, capsys):
     assert record["measures"]["beam"]["deflection"] == pytest.approx(run.validity.values[0, 0], rel=1e-12)
     assert record["past"][0]["first"] == run.validity.findings[0].first
     assert main(["analyse", str(robot), "--state", str(out)]) == 0
-    assert "link 'beam': tip deflection over length is" in " ".join(capsys.readouterr().out.split())
-    assert main(["analyse", str(robot)]) == 0
-    assert "Limits of the model of first order, state 'zero'" in capsys.readouterr().out
+    said = " ".join(capsys.readouterr().out.split())
+    assert f"Limits of the model of first order, {out}" in said
+    assert "link 'beam': tip deflection over length is" in said
     np.savez(out, **{name: getattr(run, name) for name in ("t", "q", "v", "tau")}, wrench=run.wrench + 1.0)
     assert main(["analyse", str(robot), "--state", str(out)]) == 2
     assert "wrenches on the tips are not in a run's file" in capsys.readouterr().err

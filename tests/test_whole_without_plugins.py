@@ -22,7 +22,13 @@ section = { rhoA = 0.4, EIy = 12.0, EIz = 12.0 }
 modes = { bending_y = 1 }
 joint = { axes = ["y"] }
 """
-WORK = """
+REFUSED = {
+    "paper 29": "the command 'paper' is that of a plug-in which is not installed",
+    "evaluate flap.toml --formulation printed": "--formulation: there is no 'printed'; choose consistent",
+}
+"""What the plug-in adds, and the line that says that it is not there."""
+
+MODEL = """
 import sys
 from importlib.util import find_spec
 import screwgen
@@ -32,11 +38,6 @@ model = screwgen.derive(screwgen.load("flap.toml"))
 functions = model.casadi()
 assert len([functions[name] for name in functions]) > 10 and "cauchy" not in functions
 assert not hasattr(model, "cauchy_names") and "z_rows" not in model.blocks(0)
-for target in ("c", "casadi", "latex"):
-    assert model.write(f"all/{target}", targets=(target,))
-text = open("all/latex/latex/flap.tex").read()
-assert "Link class 1" in text and "Z-form" not in text and "Yaqubi" in text
-assert "Z-form" not in open("all/casadi/casadi/README.md").read()
 for form in ("joint", "dae"):
     run = screwgen.simulate(model, 0.004, 0.001, [0.3, 0.0], form=form)
     assert len(run.t) == 5 and run.q[-1, 0] != 0.3
@@ -45,6 +46,22 @@ try:
 except screwgen.UsageError as error:
     assert str(error) == "there is no formulation 'printed'; choose consistent"
 assert not [name for name in sys.modules if name.startswith("screwgen.paper")]
+"""
+COMMANDS = f"""
+import io
+from contextlib import redirect_stderr, redirect_stdout
+from screwgen.cli.main import main
+
+def command(line):
+    with redirect_stdout(io.StringIO()) as out, redirect_stderr(io.StringIO()) as err:
+        status = main(line.split())
+    return status, out.getvalue(), err.getvalue()
+
+status, out, _ = command("--help")
+assert status == 0 and "generate" in out and "paper" not in out
+assert command("generate flap.toml -o out")[0] == 0
+for line, message in {REFUSED}.items():
+    assert command(line) == (2, "", f"screwgen: error: {{message}}\\n"), line
 """
 
 
@@ -61,32 +78,13 @@ def bare(tmp_path_factory) -> Path:
     return folder
 
 
-def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess:
-    command = [sys.executable, *arguments]
-    env = os.environ | {"PYTHONPATH": str(folder)}
-    return subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True)
-
-
 def test_everything_works_without_the_folder(bare):
-    done = run(bare, "-c", WORK)
-    assert done.returncode == 0, done.stderr
-
-
-def test_the_command_line_works_without_the_folder(bare):
-    done = run(bare, "-m", "screwgen", "--help")
-    assert done.returncode == 0 and "generate" in done.stdout and "paper" not in done.stdout
-    done = run(bare, "-m", "screwgen", "generate", "flap.toml", "-o", "out")
+    """The model and the command line, in a process that has never seen the plug-in."""
+    env = os.environ | {"PYTHONPATH": str(bare), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-c", MODEL + COMMANDS]
+    done = subprocess.run(command, cwd=bare, env=env, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert {p.name for p in (bare / "out").iterdir()} > {"c", "casadi", "latex"}
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("paper 29", "the command 'paper' is that of a plug-in which is not installed"),
-        ("evaluate flap.toml --formulation printed", "--formulation: there is no 'printed'; choose consistent"),
-    ],
-)
-def test_what_the_plug_in_adds_is_refused_on_one_line(bare, line, message):
-    done = run(bare, "-m", "screwgen", *line.split())
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"screwgen: error: {message}\n")
+    text = (bare / "out" / "latex" / "flap.tex").read_text()
+    assert "Link class 1" in text and "Z-form" not in text and "Yaqubi" in text
+    assert "Z-form" not in (bare / "out" / "casadi" / "README.md").read_text()

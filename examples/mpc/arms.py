@@ -84,7 +84,7 @@ class Arms:
         return self.prepared(self.nominal)
 
     def prepared(self, p) -> Compiled:
-        out = Compiled(self.plant, flags=("-O1",))
+        out = Compiled(self.plant, flags=("-O1",), cache=True)
         out.prepare(p)
         return out
 

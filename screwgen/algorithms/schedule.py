@@ -49,7 +49,7 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
     Of the methods to eliminate modes the one with the fewest operations is taken.
     """
     ways = _ways(key) if any(phase.eliminates for phase in algorithm) else (FACTOR,)
-    traced = [_traced(key, algorithm, way) for way in ways]
+    traced = [_traced(key, algorithm, way)[0] for way in ways]
     return min(traced, key=lambda programs: sum(p.operation_count for p in programs))
 
 
@@ -60,14 +60,17 @@ def _ways(key: LinkClass) -> tuple[str, ...]:
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 
 
-def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[Program, ...]:
-    layouts: dict[str, Layout] = {}
-    programs = []
-    for phase in algorithm:
-        scope = Scope(key, Tracer(), layouts, way)
-        phase.work(scope)
-        programs.append(scope.program(phase.name))
-    return tuple(programs)
+@cache
+def _traced(key: LinkClass, algorithm: Algorithm, way: str) -> tuple[tuple[Program, ...], dict[str, Layout]]:
+    """The programs by one method, and the layouts of the link's store; algorithms share those of equal first phases."""
+    if not algorithm:
+        return (), {}
+    *before, phase = algorithm
+    method = way if any(earlier.eliminates for earlier in before) else FACTOR
+    programs, layouts = _traced(key, tuple(before), method)
+    scope = Scope(key, Tracer(), dict(layouts), way)
+    phase.work(scope)
+    return (*programs, scope.program(phase.name)), scope.layouts
 
 
 @cache

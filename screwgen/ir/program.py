@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from operator import attrgetter
 
 import mpmath
 import numpy as np
@@ -89,7 +90,9 @@ class Tracer:
             self._section = before
 
     def _node(self, op: str, *args) -> Node:
-        key = (op, *args) if op == "input" else _key(op, args)
+        key = (op, *args)
+        if op in COMMUTATIVE and _later(*args):
+            key = (op, *args[::-1])
         node = self._table.get(key)
         if node is None:
             node = self._table[key] = Node(self, op, args, self._count, self._section)
@@ -169,7 +172,7 @@ class Tracer:
         if not isinstance(b, Node):
             return self._scaled(a, b)
         for x, y in ((a, b), (b, a)):
-            rest = _without_inverse(x, y)
+            rest = _without_inverse(x, y) if x.op in ("mul", "div") else None
             if rest is not None:
                 return rest  # (x * (1 / d)) * d
         return self._node("mul", a, b)
@@ -209,27 +212,29 @@ class Tracer:
         return self._node(function, a)
 
 
-def _key(op: str, args: tuple) -> tuple:
-    """The key by which equal operations are found: numbers of nodes, and the bits of floats."""
-    ids = [a.id if isinstance(a, Node) else float(a).hex() for a in args]
-    if op in COMMUTATIVE and (isinstance(ids[0], str) or (isinstance(ids[1], int) and ids[1] < ids[0])):
-        ids.reverse()
-    return op, *ids
+def _later(a: Value, b: Value) -> bool:
+    """Whether the key of a sum or product has the operands in the other order: numbers of nodes rise, floats last."""
+    return not isinstance(a, Node) or (isinstance(b, Node) and b.id < a.id)
 
 
 def _op(a, op: str) -> bool:
     return isinstance(a, Node) and a.op == op
 
 
-def _without_inverse(product: Value, d: Value) -> Value | None:
+def _without_inverse(product: Node, d: Value) -> Value | None:
     """``x`` if ``product`` is ``x * (1 / d)`` or ``1 / d`` itself, else None."""
-    if _op(product, "div") and _is(product.args[0], 1.0) and product.args[1] is d:
+    if _inverse(product, d):
         return 1.0
-    if _op(product, "mul"):
+    if product.op == "mul":
         for x, y in (product.args, product.args[::-1]):
-            if _op(y, "div") and _is(y.args[0], 1.0) and y.args[1] is d:
+            if _inverse(y, d):
                 return x
     return None
+
+
+def _inverse(a: Value, d: Value) -> bool:
+    """Whether ``a`` is ``1 / d``."""
+    return isinstance(a, Node) and a.op == "div" and a.args[1] is d and _is(a.args[0], 1.0)
 
 
 def _both_numbers(a, b) -> bool:
@@ -289,12 +294,13 @@ def give_label(value: Value, label: str) -> None:
 
 def live(values: Iterable[Value]) -> list[Node]:
     """The nodes that ``values`` depend on, in the order in which they were recorded."""
-    seen: dict[int, Node] = {}
+    found: set[Node] = set()
     stack = [v for v in values if isinstance(v, Node)]
     while stack:
         node = stack.pop()
-        if node.id not in seen:
-            seen[node.id] = node
-            if node.op != "input":
-                stack += [a for a in node.args if isinstance(a, Node) and a.id not in seen]
-    return [seen[i] for i in sorted(seen)]
+        if node not in found:
+            found.add(node)
+            for a in node.args:
+                if isinstance(a, Node):
+                    stack.append(a)
+    return sorted(found, key=attrgetter("id"))

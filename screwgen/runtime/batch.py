@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..backends.c.project import CProject
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
-from .compiled import STATUS, number_of
+from .compiled import STATUS, LeanProject, number_of
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
@@ -171,9 +170,9 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             stop.set()
 
 
-def _files(model: Model, methods: Sequence[Method]) -> tuple[CProject, dict[str, str]]:
+def _files(model: Model, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:
     """The sources of a batch, and its project."""
-    project, name = CProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
+    project, name = LeanProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
     files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
     return project, files | {"shim.c": project.shim("batch_shim.c")}

@@ -10,9 +10,8 @@ import numpy as np
 
 from ..algorithms.gauges import Gauge, gauges
 from ..arguments import array
-from ..backends.c.project import CProject
 from ..errors import ScrewgenError, SingularError, UsageError
-from .compiled import STATUS
+from .compiled import STATUS, LeanProject
 from .library import load
 
 if TYPE_CHECKING:
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 
 def _files(model: Model, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
-    project = CProject(model.chain, model.version, binding, estimator=True)
+    project = LeanProject(model.chain, model.version, binding, estimator=True)
     return project.files() | {"shim.c": project.shim("estimator_shim.c")}
 
 

@@ -50,7 +50,7 @@ def _modes(M, K, powers):
 
 def arm(basis) -> dict:
     section = {"rhoA": 1.5, "EA": 4e6, "EIy": 900.0, "EIz": 700.0, "GJ": 300.0, "rhoIp": 1e-3}
-    modes = {"basis": basis, "bending_y": 3, "bending_z": 2, "axial": 1, "torsion": 2}
+    modes = {"basis": basis, "bending_y": 2, "bending_z": 1, "axial": 1, "torsion": 1}
     link = {
         "length": 0.8,
         "section": section,

@@ -10,6 +10,7 @@ from ..templates import render
 WIDTH = 120
 BREAKS = {", ": 0, "&& ": 1, "|| ": 1, "? ": 2, ": ": 2, "+ ": 3, "- ": 3, "* ": 4}
 """Statements are broken after a comma or before an operator; tokens of lower rank are preferred."""
+MARKS = frozenset('"()[]{}').union(token[0] for token in BREAKS)
 
 
 def rendered(template: str, **values: object) -> str:
@@ -58,10 +59,13 @@ def _break(line: str, least: int) -> int | None:
     """The best place to break: outside the innermost parentheses, at the weakest token, the later the better."""
     depth, quoted, best, place = 0, False, (99, 99), None
     for i, ch in enumerate(line[:WIDTH]):
+        if ch not in MARKS:
+            continue
         quoted ^= ch == '"'
         depth += (ch in "([{") - (ch in ")]}")
-        token = line[i : i + (2 if ch in ",?:+-*" else 3)]
-        cost = (depth, BREAKS.get(token, 99))
-        if not quoted and i > least and cost <= best and cost[1] < 99 and (ch == "," or line[i - 1] == " "):
+        if quoted or i <= least or (ch != "," and line[i - 1] != " "):
+            continue
+        cost = (depth, BREAKS.get(line[i : i + (2 if ch in ",?:+-*" else 3)], 99))
+        if cost <= best and cost[1] < 99:
             best, place = cost, i + (ch == ",")
     return place

@@ -1,8 +1,8 @@
 """Mutants of generated C, made by rule, and whether the folder's self-check finds them.
 
 A mutant changes one place of one source. Places are found in the text without comments, preprocessor lines, conditions,
-loop headers and returned status: what decides about a status alone is not arithmetic, and other tests look at it. Of the
-places of a kind in one function some are chosen, evenly spread over its text.
+loop headers and returned status: what decides about a status alone is not arithmetic, and other tests look at it. Of
+the places of a kind in one function some are chosen, evenly spread over its text.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import NamedTuple
 from conftest import require_tool
 
 PATIENCE = 5.0
-"""Seconds after which a self-check is stopped. It has then not reported success, and counts as failed."""
+"""Seconds after which a self-check is stopped: it has not reported success, so the mutant counts as found."""
 
 STILLBORN = ("-w", "-Werror=incompatible-pointer-types", "-Werror=int-conversion")
 """Warnings that make a mutant none."""
@@ -25,7 +25,7 @@ PATH = r"[A-Za-z_]\w*(?:(?:->|\.)\w+|\[[^\[\]]*\])*"
 PRODUCT = rf"{PATH}(?: \* {PATH})*"
 END = r"(?=\s[+-]\s|[;),])"
 KINDS = {
-    "sign": (r"(?<=[\w\])])\s+([+-])\s(?=[\w(-])", lambda m: m[0].translate(str.maketrans("+-", "-+"))),
+    "sign": (r"(?<=[\w\])])\s+([+-])\s(?=[\w(-])(?!0[,;)])", lambda m: m[0].translate(str.maketrans("+-", "-+"))),
     "sum": (r"([+-])= ", lambda m: {"+": "-", "-": "+"}[m[1]] + "= "),
     "minus": (r"(?<=[=(,] )-(?=[\w(])|(?<=\()-(?=[\w(])", lambda m: "+"),
     "constant": (r"(?<![\w.\[])\d+\.\d+(?:[eE][+-]?\d+)?(?!\w)", lambda m: repr(float(m[0]) * 1.01)),
@@ -38,14 +38,14 @@ KINDS = {
     "arguments": (rf"(?<=[(,\s])({PATH}), ({PATH})(?=[,)])", lambda m: f"{m[2]}, {m[1]}"),
 }
 """Kinds of changes: the places, and what is written there. Besides, a local number takes the place of another one."""
-LOCAL = re.compile(r"\bconst \w+_real (\w+) = |(?:, |\()\w+_real (\w+)(?=[,)])|, (\w+) = dt\b")
+LOCAL = re.compile(r"\bconst \w+_real (\w+) = |(?:,\s+|\()(?:const )?\w+_real (\w+)(?=[,)])|, (\w+) = dt\b")
 
 IGNORED = (
     r"/\*[\s\S]*?\*/|^#(?:.*\\\n)*.*$",  # comments, preprocessor lines
     r"\breturn [A-Z]\w*;|\breturn [^;]*(?:status|_OK|NONFINITE|finite\(|moderate\()[^;]*;|\(void\)[^;]*;",  # status
     r"\bint \w+(?:, \w+)*(?:, \w+ = 0)?;|\breturn \(c->[^;]*;|\bsum \+= ",  # counters; the sum of all constants
     r"\bconst \w+ [^;=]*=[^;]*EPSILON[^;]*;|^\s*bad \|=[^;]*;",  # the smallest pivots
-    r"^\s*(?:static )?const int CLASS\b[^;]*;",
+    r"^\s*(?:static )?const int CLASS\b[^;]*;|\bcase 0:\s*return [^;]*;",  # the first link's places, all of them 0
 )
 HEADS = re.compile(r"\b(?:if|for|while|switch) \(")
 
@@ -116,12 +116,13 @@ def mutants(file: str, text: str, most: int) -> list[Mutant]:
             found = re.compile(pattern).finditer(clean, start, end)
             made = [Mutant(file, function, kind, m.start(), m.end(), new(m)) for m in found]
             made = [x for x in made if x.new != text[x.start : x.end] and _valid(x, clean, used)]
-            out += _spread(made, most)
-        out += _spread(list(_renamed(file, function, clean, start, end)), most)
+            out += spread(made, most)
+        out += spread(list(_renamed(file, function, clean, start, end)), most)
     return out
 
 
-def _spread(made: list[Mutant], most: int) -> list[Mutant]:
+def spread(made: list[Mutant], most: int) -> list[Mutant]:
+    """So many of a list, at even distances."""
     count = min(most, len(made))
     return [made[(2 * j + 1) * len(made) // (2 * count)] for j in range(count)]
 
@@ -132,6 +133,8 @@ def _renamed(file: str, function: str, text: str, start: int, end: int) -> Itera
     known = [(m.end(), m[1] or m[2] or m[3]) for m in LOCAL.finditer(text, max(head, 0), end)]
     known = [(at, name) for j, (at, name) in enumerate(known) if name not in [n for _, n in known[:j]]]
     names = [name for _, name in known]
+    if len(names) < 2:
+        return
     for (at, name), other in zip(known, [*names[1:2], *names], strict=False):
         for m in re.compile(rf"(?<![\w.>]){name}\b(?! =)").finditer(text, max(at, start), end):
             if all(at < m.start() for at, n in known if n == other):
@@ -176,6 +179,16 @@ class Folder:
             return subprocess.run(["./check"], cwd=self.folder, capture_output=True, timeout=PATIENCE).returncode == 0
         except subprocess.TimeoutExpired:
             return False
+
+    def line(self, mutant: Mutant) -> str:
+        """The line in which a mutant begins."""
+        text, start = self.texts[mutant.file], mutant.start
+        start += len(text[start : mutant.end]) - len(text[start : mutant.end].lstrip())
+        return text[text.rfind("\n", 0, start) + 1 : text.find("\n", start)]
+
+    def shown(self, mutant: Mutant) -> str:
+        old = self.texts[mutant.file][mutant.start : mutant.end]
+        return f"{mutant}: {old.strip()} -> {mutant.new.strip()} in {self.line(mutant).strip()}"
 
     def survives(self, mutant: Mutant) -> bool | None:
         """Whether the self-check passes with a mutant; None where it does not compile, which makes it no mutant."""

@@ -35,9 +35,9 @@ def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
     return {"tolerance": tolerance, "lost": percent(needed["single"]) if needed["single"] > LOOSEST else ""}
 
 
-def sums(chain: Chain, cases: list[Case], methods: Iterable[Method], rounds: int) -> dict[str, object]:
+def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str, object]:
     """The :class:`Sums` of the last case as C literals, and the factor ``haste`` of its rates."""
-    found = reference_sums.sums(chain, cases[-1], methods, rounds)._asdict()
+    found = reference_sums.sums(chain, cases[-1], methods)._asdict()
     return {name: _literals(value) for name, value in found.items()} | {"haste": literal(reference_sums.HASTE)}
 
 

@@ -28,11 +28,11 @@ from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae
 from .reference import Case
 
-LONGEST = 0.02
+LONGEST = 0.05
 SHORTEST = 1e-9
 """The longest step and the shortest, s."""
 
-SHARE = 0.1
+SHARE = 0.3
 """A step is so short that no joint moves further, rad or m, and that accelerations change by about that share."""
 
 FASTEST = 1.0
@@ -48,10 +48,10 @@ class Sums(NamedTuple):
     """Weighted sums of results at a case, inputs held.
 
     A step takes `dt` seconds from the case's coordinates at HASTE times its rates, with every stiffness multiplied by
-    `softness` squared and every damping by `softness`. `joint` and `dae`: the results of each method, in four sums for
-    joint coordinates, modal coordinates and the rates of both; and in six for quaternions, positions, eta, twists, etadot
-    and q. `poses`: rotations and positions of all links, then of all tips. `measures`: those of validity, and their
-    bounds. `rest`: joint coordinates, modes and torques of the equilibrium under gravity and the case's wrenches.
+    `softness` squared and every damping by `softness`. `joint` and `dae`: the results of each method, in the one form
+    four sums for joint coordinates, modal coordinates and the rates of both; in the other six for quaternions,
+    positions, eta, twists, etadot and q. `poses`: rotations and positions of all links, then of all tips. `measures`:
+    those of validity, and their bounds.
     """
 
     dt: float
@@ -60,7 +60,6 @@ class Sums(NamedTuple):
     dae: list[list[float]]
     poses: list[float]
     measures: list[float]
-    rest: list[float]
 
 
 class _Soft:
@@ -110,8 +109,8 @@ class _Soft:
         return DaeDynamics(self.chain, (self.M, self.K, self.D), solve, project, joint_rates)
 
 
-def sums(chain: Chain, case: Case, methods: Iterable[Method], rounds: int) -> Sums:
-    """The sums of a case, with a step of every method; the equilibrium is found in so many `rounds`."""
+def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
+    """The sums of a case, with a step of every method."""
     with mpmath.workdps(fused.DIGITS):
         soft = _Soft(chain, case)
         q, v = np.array(case["q"]), HASTE * np.array(case["v"])
@@ -124,7 +123,7 @@ def sums(chain: Chain, case: Case, methods: Iterable[Method], rounds: int) -> Su
             )
             ends.append(_sums(dae, dae.project(HeldDae(dae, start, soft.tau, soft.w_ext, dt).step(method))))
         f.given = None
-        return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case), _rest(f, case, rounds))
+        return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case))
 
 
 def _poses(f: Functions, case: Case) -> list[float]:
@@ -135,16 +134,6 @@ def _poses(f: Functions, case: Case) -> list[float]:
 def _measures(f: Functions, case: Case) -> list[float]:
     _, wrench, motion = f.watched_dynamics(case["q"], case["v"], case["tau"], case["w_ext"])
     return [weighted_sum(f.measures(case["q"], wrench, motion)), weighted_sum(BOUNDS.values())]
-
-
-def _rest(f: Functions, case: Case, rounds: int) -> list[float]:
-    """Every round moves the modes by their unbalanced forces over their stiffness."""
-    m, q = f.chain.n_joints, np.array(case["q"])
-    K = [k for constants in f.constants for k in constants["K"]]
-    for _ in range(rounds):
-        q[m:] -= np.array(f.statics(q.tolist(), case["w_ext"])[0])[m:] / K
-    torques = f.statics(q.tolist(), case["w_ext"])[0][:m]
-    return [weighted_sum(x) for x in (q[:m], q[m:], torques)]
 
 
 def _length(soft: _Soft, q: np.ndarray, v: np.ndarray) -> float:

@@ -100,10 +100,11 @@ def _structural(value) -> bool:
     return not isinstance(value, Node) and abs(value) in (0.0, 1.0)
 
 
-def passages(chain: Chain, run: Applied, results: Iterable[str]) -> list[Passage]:
+def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip=False) -> list[Passage]:
     """The phases, reduced to the outputs that a later phase or the caller uses.
 
-    ``results`` are the signals that a caller reads: of every link, or, for a node (``tip.*``), of the last tip.
+    ``results`` are the signals that a caller reads: of every link, or, for a node (``tip.*``), of the last tip, or of
+    ``each_tip``.
     """
     results = frozenset(results)
     read: set[tuple[str, str, int, int]] = set()
@@ -113,7 +114,8 @@ def passages(chain: Chain, run: Applied, results: Iterable[str]) -> list[Passage
             (name, k)
             for name, values in program.outputs.items()
             for k, v in enumerate(values)
-            if _result(chain, results, name, i) or (not _structural(v) and (*_place(chain, name, i), k) in read)
+            if (name in results and (each_tip or not name.startswith("tip.") or i == chain.n - 1))
+            or (not _structural(v) and (*_place(chain, name, i), k) in read)
         )
         key = (id(program), wanted)
         if key not in cache:
@@ -122,10 +124,6 @@ def passages(chain: Chain, run: Applied, results: Iterable[str]) -> list[Passage
         read |= {(*_place(chain, n.args[0], i), n.args[1]) for n in kept.nodes if n.op == "input"}
         out.append(Passage(number, i, kept, wanted))
     return out[::-1]
-
-
-def _result(chain: Chain, results: frozenset[str], name: str, i: int) -> bool:
-    return name in results and (not name.startswith("tip.") or i == chain.n - 1)
 
 
 def _place(chain: Chain, name: str, i: int) -> tuple[str, str, int]:

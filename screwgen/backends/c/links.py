@@ -43,10 +43,12 @@ class Run:
     """The C functions that the phases are divided among, and their numbers of phases; none: one of the run's name."""
     parts_if_sprung: tuple[tuple[str, int], ...] = ()
     """The same for robots with sprung joints, if it differs."""
+    each_tip: bool = False
+    """Whether results at nodes are those of every tip, not of the last alone."""
 
 
-def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, parts_if_sprung=()) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, parts_if_sprung=parts_if_sprung)
+def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, **more) -> Run:
+    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
 
 
 RUNS: dict[str, Run] = {
@@ -83,7 +85,9 @@ RUNS: dict[str, Run] = {
         zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
-    "motion_of": _run(alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist"),
+    "motion_of": _run(
+        alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist", each_tip=True
+    ),
     "measuring": _run(
         alg.MEASURING, "How far every link is from the limits of the first-order model.", "measures", apart=True
     ),
@@ -127,7 +131,7 @@ class Links:
         if run not in self._phases:
             self._phases[run] = specialised_phases(self.chain, r.algorithm, self.baked, r.zero)
         if (run, unread) not in self._passages:
-            self._passages[run, unread] = passages(self.chain, self._phases[run], r.results - unread)
+            self._passages[run, unread] = passages(self.chain, self._phases[run], r.results - unread, r.each_tip)
         return self._passages[run, unread]
 
     def phases(self, run: str) -> list[dict]:

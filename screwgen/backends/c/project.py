@@ -167,6 +167,7 @@ class CProject:
             "m_offset": m_offset,
             "accelerating": any(a["accelerating"] for a in self._algorithms),
             "cases": self.reference,
+            "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),

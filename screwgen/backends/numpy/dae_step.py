@@ -1,0 +1,151 @@
+"""Steps of the DAE form on SE(3): poses move by the exponential map.
+
+The state is that of the assembled system, ``x = [poses; eta; twists; etadot; q]``; the accelerations come
+from the same block elimination as the joint form's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ...integrators.method import Method, Move, Stage, times, weighted
+from ...topology.chain import Chain
+from .python import c4, c5
+
+Function = Callable[..., Sequence]
+
+
+class DaeDynamics:
+    """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints.
+
+    `properties`: inertia, stiffness and damping (n_given,) of the coordinates that have them. `solve (x, tau, w_ext,
+    inertia, force) -> (xdot, vdot, wrench)`; `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read
+    where joints are sprung.
+    """
+
+    def __init__(
+        self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
+    ):
+        n, r = chain.n, chain.n_modes
+        self.M, self.K, self.D = properties
+        self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
+        self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
+        self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
+
+    def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
+        """The ``xdot`` of :meth:`solution`."""
+        return self.solution(x, tau, w_ext, h, start)[0]
+
+    def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> Sequence[np.ndarray]:
+        """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
+        own, rate = self.own(x if start is None else start)
+        inertia = self.M + h * self.D + h**2 * self.K
+        force = self.K * (own + h * rate) + self.D * rate
+        return self.solve(x, tau, w_ext, inertia, force)
+
+    def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The coordinates with stiffness and damping (modes, sprung joints), and their rates."""
+        eta, etadot = x[self.eta], x[self.etadot]
+        if not self.sprung:
+            return eta, etadot
+        return np.append(x[self.q], eta), np.append(self.joint_rates(x)[0], etadot)
+
+    def project(self, x: np.ndarray) -> np.ndarray:
+        return self.projection(x)[0]
+
+    def move(self, x: np.ndarray, u: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """``x + change``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
+        new = x + change
+        new[self.pose] = np.concatenate([exponential(*row) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
+        return new
+
+    def twists(self, x: np.ndarray) -> np.ndarray:
+        return x[self.twist].reshape(-1, 6)
+
+
+def exponential(pose: np.ndarray, u: np.ndarray) -> np.ndarray:
+    """The pose (w, x, y, z, px, py, pz) times ``exp`` of ``u = [turn; shift]`` in the body's axes.
+
+    Products are summed in order, not by BLAS, whose rounding depends on the machine.
+    """
+    turn, shift = u[:3], u[3:]
+    x = float(sum(turn * turn))
+    cross = np.cross(turn, shift)
+    moved = shift + (0.5 - x * c4(x)) * cross + (1 / 6 - x * c5(x)) * np.cross(turn, cross)
+    quarter = x / 4
+    w, v = 1 - quarter * (0.5 - quarter * c4(quarter)), (1 - quarter * (1 / 6 - quarter * c5(quarter))) / 2 * turn
+    a, b = pose[0], pose[1:4]
+    t = 2 * np.cross(b, moved)
+    return np.concatenate(
+        [[a * w - sum(b * v)], a * v + w * b + np.cross(b, v), pose[4:] + moved + a * t + np.cross(b, t)]
+    )
+
+
+def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
+    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, with terms up to order four."""
+    first = bracket(u, V)
+    return V + first / 2 + bracket(u, first) / 12
+
+
+def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The Lie bracket of se(3), row by row, (25)."""
+    angular = np.cross(a[:, :3], b[:, :3])
+    return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
+
+
+# ------------------------------------------------------------------------------ a step
+
+
+class Evaluated(NamedTuple):
+    """The results of a stage: the rate of the state, `vdot` (nq,), and the rate (n, 6) of the poses' vectors ``u``."""
+
+    rates: np.ndarray
+    vdot: np.ndarray
+    turn: np.ndarray
+    reach: float
+
+
+class HeldDae:
+    """Steps of a method from `x` over `h` seconds, torques and wrenches held."""
+
+    def __init__(self, dynamics: DaeDynamics, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float):
+        self.d, self.x, self.input, self.h = dynamics, x, (tau, w_ext), h
+        self.found: list[Evaluated] = []
+
+    def step(self, method: Method) -> np.ndarray:
+        """The state at the end, not projected."""
+        for stage in method.stages:
+            self.evaluate(stage)
+        return self.moved(method.end)[0]
+
+    def evaluate(self, stage: Stage) -> None:
+        """Find the rates of the next stage."""
+        there, u = self.moved(stage)
+        start = self.x if stage.implicit else None
+        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, stage.implicit), start)
+        turn, reach = algebra_rate(u, self.d.twists(there)), times(self.h, stage.reach)
+        self.found.append(Evaluated(rates, vdot, turn, reach))
+
+    def moved(self, move: Move) -> tuple[np.ndarray, np.ndarray]:
+        """The state of a move, and `u` (n, 6): its poses are those of the start times ``exp(u)``."""
+        d, x, h = self.d, self.x, self.h
+        if not move.terms:
+            return x, np.zeros((len(x[d.pose]) // 7, 6))
+        if move.moved == "stages":
+            u = weighted(move, h, [s.turn for s in self.found])
+            return d.move(x, u, weighted(move, h, [s.rates for s in self.found])), u
+        return self._leap(move)
+
+    def _leap(self, move: Move) -> tuple[np.ndarray, np.ndarray]:
+        """The state by one acceleration: coordinates and poses move by the rates that it has changed."""
+        d, x, (j, _) = self.d, self.x, move.terms[0]
+        rates, vdot, _, reach = self.found[j]
+        by, kick = times(self.h, move.reach), times(self.h, move.kick)
+        change = rates.copy()
+        change[d.eta] = x[d.etadot] + kick * rates[d.etadot]
+        change[d.q] += (kick - reach) * vdot[: len(x[d.q])]
+        u = by * (d.twists(x) + kick * d.twists(rates))
+        return d.move(x, u, by * change), u

@@ -1,0 +1,176 @@
+"""Results of integrators and other functions for the self-check of generated code, as weighted sums.
+
+The arithmetic is that of doubles, and functions are rounded once from many digits: the same on every machine.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import mpmath
+import numpy as np
+
+from ...algorithms import fused
+from ...algorithms.dae_functions import DaeFunctions
+from ...algorithms.functions import Functions
+from ...algorithms.schedule import COLUMNS
+from ...bodies.validity import BOUNDS
+from ...errors import SingularError
+from ...integrators.method import Method, Motion
+from ...integrators.methods import METHODS
+from ...ir.program import Program
+from ...ir.replay import run
+from ...spec.parameters import parameters
+from ...topology.chain import Chain
+from .dae_step import DaeDynamics, HeldDae
+from .reference import Case
+
+LONGEST = 0.05
+SHORTEST = 1e-9
+"""The longest step and the shortest, s."""
+
+SHARE = 0.3
+"""A step is so short that no joint moves further, rad or m, and that accelerations change by about that share."""
+
+FASTEST = 1.0
+"""The radians by which the stiffest mode swings in LONGEST. Stiffer modes would hide what else a step does."""
+
+FULL_TURN = 6.28
+
+HASTE = 3.0
+"""The factor of the case's rates, which makes terms of higher order visible."""
+
+
+class Sums(NamedTuple):
+    """Weighted sums of results at a case, inputs held.
+
+    A step takes `dt` seconds from the case's coordinates at HASTE times its rates, with every stiffness multiplied by
+    `softness` squared and every damping by `softness`. `joint` and `dae`: the results of each method, in the one form
+    four sums for joint coordinates, modal coordinates and the rates of both; in the other six for quaternions,
+    positions, eta, twists, etadot and q. `poses`: rotations and positions of all links, then of all tips. `measures`:
+    those of validity, and their bounds.
+    """
+
+    dt: float
+    softness: float
+    joint: list[list[float]]
+    dae: list[list[float]]
+    poses: list[float]
+    measures: list[float]
+
+
+class _Soft:
+    """The functions of a robot in doubles, with inertia, stiffness and damping (n_given,) of softened modes."""
+
+    def __init__(self, chain: Chain, case: Case):
+        gravity = [p.value for p in parameters(chain.robot)[:3]]
+        self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, _apply)
+        self.tau, self.w_ext = case["tau"], case["w_ext"]
+        self.M, self.K, self.D = np.zeros((3, chain.n_given))
+        for i, constants in enumerate(self.functions.constants):
+            for part, span in chain.given(i).items():
+                for column, name in zip((self.M, self.K, self.D), COLUMNS[part], strict=True):
+                    column[span] = constants[name]
+        modes = slice(chain.n_given - chain.n_modes, None)
+        fastest = np.sqrt(max(self.K[modes] / self.M[modes], default=0.0))
+        self.softness = min(1.0, float(FASTEST / (LONGEST * fastest))) if fastest else 1.0
+        self.K, self.D = self.K * self.softness**2, self.D * self.softness
+
+    def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
+        first = self.chain.nq - self.chain.n_given
+        inertia = self.M + h * (self.D + h * self.K)
+        self.functions.given = (inertia.tolist(), self._force(q[first:], v[first:], h).tolist())
+        at = [x.tolist() for x in there or (q, v)]
+        return np.array(self.functions.forward_dynamics(*at, self.tau, self.w_ext)[0])
+
+    def _force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
+        return self.K * (x + h * rate) + self.D * rate
+
+    def dae(self) -> DaeDynamics:
+        """The DAE form of the same functions."""
+        f = self.functions
+
+        def solve(x, tau, w_ext, inertia, force):
+            f.given = (inertia.tolist(), force.tolist())
+            return [np.array(y) for y in f.rates(x.tolist(), tau, w_ext)]
+
+        def project(x):
+            return (np.array(f.project(x.tolist())),)
+
+        def joint_rates(x):
+            return (np.array(f.joint_rates(x.tolist())),)
+
+        return DaeDynamics(self.chain, (self.M, self.K, self.D), solve, project, joint_rates)
+
+
+def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
+    """The sums of a case, with a step of every method."""
+    with mpmath.workdps(fused.DIGITS):
+        soft = _Soft(chain, case)
+        q, v = np.array(case["q"]), HASTE * np.array(case["v"])
+        dt, f = _length(soft, q, v), soft.functions
+        dae, start = soft.dae(), np.array(f.place(q.tolist(), v.tolist()))
+        joint, ends = [], []
+        for method in methods:
+            joint.append(
+                [weighted_sum(part) for x in method.step(soft, q, v, dt) for part in np.split(x, [chain.n_joints])]
+            )
+            ends.append(_sums(dae, dae.project(HeldDae(dae, start, soft.tau, soft.w_ext, dt).step(method))))
+        f.given = None
+        return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case))
+
+
+def _poses(f: Functions, case: Case) -> list[float]:
+    links, tips = (zip(*places, strict=True) for places in f.poses(case["q"]))
+    return [weighted_sum(x for part in parts for x in part) for parts in (*links, *tips)]
+
+
+def _measures(f: Functions, case: Case) -> list[float]:
+    _, wrench, motion = f.watched_dynamics(case["q"], case["v"], case["tau"], case["w_ext"])
+    return [weighted_sum(f.measures(case["q"], wrench, motion)), weighted_sum(BOUNDS.values())]
+
+
+def _length(soft: _Soft, q: np.ndarray, v: np.ndarray) -> float:
+    """LONGEST, halved until neither joints move far nor accelerations change much."""
+    dt, m = LONGEST, soft.chain.n_joints
+    start = soft.explicit(q, v)
+    while dt > SHORTEST:
+        with contextlib.suppress(SingularError):
+            there = METHODS["semi_implicit"].step(soft, q, v, dt)
+            change = np.abs(soft.explicit(*there) - start).max(initial=0.0)
+            far = np.abs(there[0] - q)[:m].max(initial=0.0)
+            if change <= SHARE * np.abs(start).max(initial=0.0) and far <= SHARE:
+                break
+        dt /= 2
+    return dt
+
+
+def _sums(dae: DaeDynamics, x: np.ndarray) -> list[float]:
+    """The sums of the parts of a state of the DAE form."""
+    pose = x[dae.pose].reshape(-1, 7)
+    parts = (pose[:, :4], pose[:, 4:], x[dae.eta], x[dae.twist], x[dae.etadot], x[dae.q])
+    return [weighted_sum(part.ravel()) for part in parts]
+
+
+def weighted_sum(x: Iterable) -> float:
+    """The sum of all entries with weights from 1 to 2, which differ for any 97 entries in a row."""
+    return float(sum((1 + 7 * k % 97 / 97) * float(value) for k, value in enumerate(x)))
+
+
+def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
+    return run(program, inputs, _rounded)[0]
+
+
+def _rounded(op: str, x: float) -> float:
+    """A function of one number, rounded once; NaN where it has no value, or is that of a section beyond a full turn."""
+    if op == "neg":
+        return -x
+    if not math.isfinite(x) or (op == "sqrt" and x < 0) or (op[0] == "c" and op != "cos" and not abs(x) < FULL_TURN**2):
+        return math.nan
+    return float(fused.precise(op, mpmath.mpf(x)))

@@ -149,7 +149,7 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     a, b = ca.SX.sym("a"), ca.SX.sym("b")
     in_sx = ca.Function("f", [a, b], [run(program, {"x": [a], "y": [b]}, sx.unary)[0]["y"][0]])(x, y)
     tracer = Tracer()
-    copy = inline(program, {"x": tracer.input("x", 1), "y": tracer.input("y", 1)}, tracer, str)
+    copy = inline(program, {"x": tracer.input("x", 1), "y": tracer.input("y", 1)}, tracer)
     copied = Program("copy", dict(program.inputs), copy, [], tracer.sections)
     known = specialise(program, {"y": [y]})
     assert "y" not in known.inputs and copied.operation_count == program.operation_count

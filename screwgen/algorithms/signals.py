@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ..ir.program import component
+
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
 CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
@@ -28,6 +30,14 @@ class Signal(NamedTuple):
         """The shape for given numbers of joint coordinates and modes."""
         return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
 
+    def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
+        """The place of an entry of an array of ``shape``: letters along the axes of a frame, numbers elsewhere."""
+        if self.shape == (6,) == shape:
+            return component(self.unit, index[0])
+        axes = self.shape if len(self.shape) == len(shape) and self.frame != "-" else (0,) * len(shape)
+        parts = ["xyz"[i] if n == 3 else str(i + 1) for i, n in zip(index, axes, strict=True)]
+        return ("_" if max(shape) > 9 else "").join(parts)
+
     @property
     def comment(self) -> str:
         """Unit, meaning and frame, as a header states them."""
@@ -39,7 +49,7 @@ class Signal(NamedTuple):
 NODE = {
     "omega": Signal((3,), "rad/s", CARRIER, "angular velocity of the tip section"),
     "v": Signal((3,), "m/s", CARRIER, "velocity of the tip point"),
-    "alpha_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
+    "acc_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
     "delta": Signal((6,), ACCELERATION, CARRIER, "part of the acceleration due to joints and modes"),
     "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
     "Lambda": Signal((21,), INERTIA, CARRIER, "articulated inertia of the links carried, upper triangle"),
@@ -120,7 +130,7 @@ CALL = {
 
 STORE = {
     "omega": Signal((3,), "rad/s", F_I, "angular velocity"),
-    "alpha_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
+    "acc_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
     "delta": Signal((6,), ACCELERATION, F_I, "part of the acceleration of F_i due to joints and modes"),
     "R_rel": Signal((3, 3), "-", "parent's tip frame", "rotation of F_i"),
     "R_P": Signal((3, 3), "-", "parent's F_i", "rotation of F_i"),
@@ -180,6 +190,17 @@ STORE = {
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
 }
 """Of a link's own store."""
+
+
+UNTYPED = Signal((), "-", "-", "")
+"""The type of values that no phase hands on: their entries are numbered."""
+
+
+def type_of(name: str) -> Signal:
+    """The type of a signal, its prefix left out where it is clear; ``UNTYPED`` if there is none of the name."""
+    where, _, what = name.rpartition(".")
+    tables = {"base": (NODE,), "tip": (NODE,), "w": (STORE,)}.get(where, (STORE, CALL, NODE))
+    return next((table[what] for table in tables if what in table), UNTYPED)
 
 
 def signal(name: str) -> Signal:

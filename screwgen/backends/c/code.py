@@ -183,7 +183,7 @@ class Writer:
 
     def _name(self, node: Node) -> str:
         if node.label:
-            name = self._free(node.label)
+            name = self._free(str(node.label))
         else:
             name = next(name for k in self._numbers if (name := f"t{k}") not in self.taken)
             self.taken.add(name)

@@ -155,7 +155,7 @@ class Links:
         shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
-            accelerating = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            accelerating = not out and any("base.acc_0" in p.program.inputs for p in first)
             out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating})
         return out
 

@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from ...ir.program import Node, Program, live
 from ...ir.replay import BINARY
+from ...ir.signs import signed
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 3}
@@ -58,6 +59,7 @@ class Writer:
 
     def lines(self) -> list[str]:
         """The body of a function: sections of assignments, then the outputs."""
+        self.program = signed(self.program)
         self._count_uses()
         self._names: dict[int, str] = {}
         self._numbers = count(1)

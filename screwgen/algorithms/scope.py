@@ -137,7 +137,7 @@ class Scope:
         self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
 
     def name(self, name: str, values: Array | Sequence[Value], like="") -> Array:
-        """Name the entries that have no name yet, as those of the signal ``like`` (default: ``name``); returns the array."""
+        """Name the entries that have no name yet, like those of a signal (default: ``name``); returns the array."""
         values, kind = np.asarray(values, dtype=object), type_of(like or name)
         for index, value in np.ndenumerate(values):
             give_label(value, Label(name, kind.place(index, values.shape)))

@@ -305,14 +305,16 @@ class Program:
 
 
 def give_label(value: Value, label: Label) -> None:
-    """Name a computed value, or its operand if it is a negative, unless it has a name; only that of a negative gives way
-    to that of the value itself.
+    """Name a computed value, or its operand if it is a negative, unless it has a name.
+
+    The name of a negative gives way to that of the value itself.
     """
     if isinstance(value, Node) and value.op == "neg":
         value, label = value.args[0], label._replace(negative=not label.negative)
-    if isinstance(value, Node) and value.op not in ("input", "epsilon"):
-        if value.label is None or (value.label.negative and not label.negative):
-            value.label = label
+    if not isinstance(value, Node) or value.op in ("input", "epsilon"):
+        return
+    if value.label is None or (value.label.negative and not label.negative):
+        value.label = label
 
 
 def live(values: Iterable[Value]) -> list[Node]:

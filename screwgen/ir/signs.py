@@ -1,7 +1,7 @@
 """Signs of intermediate values: named negatives become the values themselves where that takes no operation.
 
-A sign may move from a value to its uses: ``a - x`` is ``a + y`` with ``y = -x``. The search is local and keeps the number
-of operations; rounding is symmetric, so it keeps the results.
+A sign may move from a value to its uses: ``a - x`` is ``a + y`` with ``y = -x``. The search is local and takes no
+operation more; rounding is symmetric, so results stay.
 """
 
 from __future__ import annotations

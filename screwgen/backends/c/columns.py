@@ -13,9 +13,11 @@ BREAKS = {", ": 0, "&& ": 1, "|| ": 1, "? ": 2, ": ": 2, "+ ": 3, "- ": 3, "* ":
 
 
 def rendered(template: str, **values: object) -> str:
-    """A template of the C back end as text, within the columns if it is C."""
+    """A template of the C back end as text. C has the robot's prefix before its macro ``REAL`` and limited columns."""
     text = render(f"c/{template}.jinja", **values)
-    return text if template.endswith((".md", "Makefile", ".txt")) else folded(text)
+    if template.endswith((".md", "Makefile", ".txt")):
+        return text
+    return folded(re.sub(r"\bREAL\(", f"{values['NAME']}_REAL(", text))
 
 
 def folded(text: str) -> str:

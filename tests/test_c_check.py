@@ -142,7 +142,7 @@ def test_no_tolerance_is_loose():
     """However much rounding a precision loses, its self-check allows a hundredth at most."""
     with pytest.warns(PrecisionWarning, match="no use in float"):
         files = model_of(overloaded(100.0, 0.1)).c_files()
-    allowed = re.search(r"TOLERANCE = .*\? REAL\((.*?)\) : REAL\((.*?)\);", files["check.c"].decode())
+    allowed = re.search(r"TOLERANCE = .*\? ARM_REAL\((.*?)\) : ARM_REAL\((.*?)\);", files["check.c"].decode())
     assert float(allowed[1]) <= 1e-2 and float(allowed[2]) <= 1e-6
 
 

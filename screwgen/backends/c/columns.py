@@ -13,11 +13,14 @@ BREAKS = {", ": 0, "&& ": 1, "|| ": 1, "? ": 2, ": ": 2, "+ ": 3, "- ": 3, "* ":
 
 
 def rendered(template: str, **values: object) -> str:
-    """A template of the C back end as text. C has the robot's prefix before its macro ``REAL`` and limited columns."""
+    """A template of the C back end as text.
+
+    C has limited columns, and the robot's prefix where templates and programs have ``$_``, in capitals for ``$$_``.
+    """
     text = render(f"c/{template}.jinja", **values)
     if template.endswith((".md", "Makefile", ".txt")):
         return text
-    return folded(re.sub(r"\bREAL\(", f"{values['NAME']}_REAL(", text))
+    return folded(text.replace("$$_", f"{values['NAME']}_").replace("$_", f"{values['name']}_"))
 
 
 def folded(text: str) -> str:

@@ -108,7 +108,6 @@ class Links:
     """All functions of the chain for a robot."""
 
     chain: Chain
-    prefix: str
     baked: Sequence[dict] | None
     joint_form: bool = True
     functions: dict[tuple, Function] = field(default_factory=dict)
@@ -169,8 +168,8 @@ class Links:
 
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
-        fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
-        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
+        fail = lambda test, _: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
+        writer = Writer(program, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = ", ".join(arguments or ["void"])
@@ -238,7 +237,7 @@ class Places:
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
-        real, out, alone = f"{self.links.prefix}_real", [], self._restrict
+        real, out, alone = "$_real", [], self._restrict
         reads = [n for n, size in self.program.inputs.items() if size]
         writes = [n for n, v in self.program.outputs.items() if v]
         out += self._structs(reads, writes)
@@ -258,9 +257,9 @@ class Places:
         return [a for a, _ in out], [b for _, b in out]
 
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
-        prefix, out = self.links.prefix, []
+        out: list[tuple[str, str]] = []
         if any(n.startswith("c.") for n in reads):
-            out.append((f"const {prefix}_link_constants *{self._restrict}c", "&c->links[i]"))
+            out.append((f"const $_link_constants *{self._restrict}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", "&chain->nodes[i]"),
@@ -268,7 +267,7 @@ class Places:
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
-                out.append((f"{const}{prefix}_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
+                out.append((f"{const}$_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
         return out
 
     def _address(self, member: str, name: str, optional=True) -> str:

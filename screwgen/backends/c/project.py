@@ -21,7 +21,7 @@ from ...topology.chain import Chain
 from ...topology.parameters import label
 from ..numpy.reference import Case, cases
 from . import batch, check, derivatives, estimator, files, steps
-from .code import Writer, literal, sizes, trimmed, with_unused
+from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
     Field,
@@ -77,7 +77,7 @@ class CProject:
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
-        self.links = Links(chain, self.name, self.baked)
+        self.links = Links(chain, self.baked)
         self.layout = self._layout(layout)
         self.links.joint_form = self.layout == "modular"
 
@@ -128,8 +128,8 @@ class CProject:
             "nq": chain.nq,
             "sprung": chain.sprung,
             "slides": chain.slides,
-            "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
-            "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
+            "n_given": "$$_NV" if chain.sprung else "$$_NMODES",
+            "first_given": "" if chain.sprung else " + $$_NTAU",
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -198,9 +198,9 @@ class CProject:
         if self.layout != "fused":
             return []
         taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
-        asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
+        asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
         within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
-        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked, within).lines()
+        lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
@@ -209,13 +209,13 @@ class CProject:
     def _batch(self) -> dict:
         constants = sum(f.reals for f in self.constants)
         states = 2 + len(steps.registers(self.methods))
-        return batch.content(self.chain, self.name, self.baked is not None, constants, states, fused_place)
+        return batch.content(self.chain, self.baked is not None, constants, states, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
         """The statement of a failed guard: failures are collected, because early returns cost more than comparisons."""
         if self.masked:
             return f"bad |= (unsigned long)({test}) << {link};"
-        return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
+        return singular(test, link)
 
     @property
     def masked(self) -> bool:
@@ -291,10 +291,9 @@ class CProject:
                 return f"p->{parameter_member(name[2:])}"
             return f"{name}[{k}]" if name in fused.ALL_COLUMNS else f"c->{name}"
 
-        real = f"{self.name}_real"
-        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fused.ALL_COLUMNS}).lines())
-        own = columns(self.chain, i, lambda name, *_: f"{real} {name}[]")
-        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{own}"
+        lines = trimmed(Writer(program, place, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
+        own = columns(self.chain, i, lambda name, *_: f"$_real {name}[]")
+        signature = f"const $_link_parameters *p, $_link_constants *c{own}"
         name = self.chain.robot.links[i].name
         written = [place(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
         total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]

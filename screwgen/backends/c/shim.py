@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 from ...algorithms import fused
 from ...algorithms.schedule import constant_labels
 from ...ir.program import Program, live
-from ...ir.split import split
 from ...spec.parameters import parameters
 from ...topology.parameters import label
-from .code import Writer, trimmed, with_unused
+from .code import Writer, trimmed
 from .columns import rendered
-from .derivatives import PIECE, PieceWriter, piece_place
 from .fields import parameter_member
 from .links import RUNS
+from .pieces import piece_place, pieces
 
 if TYPE_CHECKING:
     from .project import CProject
@@ -25,7 +24,6 @@ FILES = ("shim.h", "shim.c", "run_shim.c")
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C that its shared library is made of."""
     energy = fused.energy(project.chain, "baked" if project.baked is not None else "constants")
-    pieces, kept = split(energy, -(-energy.operation_count // PIECE))
     extra = _extra(project, energy)
     known = _labels(project)
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
@@ -34,8 +32,7 @@ def shims(project: CProject) -> dict[str, str]:
         places=[_parameter_place(p) for p in parameters(chain.robot)],
         extra=extra,
         extra_lines=_extra_lines(project, extra),
-        pieces=[_energy_lines(project, piece, known, extra) for piece in pieces],
-        kept=kept,
+        energy=_energy(project, energy, known, extra),
         width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}
@@ -76,12 +73,12 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
                 return f"p->links[{i}].{parameter_member(name[2:])}"
             return f"m->extra[{extra.index((i, name))}]"
 
-        lines = trimmed(Writer(program, project.name, place, lambda _, __: "", {"p", "m"}).lines())
+        lines = trimmed(Writer(program, place, None, {"p", "m"}).lines())
         out += ["{", *(f"    {line}" if line else "" for line in lines), "}"]
     return out
 
 
-def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> list[str]:
+def _energy(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> dict:
     own = {
         "kinetic": lambda k: "energy[0]",
         "potential": lambda k: "energy[1]",
@@ -95,7 +92,4 @@ def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[
         prepared = member in known[int(link)]
         return f"c->links[{link}].{member}" if prepared else f"extra[{extra.index((int(link), member))}]"
 
-    pointers = ("c", "state", "extra", "kept", "energy")
-    placed = piece_place(project.chain, "kept", own, place)
-    lines = PieceWriter(program, project.name, placed, lambda _, __: "", set(pointers), apart=True).lines()
-    return with_unused(pointers, lines)
+    return pieces(program, piece_place(project.chain, "kept", own, place), ("c", "state", "extra", "kept", "energy"))

@@ -101,14 +101,16 @@ def _rebuilt(program: Program, signs: _Signs) -> Program:
         return made[value.id] if isinstance(value, Node) else value
 
     def result(value: Value) -> Value:
-        return node(value, "neg", made[value.id]) if signs.of(value) < 0 else pick(value)
+        if isinstance(value, Node) and value.id in signs.flipped:
+            return node(value, "neg", made[value.id])
+        return pick(value)
 
     for old in program.nodes:
         if old.op in ("input", "epsilon"):
             made[old.id] = node(old, old.op, *old.args)
             continue
         own, (op, *args) = signs.of(old), _operation(old, signs)
-        made[old.id] = pick(args[0]) if op == "same" else node(old, op, *map(pick, args))
+        made[old.id] = made[args[0].id] if op == "same" else node(old, op, *map(pick, args))
         if old.label and op != "same":
             made[old.id].label = old.label._replace(negative=old.label.negative != (own < 0))
     outputs = {name: [result(v) for v in values] for name, values in program.outputs.items()}

@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING
 from ...algorithms import fused
 from ...algorithms.schedule import constant_labels
 from ...ir.program import Program, live
-from ...spec.parameters import parameters
-from ...topology.parameters import label
 from .code import Writer, trimmed
 from .columns import rendered
-from .fields import parameter_member
 from .links import RUNS
+from .parameters import members
 from .pieces import piece_place, pieces
 
 if TYPE_CHECKING:
@@ -29,17 +27,12 @@ def shims(project: CProject) -> dict[str, str]:
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     chain = project.chain
     values = dict(
-        places=[_parameter_place(p) for p in parameters(chain.robot)],
         extra=extra,
         extra_lines=_extra_lines(project, extra),
         energy=_energy(project, energy, known, extra),
         width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}
-
-
-def _parameter_place(p) -> str:
-    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
 
 
 def _labels(project: CProject) -> list[tuple[str, ...]]:
@@ -67,10 +60,11 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
         whole = fused.preparation(project.chain.keys[i], wanted)
         outputs = {name: whole.outputs[name] for name in wanted}
         program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
+        given = members(project.chain.robot, i)
 
-        def place(name: str, k: int, i=i) -> str:
+        def place(name: str, k: int, i=i, given=given) -> str:
             if name.startswith("p."):
-                return f"p->links[{i}].{parameter_member(name[2:])}"
+                return f"p->links[{i}].{given[name[2:]]}"
             return f"m->extra[{extra.index((i, name))}]"
 
         lines = trimmed(Writer(program, place, None, {"p", "m"}).lines())

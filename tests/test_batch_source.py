@@ -12,6 +12,7 @@ from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool
 
 from screwgen.backends.c import batch as c_batch
+from screwgen.backends.c import pieces as c_pieces
 from screwgen.backends.c.project import CProject
 from screwgen.cli.commands import run_generate
 from screwgen.errors import UsageError
@@ -173,7 +174,7 @@ def test_a_batch_without_c_is_refused(tmp_path):
 @pytest.mark.parametrize("name", ["rigid", "welded"])
 def test_the_header_states_the_stack(tmp_path, monkeypatch, name, longest):
     monkeypatch.setattr(c_batch, "LONGEST", longest)
-    monkeypatch.setattr(c_batch, "PIECE", 100)
+    monkeypatch.setattr(c_pieces, "PIECE", 100)
     files, robot = CProject(model(name).chain, "", batch=True).files(), ROBOTS[name]["name"]
     for file, text in files.items():
         (tmp_path / file).write_text(text)

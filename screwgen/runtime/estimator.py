@@ -14,15 +14,25 @@ from ..backends.c.project import CProject
 from ..errors import ScrewgenError, SingularError, UsageError
 from .compiled import STATUS
 from .library import load
+from .memory import Block, pointer
 
 if TYPE_CHECKING:
     from ..model import Model
 
 
+VIEWS = (
+    *("state.q", "state.v", "deviation.q", "deviation.v", "input.tau", "input.w_ext"),
+    *(f"estimator.{name}" for name in ("state.q", "state.v", "P", "density_q", "density_v", "fibre")),
+    *(f"estimator.{name}_variance" for name in ("encoder", "strain", "acceleration")),
+    *(f"measurement.{has}{name}" for has in ("", "has_") for name in ("encoder", "strain", "acceleration")),
+)
+"""The members of a filter's memory that are read or written here."""
+
+
 def _files(model: Model, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
     project = CProject(model.chain, model.version, binding, estimator=True)
-    return project.files() | {"shim.c": project.shim("estimator_shim.c")}
+    return project.files() | {"shim.c": project.shim("estimator_shim.c", VIEWS)}
 
 
 @dataclass(frozen=True)
@@ -66,32 +76,36 @@ class CompiledEstimator:
         files = model.once(("estimator files", binding), lambda: _files(model, binding))
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
-        self._memory = ctypes.create_string_buffer(self.library.shim_size())
+        self._block = Block(self.library, VIEWS, np.dtype(self.real))
+        self._memory, view = self._block.address, self._block.view
+        n, m, g = model.nq, model.n_joints, len(self.gauges)
+        self._at = {name: view(name, n) for name in VIEWS if name.endswith((".q", ".v", "density_q", "density_v"))}
+        self._at |= {"tau": view("input.tau", m), "w_ext": view("input.w_ext", model.n_links, 6)}
+        self._at |= {"P": view("estimator.P", 2 * n, 2 * n), "fibre": view("estimator.fibre", g)}
+        for name, size in (("encoder", m), ("strain", g), ("acceleration", 3)):
+            self._at[f"{name}_variance"] = view(f"estimator.{name}_variance", size)
+            self._at[name] = view(f"measurement.{name}", size)
+            self._at[f"has_{name}"] = view(f"measurement.has_{name}", size, kind=ctypes.c_int)
 
     def start(self, q, v, deviation_q, deviation_v, noise: Noise) -> None:
         """Begin at a state (nq, nq) with the standard deviations of its entries."""
-        n = self.model.nq
-        given = (self._in(self._p), *(self._in(x, n) for x in (q, v, deviation_q, deviation_v)))
-        self._check(self.library.shim_init(self._memory, *given))
+        given = {"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v}
+        self._write(**given)
+        p = np.append(self._p, 0.0).astype(self.real)
+        self._check(self.library.shim_init(self._memory, pointer(p)))
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
-        n, m, g = self.model.nq, self.model.n_joints, len(self.gauges)
-        square = lambda x, size: self._in(np.square(np.broadcast_to(np.asarray(x, float), size)), size)  # noqa: E731
-        self.library.shim_set(
-            self._memory,
-            self._in(noise.density_q, n),
-            self._in(noise.density_v, n),
-            square(noise.encoder, m),
-            square(noise.strain, g),
-            square(noise.acceleration, 3),
-            self._in(noise.fibre, g),
-        )
+        variances = ("encoder", "strain", "acceleration")
+        self._write(**{f"{name}_variance": np.square(getattr(noise, name)) for name in variances})
+        densities = {"estimator.density_q": noise.density_q, "estimator.density_v": noise.density_v}
+        self._write(fibre=noise.fibre, **densities)
 
     def predict(self, tau, w_ext, dt: float) -> None:
         """Predict the state ``dt`` seconds later, with torques (n_joints) and tip wrenches (n, 6) held."""
-        self._check(self.library.shim_predict(self._memory, *self._input(tau, w_ext), self._number(dt)))
+        self._input(tau, w_ext)
+        self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
     def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
@@ -99,30 +113,25 @@ class CompiledEstimator:
         ``encoder`` (n_joints) in rad, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in tip-frame
         components, less free fall.
         """
-        sizes = (self.model.n_joints, len(self.gauges), 3)
-        given = [
-            np.full(n, np.nan) if x is None else np.array(x, float)
-            for x, n in zip((encoder, strain, acceleration), sizes, strict=True)
-        ]
-        for name, x, n in zip(("encoder", "strain", "acceleration"), given, sizes, strict=True):
-            if x.shape != (n,):
-                raise UsageError(f"{name}: shape {x.shape}, must be ({n},); give NaN for what was not measured")
-        has = np.isfinite(np.concatenate(given)).astype(np.int32)
-        infinite = np.isinf(np.concatenate(given))
-        has[infinite] = 1
-        values = [self._in(np.where(np.isnan(x), 0.0, x), n) for x, n in zip(given, sizes, strict=True)]
-        flags = np.ctypeslib.as_ctypes(np.append(has, np.int32(0)))
-        self._check(self.library.shim_update(self._memory, *self._input(tau, w_ext), flags, *values))
+        self._input(tau, w_ext)
+        for name, given in (("encoder", encoder), ("strain", strain), ("acceleration", acceleration)):
+            size = len(self._at[name])
+            values = np.full(size, np.nan) if given is None else np.array(given, float)
+            if values.shape != (size,):
+                raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
+            missing = np.isnan(values)
+            self._write(**{name: np.where(missing, 0.0, values), f"has_{name}": ~missing})
+        self._check(self.library.shim_update(self._memory))
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
         """The mean of q and of v, (nq,) each."""
-        return self._got()[:2]
+        return self._at["estimator.state.q"].copy(), self._at["estimator.state.v"].copy()
 
     @property
     def covariance(self) -> np.ndarray:
         """``P`` of [q; v], (2 nq, 2 nq)."""
-        return self._got()[2]
+        return self._at["P"].copy()
 
     @property
     def fault(self) -> int:
@@ -131,25 +140,21 @@ class CompiledEstimator:
 
     def put(self, q, v, P) -> None:
         """Set mean and covariance."""
-        n = self.model.nq
-        self.library.shim_put(self._memory, self._in(q, n), self._in(v, n), self._in(P, 4 * n * n))
+        self._write(**{"estimator.state.q": q, "estimator.state.v": v, "P": P})
 
-    def _got(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        n = self.model.nq
-        arrays = [np.zeros(shape, self.real) for shape in (n, n, (2 * n, 2 * n))]
-        self.library.shim_get(self._memory, *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
-        return tuple(arrays)
+    def _input(self, tau, w_ext) -> None:
+        for name, values in (("tau", tau), ("w_ext", w_ext)):
+            self._at[name][:] = array(values, name, self._at[name].shape, finite=False)
 
-    def _input(self, tau, w_ext):
-        given = (("tau", tau, (self.model.n_joints,)), ("w_ext", w_ext, (self.model.n_links, 6)))
-        return [self._in(array(values, name, shape, finite=False)) for name, values, shape in given]
-
-    def _in(self, values, size: int | None = None):
-        values = np.asarray(values, float)
-        flat = np.ravel(values if size is None or values.ndim else np.full(size, values))
-        if size is not None and flat.size != size:
-            raise UsageError(f"{flat.size} numbers where {size} are needed; see the docstring for the shapes")
-        return np.ctypeslib.as_ctypes(np.append(flat, 0.0).astype(self.real))
+    def _write(self, **members) -> None:
+        """Set members to arrays of their size; a single number is set in all entries."""
+        for name, given in members.items():
+            place, values = self._at[name], np.asarray(given, float)
+            if values.ndim and values.size != place.size:
+                raise UsageError(
+                    f"{values.size} numbers where {place.size} are needed; see the docstring for the shapes"
+                )
+            place[...] = values.reshape(place.shape) if values.ndim else values
 
     def _number(self, value: float):
         return ctypes.c_float(value) if self.real is np.float32 else ctypes.c_double(value)

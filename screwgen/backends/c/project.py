@@ -100,9 +100,9 @@ class CProject:
         """The files of the library, with the templates that they are made from."""
         return files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
 
-    def shim(self, template="shim.c") -> str:
-        """A source with flat arrays for callers in other languages; not part of the folder."""
-        return rendered(template, **self.context)
+    def shim(self, template: str, views: Sequence[str] = ()) -> str:
+        """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
+        return rendered(template, **self.context, views=views)
 
     @cached_property
     def context(self) -> dict:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ...algorithms import fused
 from ...algorithms.schedule import constant_labels
+from ...algorithms.signals import ROBOT
 from ...ir.program import Program, live
 from .code import Writer, trimmed
 from .columns import rendered
@@ -17,6 +18,15 @@ if TYPE_CHECKING:
     from .project import CProject
 
 FILES = ("shim.h", "shim.c", "run_shim.c")
+VIEWS = (
+    *(f"state.{name}" for name in ROBOT["state"]),
+    *(f"input.{name}" for name in ROBOT["input"]),
+    *(f"output.{name}" for name in ROBOT["output"]),
+    "dae",
+    "energy",
+    "measures",
+)
+"""The members of an instance's memory that callers see."""
 
 
 def shims(project: CProject) -> dict[str, str]:
@@ -27,6 +37,7 @@ def shims(project: CProject) -> dict[str, str]:
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     chain = project.chain
     values = dict(
+        views=VIEWS,
         extra=extra,
         extra_lines=_extra_lines(project, extra),
         energy=_energy(project, energy, known, extra),

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,19 +21,25 @@ if TYPE_CHECKING:
     from ..model import Model
 
 
-VIEWS = (
-    *("state.q", "state.v", "deviation.q", "deviation.v", "input.tau", "input.w_ext"),
-    *(f"estimator.{name}" for name in ("state.q", "state.v", "P", "density_q", "density_v", "fibre")),
-    *(f"estimator.{name}_variance" for name in ("encoder", "strain", "acceleration")),
-    *(f"measurement.{has}{name}" for has in ("", "has_") for name in ("encoder", "strain", "acceleration")),
-)
-"""The members of a filter's memory that are read or written here."""
+SENSORS = ("encoder", "strain", "acceleration")
+
+
+def _members(model: Model) -> dict[str, tuple[int, ...]]:
+    """The members of a filter's memory that are read or written here, and their shapes."""
+    n, m, g = model.nq, model.n_joints, len(gauges(model.chain))
+    states = {f"{state}.{part}": (n,) for state in ("state", "deviation", "estimator.state") for part in "qv"}
+    sensors = dict(zip(SENSORS, (m, g, 3), strict=True))
+    places = ("estimator.{}_variance", "measurement.{}", "measurement.has_{}")
+    measured = {place.format(name): (size,) for name, size in sensors.items() for place in places}
+    noise = {"estimator.density_q": (n,), "estimator.density_v": (n,), "estimator.fibre": (g,)}
+    inputs = {"input.tau": (m,), "input.w_ext": (model.n_links, 6)}
+    return states | measured | noise | inputs | {"estimator.P": (2 * n, 2 * n)}
 
 
 def _files(model: Model, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
     project = CProject(model.chain, model.version, binding, estimator=True)
-    return project.files() | {"shim.c": project.shim("estimator_shim.c", VIEWS)}
+    return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model)))}
 
 
 @dataclass(frozen=True)
@@ -76,31 +83,22 @@ class CompiledEstimator:
         files = model.once(("estimator files", binding), lambda: _files(model, binding))
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
-        self._block = Block(self.library, VIEWS, np.dtype(self.real))
-        self._memory, view = self._block.address, self._block.view
-        n, m, g = model.nq, model.n_joints, len(self.gauges)
-        self._at = {name: view(name, n) for name in VIEWS if name.endswith((".q", ".v", "density_q", "density_v"))}
-        self._at |= {"tau": view("input.tau", m), "w_ext": view("input.w_ext", model.n_links, 6)}
-        self._at |= {"P": view("estimator.P", 2 * n, 2 * n), "fibre": view("estimator.fibre", g)}
-        for name, size in (("encoder", m), ("strain", g), ("acceleration", 3)):
-            self._at[f"{name}_variance"] = view(f"estimator.{name}_variance", size)
-            self._at[name] = view(f"measurement.{name}", size)
-            self._at[f"has_{name}"] = view(f"measurement.has_{name}", size, kind=ctypes.c_int)
+        members = _members(model)
+        self._block = Block(self.library, list(members), np.dtype(self.real))
+        self._memory, kind = self._block.address, lambda name: ctypes.c_int if "has_" in name else None
+        self._at = {name: self._block.view(name, *shape, kind=kind(name)) for name, shape in members.items()}
 
     def start(self, q, v, deviation_q, deviation_v, noise: Noise) -> None:
         """Begin at a state (nq, nq) with the standard deviations of its entries."""
-        given = {"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v}
-        self._write(**given)
+        self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
         p = np.append(self._p, 0.0).astype(self.real)
         self._check(self.library.shim_init(self._memory, pointer(p)))
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
-        variances = ("encoder", "strain", "acceleration")
-        self._write(**{f"{name}_variance": np.square(getattr(noise, name)) for name in variances})
-        densities = {"estimator.density_q": noise.density_q, "estimator.density_v": noise.density_v}
-        self._write(fibre=noise.fibre, **densities)
+        self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in SENSORS})
+        self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v", "fibre")})
 
     def predict(self, tau, w_ext, dt: float) -> None:
         """Predict the state ``dt`` seconds later, with torques (n_joints) and tip wrenches (n, 6) held."""
@@ -114,13 +112,13 @@ class CompiledEstimator:
         components, less free fall.
         """
         self._input(tau, w_ext)
-        for name, given in (("encoder", encoder), ("strain", strain), ("acceleration", acceleration)):
-            size = len(self._at[name])
+        for name, given in zip(SENSORS, (encoder, strain, acceleration), strict=True):
+            size = len(self._at[f"measurement.{name}"])
             values = np.full(size, np.nan) if given is None else np.array(given, float)
             if values.shape != (size,):
                 raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
             missing = np.isnan(values)
-            self._write(**{name: np.where(missing, 0.0, values), f"has_{name}": ~missing})
+            self._write({f"measurement.{name}": np.where(missing, 0.0, values), f"measurement.has_{name}": ~missing})
         self._check(self.library.shim_update(self._memory))
 
     @property
@@ -131,7 +129,7 @@ class CompiledEstimator:
     @property
     def covariance(self) -> np.ndarray:
         """``P`` of [q; v], (2 nq, 2 nq)."""
-        return self._at["P"].copy()
+        return self._at["estimator.P"].copy()
 
     @property
     def fault(self) -> int:
@@ -140,13 +138,14 @@ class CompiledEstimator:
 
     def put(self, q, v, P) -> None:
         """Set mean and covariance."""
-        self._write(**{"estimator.state.q": q, "estimator.state.v": v, "P": P})
+        self._write({"estimator.state.q": q, "estimator.state.v": v, "estimator.P": P})
 
     def _input(self, tau, w_ext) -> None:
         for name, values in (("tau", tau), ("w_ext", w_ext)):
-            self._at[name][:] = array(values, name, self._at[name].shape, finite=False)
+            place = self._at[f"input.{name}"]
+            place[:] = array(values, name, place.shape, finite=False)
 
-    def _write(self, **members) -> None:
+    def _write(self, members: Mapping[str, Any]) -> None:
         """Set members to arrays of their size; a single number is set in all entries."""
         for name, given in members.items():
             place, values = self._at[name], np.asarray(given, float)

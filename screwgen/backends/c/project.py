@@ -241,7 +241,7 @@ class CProject:
     # parameters and constants -----------------------------------------------------------------
 
     @cached_property
-    def _labels(self) -> list[tuple[str, ...]]:
+    def labels(self) -> list[tuple[str, ...]]:
         """The constants that the code of every link reads."""
         algorithms = tuple(run.algorithm for run in RUNS.values())
         return [constant_labels(key, algorithms) for key in self.chain.keys]
@@ -250,12 +250,12 @@ class CProject:
     def constants(self):
         if self.baked is not None:
             return []
-        return constant_fields(self.chain, {x for labels in self._labels for x in labels})
+        return constant_fields(self.chain, {x for labels in self.labels for x in labels})
 
     @cached_property
     def parameters(self) -> dict[str, list[Field]]:
         """The members of the parameters' structs."""
-        pairs = zip(self.chain.keys, self._labels, strict=True)
+        pairs = zip(self.chain.keys, self.labels, strict=True)
         names = [{n[2:] for n in fused.preparation(key, labels).inputs} for key, labels in pairs]
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
 
@@ -269,7 +269,7 @@ class CProject:
         return [self.chain.keys.index(key) for key in self.chain.classes]
 
     def _prepare_function(self, i: int) -> dict:
-        program = fused.preparation(self.chain.keys[i], self._labels[i])
+        program = fused.preparation(self.chain.keys[i], self.labels[i])
         program = Program(
             program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
         )

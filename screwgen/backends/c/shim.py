@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...algorithms import fused
-from ...algorithms.schedule import constant_labels
 from ...algorithms.signals import ROBOT
 from ...ir.program import Program, live
 from .code import Writer, trimmed
 from .columns import rendered
-from .links import RUNS
 from .parameters import members
 from .pieces import piece_place, pieces
 
@@ -33,7 +31,7 @@ def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C that its shared library is made of."""
     energy = fused.energy(project.chain, "baked" if project.baked is not None else "constants")
     extra = _extra(project, energy)
-    known = _labels(project)
+    known = project.labels
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     chain = project.chain
     values = dict(
@@ -46,15 +44,9 @@ def shims(project: CProject) -> dict[str, str]:
     return {name: rendered(name, **project.context, **values) for name in names}
 
 
-def _labels(project: CProject) -> list[tuple[str, ...]]:
-    """The constants that `<robot>_prepare` computes for every link."""
-    algorithms = tuple(run.algorithm for run in RUNS.values())
-    return [constant_labels(key, algorithms) for key in project.chain.keys]
-
-
 def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
     """Link and label of the constants that the energy reads and `<robot>_prepare` does not compute."""
-    known, found = _labels(project), []
+    known, found = project.labels, []
     for node in live([v for values in energy.outputs.values() for v in values]):
         if node.op == "input":
             link, _, what = node.args[0].partition(":")

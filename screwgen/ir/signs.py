@@ -14,8 +14,8 @@ from .program import Node, Program, Value
 from .replay import BINARY
 
 IMPOSSIBLE = 1000
-"""The cost of a sign that the operations have no place for."""
-STEPS = 40
+"""The cost of a sign before the argument of a function."""
+STEPS = 30
 """The trials of flips per value: a bound on the time for large programs."""
 
 
@@ -86,7 +86,7 @@ class _Signs:
             wrong = own * signs[0] * signs[1] < 0
         else:
             wrong = any(s < 0 for s in signs)
-        return IMPOSSIBLE * wrong + (own < 0 and node.id in self._results)
+        return (1 if node.op in BINARY else IMPOSSIBLE) * wrong + (own < 0 and node.id in self._results)
 
 
 def _rebuilt(program: Program, signs: _Signs) -> Program:
@@ -109,24 +109,29 @@ def _rebuilt(program: Program, signs: _Signs) -> Program:
         if old.op in ("input", "epsilon"):
             made[old.id] = node(old, old.op, *old.args)
             continue
-        own, (op, *args) = signs.of(old), _operation(old, signs)
-        made[old.id] = made[args[0].id] if op == "same" else node(old, op, *map(pick, args))
-        if old.label and op != "same":
-            made[old.id].label = old.label._replace(negative=old.label.negative != (own < 0))
+        op, args, negated = _operation(old, signs)
+        if op == "same":
+            made[old.id] = made[args[0].id]
+            continue
+        made[old.id] = node(old, op, *map(pick, args))
+        if negated:
+            made[old.id] = node(old, "neg", made[old.id])
+        if old.label:
+            made[old.id].label = old.label._replace(negative=old.label.negative != (signs.of(old) < 0))
     outputs = {name: [result(v) for v in values] for name, values in program.outputs.items()}
     guards = [made[g.id] for g in program.guards]
     return Program(program.name, program.inputs, outputs, guards, program.sections, program.origins)
 
 
-def _operation(node: Node, signs: _Signs) -> Sequence:
-    """Operation and operands of a value as it is stored."""
+def _operation(node: Node, signs: _Signs) -> tuple[str, Sequence, bool]:
+    """Operation and operands of a value as it is stored, and whether its negative is."""
     coefficients = [signs.of(node) * signs.of(a) for a in node.args]
     if node.op in ("add", "sub"):
         a, b = node.args
         first, second = coefficients[0], coefficients[1] * (1 if node.op == "add" else -1)
         if first == second:
-            return "add", a, b
-        return ("sub", a, b) if first > 0 else ("sub", b, a)
+            return "add", (a, b), first < 0
+        return "sub", (a, b) if first > 0 else (b, a), False
     if node.op == "neg" and coefficients[0] < 0:
-        return "same", *node.args
-    return node.op, *node.args
+        return "same", node.args, False
+    return node.op, node.args, node.op in BINARY and signs.of(node) * coefficients[0] * coefficients[1] < 0

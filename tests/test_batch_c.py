@@ -22,6 +22,7 @@ from helpers import model_of
 
 from screwgen.algorithms import fused
 from screwgen.backends.c import batch as c_batch
+from screwgen.backends.c import pieces as c_pieces
 from screwgen.errors import ScrewgenError, SingularError
 from screwgen.integrators import METHODS
 from screwgen.ir.replay import run
@@ -92,7 +93,7 @@ def test_long_chains_are_cut_into_pieces():
 def test_pieces_are_the_program(monkeypatch):
     """ELLA in pieces of some 300 operations, and whole."""
     monkeypatch.setattr(c_batch, "LONGEST", 10)
-    monkeypatch.setattr(c_batch, "PIECE", 300)
+    monkeypatch.setattr(c_pieces, "PIECE", 300)
     options = ("-DELLA_LANE_BYTES=16", "-DELLA_BATCH_LIBM", *STRICT)
     given = scenarios("ella", 4)
     fresh = CompiledBatch(model_of(ROBOTS["ella"]), flags=options)
@@ -229,7 +230,8 @@ def call(b: CompiledBatch, given, constants=..., dt=1e-5, periods=1) -> int:
     c = b.constants(np.atleast_2d(b.model.parameter_values)) if constants is ... else constants
     where = None if c is None else pointer(c)
     place = None if given is None else ctypes.byref(given)
-    return b.library.shim_batch(list(METHODS).index("rk4"), where, place, ctypes.c_double(dt), periods)
+    step = getattr(b.library, f"{b.model.robot.name}_step_batch_rk4")
+    return step(where, place, ctypes.c_double(dt), periods)
 
 
 def test_bad_arguments_are_refused_and_nothing_is_done():

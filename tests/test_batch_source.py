@@ -13,6 +13,7 @@ from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool, swept
 
 from screwgen.backends.c import batch as c_batch
+from screwgen.backends.c import pieces as c_pieces
 from screwgen.backends.c.project import CProject
 from screwgen.cli.commands import run_generate
 from screwgen.errors import UsageError
@@ -179,11 +180,11 @@ def test_a_batch_without_c_is_refused(tmp_path):
 @pytest.mark.parametrize("name", ["rigid", "welded"])
 def test_the_header_states_the_stack(tmp_path, monkeypatch, name, longest):
     monkeypatch.setattr(c_batch, "LONGEST", longest)
-    monkeypatch.setattr(c_batch, "PIECE", 100)
+    monkeypatch.setattr(c_pieces, "PIECE", 100)
     files, robot = CProject(model(name).chain, "", batch=True).files(), ROBOTS[name]["name"]
     for file, text in files.items():
         (tmp_path / file).write_text(text)
-    kept = re.search(r"kept\[(\w+\(\d+\))\]", files[f"{robot}_batch.c"])[1]
+    kept = re.search(r"cos_q.*, kept\[(\d+)\];", files[f"{robot}_batch.c"])[1]
     turns = f"2 * {robot.upper()}_LENGTH({robot.upper()}_NTAU)"
     (tmp_path / "size.c").write_text(
         f'#include <stdio.h>\n#include "{robot}_batch.c"\n'

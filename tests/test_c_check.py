@@ -81,11 +81,15 @@ def mutant(folder: Path, layout: str, real: str, file: str, old: str, new: str) 
 
 WRONG = {
     "an acceleration of the other sign": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1-(\2);"),
-    "an acceleration off by 1e-8": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1(\2) * REAL(1.00000001);"),
+    "an acceleration off by 1e-8": (
+        "arm_dynamics.c",
+        r"(output->vdot\[\d\] = )(.*);",
+        r"\1(\2) * ARM_REAL(1.00000001);",
+    ),
     "no accelerations": ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", r"\1(\2) * 0;"),
     "a wrench of the other sign": ("arm_dynamics.c", r"(output->wrench\[0\]\[4\] = )(.*);", r"\1-(\2);"),
-    "a constant off by 1e-8": ("arm_parameters.c", r"(M_eta\[0\] = )(.*);", r"\1(\2) * REAL(1.00000001);"),
-    "a sine off by 1e-8": ("arm_real.c", r"y\.sine = s;", r"y.sine = s * REAL(1.00000001);"),
+    "a constant off by 1e-8": ("arm_parameters.c", r"(M_eta\[0\] = )(.*);", r"\1(\2) * ARM_REAL(1.00000001);"),
+    "a sine off by 1e-8": ("arm_real.c", r"y\.sine = s;", r"y.sine = s * ARM_REAL(1.00000001);"),
     "a matrix entry of the other sign": ("arm_links.c", r"(M\[place\[3\]\] = )(.*);", r"\1-(\2);"),
     "weights of Runge-Kutta": ("arm_step.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
     "reach of Runge-Kutta": ("arm_step.c", r"(advance\(state, )dt(, work->stage.v,)", r"\1half\2"),
@@ -104,7 +108,7 @@ def test_a_wrong_line_is_found(built, what):
 
 
 def test_a_wrong_line_is_found_in_float(built):
-    for change in (r"\1-(\2);", r"\1(\2) * REAL(1.001);"):
+    for change in (r"\1-(\2);", r"\1(\2) * ARM_REAL(1.001);"):
         line = ("arm_dynamics.c", r"(output->vdot\[\d\] = )(.*);", change)
         assert mutant(built("fused", "float"), "fused", "float", *line)[0] == 1
 
@@ -138,7 +142,7 @@ def test_no_tolerance_is_loose():
     """However much rounding a precision loses, its self-check allows a hundredth at most."""
     with pytest.warns(PrecisionWarning, match="no use in float"):
         files = model_of(overloaded(100.0, 0.1)).c_files()
-    allowed = re.search(r"TOLERANCE = .*\? REAL\((.*?)\) : REAL\((.*?)\);", files["check.c"].decode())
+    allowed = re.search(r"TOLERANCE = .*\? ARM_REAL\((.*?)\) : ARM_REAL\((.*?)\);", files["check.c"].decode())
     assert float(allowed[1]) <= 1e-2 and float(allowed[2]) <= 1e-6
 
 

@@ -123,3 +123,20 @@ def test_parameters_without_effect_are_marked():
 def test_links_have_names_in_c():
     header = of_ella("fused")["ella.h"]
     assert re.search(r"ELLA_LINK_UPPER_ARM = 0,\n +ELLA_LINK_FOREARM = 1\n", header)
+
+
+def test_macros_have_the_robots_prefix():
+    options = {"batch": True, "estimator": True}
+    for name, text in CProject(example("ella").chain, "x", **options).files().items():
+        if name.endswith((".h", ".c")):
+            macros = re.findall(r"^ *# *define +(\w+)", text, re.MULTILINE)
+            assert all(macro.lower().startswith("ella_") for macro in macros), name
+
+
+def test_components_are_named_by_their_parts():
+    """Six components of wrenches, twists and accelerations have letters; numbers stay for matrices and modes."""
+    text = CProject(example("ella").chain, "x", layout="modular").files()["ella_links.c"]
+    names = set(re.findall(r"const ella_real (\w+) =", text))
+    assert {"wrench_tau_x", "wrench_f_z", "acc_0_a_x", "h_V_tau_y"} <= names
+    six = [n for n in names if re.fullmatch(r"(minus_)?(wrench|acc_0|delta|h_V|H_star|p_i|p_T)_\d", n)]
+    assert not six

@@ -34,12 +34,15 @@ def pointer(array: np.ndarray):
 def step(compiled, form: str, method: str, q, v, tau, w_ext, dt=1e-4) -> tuple[int, bool]:
     """Status of one step, and whether it left the state's bits alone."""
     number, dt = list(METHODS).index(method), ctypes.c_double(dt)
-    inputs = [np.ascontiguousarray(x, float) for x in (tau, w_ext)]
-    arrays = [np.array(q, float), np.array(v, float)] if form == "joint" else [np.array(q, float)]
-    call = compiled.library.shim_step if form == "joint" else compiled.library.shim_dae_step
-    before = [a.tobytes() for a in arrays]
-    status = call(compiled.memory, number, 1, dt, *map(pointer, inputs), *map(pointer, arrays))
-    return status, [a.tobytes() for a in arrays] == before
+    compiled.tau[:], compiled.w_ext[:] = tau, w_ext
+    if form == "joint":
+        compiled.q[:], compiled.v[:], call = q, v, compiled.library.shim_step
+    else:
+        compiled.x, call = np.asarray(q), compiled.library.shim_dae_step
+    state = lambda: [x.tobytes() for x in ((compiled.q, compiled.v) if form == "joint" else (compiled.x,))]  # noqa: E731
+    before = state()
+    status = call(compiled.memory, number, 1, dt)
+    return status, state() == before
 
 
 def start(compiled, form: str) -> tuple:

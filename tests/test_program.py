@@ -15,8 +15,9 @@ from screwgen.algorithms import fused
 from screwgen.algorithms.schedule import trace
 from screwgen.backends.casadi import functions as sx
 from screwgen.backends.numpy.python import compiled
-from screwgen.ir.program import FUNCTIONS, Program, Tracer
+from screwgen.ir.program import FUNCTIONS, Label, Program, Tracer, give_label
 from screwgen.ir.replay import inline, run, specialise
+from screwgen.ir.signs import signed
 
 
 def traced(function, **sizes) -> Program:
@@ -149,7 +150,7 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     a, b = ca.SX.sym("a"), ca.SX.sym("b")
     in_sx = ca.Function("f", [a, b], [run(program, {"x": [a], "y": [b]}, sx.unary)[0]["y"][0]])(x, y)
     tracer = Tracer()
-    copy = inline(program, {"x": tracer.input("x", 1), "y": tracer.input("y", 1)}, tracer, str)
+    copy = inline(program, {"x": tracer.input("x", 1), "y": tracer.input("y", 1)}, tracer)
     copied = Program("copy", dict(program.inputs), copy, [], tracer.sections)
     known = specialise(program, {"y": [y]})
     assert "y" not in known.inputs and copied.operation_count == program.operation_count
@@ -205,3 +206,19 @@ def test_programs_are_the_same_every_time():
     first, second = fused.forward_dynamics(chain), fused.forward_dynamics(chain)
     text = lambda p: [(n.op, [getattr(a, "id", a) for a in n.args], n.label) for n in p.nodes]  # noqa: E731
     assert text(first) == text(second)
+
+
+def test_signs_move_to_uses_where_that_takes_no_operation():
+    tracer = Tracer()
+    a, b, c = tracer.input("x", 3)
+    difference, product = a - b, a * c
+    give_label(-difference, Label("d", "x"))
+    give_label(-product, Label("p"))
+    outputs = {"y": [c - difference * b, difference * c + b], "z": [product + c]}
+    before = tracer.program("f", {"x": 3}, outputs)
+    after = signed(before)
+    names = {str(node.label) for node in after.nodes if node.label}
+    assert names == {"d_x", "minus_p"}  # -(a * c) would take an operation more
+    assert after.operations == before.operations
+    numbers = {"x": [0.3, -1.7, 2.9]}
+    assert run(after, numbers, lambda _, x: -x) == run(before, numbers, lambda _, x: -x)

@@ -94,7 +94,7 @@ def test_frames_of_the_joint_form(case, vdot):
         expected = frames.seen("tip twist", NODE["omega"].frame)
         assert np.allclose(node["omega"], expected[:3], atol=1e-10)
         check(node["R_T"], NODE, "R_T", frames, "tip R")
-        total = np.add(node["alpha_0"], node["delta"])
+        total = np.add(node["acc_0"], node["delta"])
         check(total, NODE, "delta", frames, "tip acceleration", 1e-5)
         assert np.allclose(link["motion"][:2], frames.seen("twist", CALL["motion"].frame)[1:3], atol=1e-10)
 

@@ -39,11 +39,11 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     """The n + 1 nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
     out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
-    out[0] |= {"alpha_0": [0.0] * 3 + [-g for g in gravity]}
+    out[0] |= {"acc_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
     out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
     out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3}
-    out[0] |= {"acc": out[0]["alpha_0"]}
+    out[0] |= {"acc": out[0]["acc_0"]}
     for leaf in chain.tree.leaves:
         out[leaf] |= {"f": [0.0] * 6, "Gamma": [0.0] * 18, "Lambda_T": [0.0] * 21}
         out[leaf] |= {"Lambda": [0.0] * 21, "p": [0.0] * 6, "X": [0.0] * 36, "PX": [0.0] * 36}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 
 import mpmath
@@ -34,22 +33,10 @@ def fuse(
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
     links, gravity = _sources(chain, tracer, constants, read)
-    apply = lambda i, _, program, given: inline(program, given, tracer, _namer(chain, i), i)  # noqa: E731
+    names = [link.name for link in chain.robot.links]
+    apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
     outputs = body(kind(chain, links, gravity, apply), values)
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
-
-
-def _namer(chain: Chain, i: int) -> Callable[[str], str]:
-    """A function that adds the link to labels and titles."""
-    link = chain.robot.links[i].name
-
-    def rename(text: str) -> str:
-        if ": " in text:
-            return f"{link}, {text}"
-        stem, _, index = text.rpartition("_")
-        return f"{stem}_{link}_{index}" if stem and re.fullmatch(r"[xyz]{1,2}|[xyz]?\d+", index) else f"{text}_{link}"
-
-    return rename
 
 
 def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int]):
@@ -59,7 +46,8 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
-        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, _namer(chain, i))), p[:3]
+        names = [link.name for link in chain.robot.links]
+        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, names[i])), p[:3]
     links = []
     for i, key in enumerate(chain.keys):
         names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}

@@ -47,7 +47,7 @@ def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     M_V, M_D, h_V, h_eta = own
     r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta"), _tip_shapes(s)
     M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
-    h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p))
+    h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p), "h_V")
     loaded = mx.multiply(Lambda, Theta)
     C = s.name("C", M_D + _columns(r_T, loaded))
     elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + (m_eta[i] if i == j else 0.0)  # noqa: E731
@@ -60,7 +60,7 @@ def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     s.keep("modes_L", L)
     s.keep("modes_W", W)
     s.keep("modes_w", w)
-    return s.name("M_i", mx.subtract_product(M, Z, W)), s.name("h_i", h - mx.multiply(W.T, z))
+    return s.name("M_i", mx.subtract_product(M, Z, W)), s.name("h_i", h - mx.multiply(W.T, z), "h_V")
 
 
 def _columns(r: Array, wrenches: Array) -> Array:

@@ -5,7 +5,7 @@ Forward dynamics is a block elimination of M_sys from tip to base.  The reaction
 equations, eliminates its modal accelerations, then its joint accelerations, and passes ``Lambda, p`` to its parent.
 The accelerations and the joint wrenches follow from base to tip.
 
-The acceleration of a point is split in two: ``alpha_0`` is its value while no joint and no mode accelerates, known
+The acceleration of a point is split in two: ``acc_0`` is its value while no joint and no mode accelerates, known
 after the outward pass; ``delta`` is the contribution of the joint and modal accelerations.  Accelerations are those of
 material points in the inertial frame, so they need angular velocities but no linear ones.  Gravity enters as an
 acceleration ``-g`` of the base.  Signals of a node are in the axes of the parent's F_i, at its tip point, so a link
@@ -24,7 +24,7 @@ from .validity import axial_motion
 
 
 def kinematics(s: Scope) -> None:
-    """Base to tip: angular velocity and ``alpha_0`` of F_i and of the tip, from q, qdot, eta, etadot."""
+    """Base to tip: angular velocity and ``acc_0`` of F_i and of the tip, from q, qdot, eta, etadot."""
     q, qdot = s.read("q"), s.read("qdot")
     omega_R = relative_posture(s)
     joint_motion(s, q, qdot, omega_R)
@@ -38,20 +38,20 @@ def relative_posture(s: Scope) -> Array:
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
         R = s.name("R_P", mx.multiply(s.read("base.R_T"), R_rel))
         s.keep("R_P", R)
-        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega")))
+        return s.name("omega_R", mx.multiply(R.T, s.read("base.omega")), "omega")
 
 
 def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
-    """Store angular velocity, ``alpha_0`` and the motion subspace at the origin of F_i."""
+    """Store angular velocity, ``acc_0`` and the motion subspace at the origin of F_i."""
     with s.step("acceleration of the parent's tip in F_i axes"):
-        parent = mx.rotate_wrench(s.kept("R_P").T, s.read("base.alpha_0"))
+        parent = mx.rotate_wrench(s.kept("R_P").T, s.read("base.acc_0"))
     given = {"q": q, "qdot": qdot, "omega_R": omega_R, "alpha_R": parent[:3], "a_R": parent[3:]}
     names = ("S", "lever", "omega", "alpha", "a")
     S, lever, omega, alpha, a = s.lower("joint_motion", given, *names)
     s.keep("S", S)
     s.keep("lever", lever)
     s.keep("omega", omega)
-    s.keep("alpha_0", np.concatenate([alpha, a]))
+    s.keep("acc_0", np.concatenate([alpha, a]))
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
@@ -65,10 +65,10 @@ def tip_state(s: Scope, twist: Array) -> dict[str, Array]:
 
 
 def tip_motion(s: Scope) -> None:
-    """Pose, angular velocity and ``alpha_0`` of the tip section, in F_i axes."""
-    alpha_0 = s.kept("alpha_0")
+    """Pose, angular velocity and ``acc_0`` of the tip section, in F_i axes."""
+    acc_0 = s.kept("acc_0")
     state = {"eta": s.read("eta"), "etadot": s.read("etadot")}
-    state |= {"omega": s.kept("omega"), "alpha": alpha_0[:3], "a": alpha_0[3:]}
+    state |= {"omega": s.kept("omega"), "alpha": acc_0[:3], "a": acc_0[3:]}
     r_T, Phi_c, omega, alpha, a = s.lower("tip_motion", state, "r_T", "Phi_c", "omega_t", "alpha_t", "a_t")
     R_T, J_l, Psi_c = mx.identity(3), mx.identity(3), mx.zeros(3, s.key.modes)
     if s.key.section_rotation:
@@ -80,13 +80,13 @@ def tip_motion(s: Scope) -> None:
     s.keep("Phi_c", Phi_c)
     s.write("tip.R_T", R_T)
     s.write("tip.omega", omega)
-    s.write("tip.alpha_0", np.concatenate([alpha, a]))
+    s.write("tip.acc_0", np.concatenate([alpha, a]))
 
 
 def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
-    """``M_V, M_D, h_V, h_eta`` of the link alone; the bias forces include the inertial forces of ``alpha_0``."""
-    alpha_0 = s.kept("alpha_0")
-    state = {"omega": s.kept("omega"), "alpha": alpha_0[:3], "v": mx.zeros(3), "g": -alpha_0[3:]}
+    """``M_V, M_D, h_V, h_eta`` of the link alone; the bias forces include the inertial forces of ``acc_0``."""
+    acc_0 = s.kept("acc_0")
+    state = {"omega": s.kept("omega"), "alpha": acc_0[:3], "v": mx.zeros(3), "g": -acc_0[3:]}
     state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
     m, I, S, M_D, h_V, h_eta = s.lower("turning_link", state, "m", "I", "S", "M_D", "h_V", "h_eta")
     return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
@@ -106,8 +106,8 @@ def tip_load(s: Scope) -> tuple[Array, Array]:
         M_T = mx.blocks(I, mx.hat(S), mx.identity(3) * m)
         Lambda = s.name("Lambda_T", mx.unpack(s.read("tip.Lambda")) + M_T)
         outside = mx.rotate_wrench(s.kept("R_T"), s.read("w_ext"))
-        bias = body_force(s.read("tip.omega"), s.read("tip.alpha_0"), m, S, I)
-        return Lambda, s.name("p_T", s.read("tip.p") + bias - outside)
+        bias = body_force(s.read("tip.omega"), s.read("tip.acc_0"), m, S, I)
+        return Lambda, s.name("p_T", s.read("tip.p") + bias - outside, "p")
 
 
 def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
@@ -152,7 +152,7 @@ def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and ``delta`` of the tip."""
     R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
-        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))))
+        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))), "delta")
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
         s.write("qddot", qddot)
     with s.step("joint wrench (48)"):
@@ -160,7 +160,7 @@ def accelerate(s: Scope) -> None:
         s.write("wrench", mx.shift_wrench(-r_B, wrench))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
-        alpha = delta + s.kept("alpha_0")
+        alpha = delta + s.kept("acc_0")
         s.write("alpha", alpha)
         etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
@@ -168,7 +168,7 @@ def accelerate(s: Scope) -> None:
         own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
         axial_motion(s, s.kept("omega"), alpha[3], own)
     with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
-        s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot)))
+        s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot), "delta"))
 
 
 def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
@@ -195,11 +195,11 @@ def inverse_inward(s: Scope) -> None:
     qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
     m, S, I = tip_bodies(s)
-    bodies = body_force(s.read("tip.omega"), s.read("tip.alpha_0") + s.read("tip.delta"), m, S, I)
+    bodies = body_force(s.read("tip.omega"), s.read("tip.acc_0") + s.read("tip.delta"), m, S, I)
     load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
     if s.key.unstiffened:
-        axial_motion(s, s.kept("omega"), s.kept("alpha_0")[3] + delta[3], needed[3])
+        axial_motion(s, s.kept("omega"), s.kept("acc_0")[3] + delta[3], needed[3])
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
     modal = mx.multiply(M_D.T, delta) + s.read("m_eta") * etaddot
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
@@ -224,8 +224,8 @@ def poses(s: Scope) -> None:
         s.write("R", R)
         s.write("r", r)
     with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
-        s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T)))
-        s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T)))
+        s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T), "R"))
+        s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T), "r"))
 
 
 def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:

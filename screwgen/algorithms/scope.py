@@ -23,13 +23,13 @@ from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_b
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
-from ..ir.program import Array, Node, Program, Tracer, Value, give_label
+from ..ir.program import Array, Label, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, motion_block, posture_block
 from ..spec.link_class import LinkClass
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
 from .matrices import zeros
-from .signals import signal
+from .signals import signal, type_of
 
 BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "joint": joint_block,
@@ -97,10 +97,6 @@ def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
     return {label: alias for label, alias in out.items() if alias[1] != label}
 
 
-SPATIAL = frozenset({"R", "r", "R_rel", "R_T", "r_T", "R_tip", "r_tip", "omega", "v"})
-"""Arrays whose entries are named along the axes of a frame."""
-
-
 @dataclass
 class Layout:
     """The layout of an array in the link's store, which has places for computed entries only.
@@ -137,16 +133,14 @@ class Scope:
 
     def write(self, name: str, values: Array | Sequence[Value]) -> None:
         """An output signal."""
-        self.name(name.rpartition(".")[2], values)
+        self.name(name.rpartition(".")[2], values, name)
         self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
 
-    def name(self, name: str, values: Array | Sequence[Value]) -> Array:
-        """Name the entries that have no name yet; returns the array."""
-        values = np.asarray(values, dtype=object)
-        letters = "xyz" if name in SPATIAL and max(values.shape) == 3 else "123456789"
+    def name(self, name: str, values: Array | Sequence[Value], like="") -> Array:
+        """Name the entries that have no name yet, like those of a signal (default: ``name``); returns the array."""
+        values, kind = np.asarray(values, dtype=object), type_of(like or name)
         for index, value in np.ndenumerate(values):
-            place = "".join(letters[i] if max(values.shape) < 10 else f"_{i + 1}" for i in index)
-            give_label(value, f"{name}_{place}".replace("__", "_"))
+            give_label(value, Label(name, kind.place(index, values.shape)))
         return values
 
     def step(self, title: str):
@@ -169,7 +163,7 @@ class Scope:
     def keep(self, name: str, values: Array) -> None:
         """Store an array for later phases of the same link."""
         self.fresh[name] = values
-        self.name(name, values)
+        self.name(name, values, f"w.{name}")
         slots: dict[int, int] = {}
         stored: list[Value] = []
         entries = []

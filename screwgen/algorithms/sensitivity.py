@@ -44,7 +44,7 @@ def motion(s: Scope) -> None:
     """Base to tip: the motion of every link and tip section at given accelerations."""
     link, a_J = link_motion(s)
     s.write("w.omega_i", s.name("omega", link.omega))
-    s.write("w.acc_i", s.name("acc", link.stacked))
+    s.write("w.acc_i", s.name("acc", link.stacked, "acc_i"))
     s.write("w.a_J", a_J)
     tip = tip_motion(s, link)
     s.write("tip.omega_T", tip.omega)

@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ..ir.program import component
+
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
 CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
@@ -23,10 +25,20 @@ class Signal(NamedTuple):
     unit: str
     frame: str
     meaning: str
+    at: str = ""
+    """Where a call of the generated C has it, if that is not a member of its name; i is the link, e its first mode."""
 
     def size(self, joints: int, modes: int) -> tuple[int, ...]:
         """The shape for given numbers of joint coordinates and modes."""
         return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
+
+    def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
+        """The place of an entry of an array of ``shape``: letters along the axes of a frame, numbers elsewhere."""
+        if self.shape == (6,) == shape:
+            return component(self.unit, index[0])
+        axes = self.shape if len(self.shape) == len(shape) and self.frame != "-" else (0,) * len(shape)
+        parts = ["xyz"[i] if n == 3 else str(i + 1) for i, n in zip(index, axes, strict=True)]
+        return ("_" if max(shape) > 9 else "").join(parts)
 
     @property
     def comment(self) -> str:
@@ -39,7 +51,7 @@ class Signal(NamedTuple):
 NODE = {
     "omega": Signal((3,), "rad/s", CARRIER, "angular velocity of the tip section"),
     "v": Signal((3,), "m/s", CARRIER, "velocity of the tip point"),
-    "alpha_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
+    "acc_0": Signal((6,), ACCELERATION, CARRIER, "acceleration while no joint and no mode accelerates"),
     "delta": Signal((6,), ACCELERATION, CARRIER, "part of the acceleration due to joints and modes"),
     "R_T": Signal((3, 3), "-", CARRIER, "rotation of the tip frame, row by row"),
     "Lambda": Signal((21,), INERTIA, CARRIER, "articulated inertia of the links carried, upper triangle"),
@@ -63,7 +75,32 @@ NODE = {
 }
 """Of a node: the tip section of a link, or the base."""
 
-CALL = {
+M_SYS = {
+    "joint_w": Signal((6, 6), MIXED, F_I, "joint's rows, columns of its wrench"),
+    "joint_V": Signal((6, 6), MIXED, F_I, "joint's rows, columns of the link's twist rate"),
+    "V_w": Signal((6, 6), "-, m", F_I, "twist rows, columns of the joint's wrench"),
+    "V_V": Signal((6, 6), INERTIA, F_I, "twist rows, columns of the twist rate"),
+    "V_eta": Signal((6, "r"), "kg*m, kg", F_I, "twist rows, columns of the modal accelerations"),
+    "V_next": Signal((6, 6), "-, m", F_I, "twist rows, columns of the next joint's wrench"),
+    "eta_V": Signal(("r", 6), "kg*m, kg", F_I, "modal rows, columns of the twist rate"),
+    "eta_eta": Signal(("r", "r"), "kg", "-", "modal rows, columns of the modal accelerations"),
+    "eta_next": Signal(("r", 6), "-, 1/m", F_I, "modal rows, columns of the next joint's wrench"),
+    "next_V": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the twist rate"),
+    "next_eta": Signal((6, "r"), MIXED, NEXT, "next joint's rows, columns of the modal accelerations"),
+}
+"""The blocks of M_sys that a link computes, by rows and columns."""
+
+H_SYS = {
+    "joint_H": Signal((6,), MIXED, F_I, "joint's rows, bias", "H + 12 * i"),
+    "joint_W": Signal((6,), MIXED, F_I, "joint's rows, torques", "W + 12 * i"),
+    "V_H": Signal((6,), WRENCH, F_I, "twist rows, bias", "H + 12 * i + 6"),
+    "V_W": Signal((6,), WRENCH, F_I, "twist rows, external wrench", "W + 12 * i + 6"),
+    "eta_H": Signal(("r",), "N", "-", "modal rows, bias", "H + 12 * $$_NLINKS + e"),
+    "eta_W": Signal(("r",), "N", "-", "modal rows, external wrench", "W + 12 * $$_NLINKS + e"),
+}
+"""The parts of H_sys and W_sys that a link computes."""
+
+CALL: dict[str, Signal] = {
     "q": Signal(("m",), "rad", "-", "joint coordinates"),
     "qdot": Signal(("m",), "rad/s", "-", "joint rates"),
     "qddot": Signal(("m",), "rad/s^2", "-", "joint accelerations"),
@@ -98,29 +135,13 @@ CALL = {
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
-    "joint_w": Signal((6, 6), MIXED, F_I, "joint's rows, columns of its wrench"),
-    "joint_V": Signal((6, 6), MIXED, F_I, "joint's rows, columns of the link's twist rate"),
-    "joint_H": Signal((6,), MIXED, F_I, "joint's rows, bias"),
-    "joint_W": Signal((6,), MIXED, F_I, "joint's rows, torques"),
-    "V_w": Signal((6, 6), "-, m", F_I, "twist rows, columns of the joint's wrench"),
-    "V_V": Signal((6, 6), INERTIA, F_I, "twist rows, columns of the twist rate"),
-    "V_eta": Signal((6, "r"), "kg*m, kg", F_I, "twist rows, columns of the modal accelerations"),
-    "V_next": Signal((6, 6), "-, m", F_I, "twist rows, columns of the next joint's wrench"),
-    "V_H": Signal((6,), WRENCH, F_I, "twist rows, bias"),
-    "V_W": Signal((6,), WRENCH, F_I, "twist rows, external wrench"),
-    "eta_V": Signal(("r", 6), "kg*m, kg", F_I, "modal rows, columns of the twist rate"),
-    "eta_eta": Signal(("r", "r"), "kg", "-", "modal rows, columns of the modal accelerations"),
-    "eta_next": Signal(("r", 6), "-, 1/m", F_I, "modal rows, columns of the next joint's wrench"),
-    "eta_H": Signal(("r",), "N", "-", "modal rows, bias"),
-    "eta_W": Signal(("r",), "N", "-", "modal rows, external wrench"),
-    "next_V": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the twist rate"),
-    "next_eta": Signal((6, "r"), MIXED, NEXT, "next joint's rows, columns of the modal accelerations"),
 }
+CALL |= M_SYS | H_SYS
 """Of a call, for one link."""
 
 STORE = {
     "omega": Signal((3,), "rad/s", F_I, "angular velocity"),
-    "alpha_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
+    "acc_0": Signal((6,), ACCELERATION, F_I, "acceleration of F_i while no joint and no mode accelerates"),
     "delta": Signal((6,), ACCELERATION, F_I, "part of the acceleration of F_i due to joints and modes"),
     "R_rel": Signal((3, 3), "-", "parent's tip frame", "rotation of F_i"),
     "R_P": Signal((3, 3), "-", "parent's F_i", "rotation of F_i"),
@@ -180,6 +201,66 @@ STORE = {
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
 }
 """Of a link's own store."""
+
+
+MODES, JOINTS, RATES = ("NMODES",), ("NTAU",), "rad/s^2, m/s^2"
+GIVEN = {
+    "m_eta": Signal(("NGIVEN",), "kg, kg*m^2", "-", "inertia of modes and sprung joints, implicit over a step"),
+    "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "their stress and damping"),
+}
+ROBOT = {
+    "constants": {"gravity": CALL["gravity"]},
+    "state": {
+        "q": Signal(("NQ",), "rad, m", "-", "coordinates"),
+        "v": Signal(("NV",), "rad/s, m/s", "-", "their rates"),
+    },
+    "input": {
+        "tau": Signal(JOINTS, "N*m", "-", "torque about each joint axis, in the order of q"),
+        "w_ext": Signal(("NLINKS", 6), WRENCH, TIP, "[tau; F] on each tip section"),
+    },
+    "output": {
+        "vdot": Signal(("NV",), RATES, "-", "rate of v"),
+        "wrench": Signal(("NLINKS", 6), WRENCH, F_I, "of the joint on link i, at the joint point"),
+        "tip_rotation": Signal((3, 3), "-", INERTIAL, "rotation of the last tip frame"),
+        "tip_position": Signal((3,), "m", INERTIAL, "last tip point"),
+    },
+    "motion": {
+        "rotation": Signal(("NLINKS", 3, 3), "-", INERTIAL, "rotation of F_i"),
+        "position": Signal(("NLINKS", 3), "m", INERTIAL, "origin of F_i"),
+        "tip_rotation": Signal(("NLINKS", 3, 3), "-", INERTIAL, "rotation of the tip frame of each link"),
+        "tip_position": Signal(("NLINKS", 3), "m", INERTIAL, "tip point of each link"),
+        "tip_twist": Signal(("NLINKS", 6), TWIST, INERTIAL, "[omega; v] of tip section and tip point"),
+    },
+    "dae_state": {
+        "quaternion": Signal(("NLINKS", 4), "-", INERTIAL, "rotation of F_i, (w, x, y, z)"),
+        "position": Signal(("NLINKS", 3), "m", INERTIAL, "origin of F_i"),
+        "eta": Signal(MODES, MODAL, "-", "modal coordinates"),
+        "twist": Signal(("NLINKS", 6), TWIST, F_I, "[omega; v]"),
+        "etadot": Signal(MODES, "m/s (torsion: rad/s)", "-", "modal rates"),
+        "q": Signal(JOINTS, "rad", "-", "joint coordinates"),
+    },
+    "work": GIVEN | {"motion": Signal(("NLINKS", 4), *CALL["motion"][1:4])},
+    "dae_work": GIVEN
+    | {
+        "qdot": Signal(JOINTS, "rad/s", "-", "joint rates"),
+        "qddot": Signal(JOINTS, "rad/s^2", "-", "joint accelerations"),
+        "etaddot": Signal(MODES, "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
+        "alpha": Signal(("NLINKS", 6), ACCELERATION, F_I, "acceleration of F_i"),
+        "Vdot": Signal(("NLINKS", 6), ACCELERATION, F_I, "rate of the twist"),
+        "wrench": Signal(("NLINKS", 6), WRENCH, F_I, "of the joint on link i, at the joint point"),
+    },
+}
+"""Of the whole robot, by the struct of the generated C that holds them; sizes are its constants."""
+
+UNTYPED = Signal((), "-", "-", "")
+"""The type of values that no phase hands on: their entries are numbered."""
+
+
+def type_of(name: str) -> Signal:
+    """The type of a signal, its prefix left out where it is clear; ``UNTYPED`` if there is none of the name."""
+    where, _, what = name.rpartition(".")
+    tables = {"base": (NODE,), "tip": (NODE,), "w": (STORE,)}.get(where, (STORE, CALL, NODE))
+    return next((table[what] for table in tables if what in table), UNTYPED)
 
 
 def signal(name: str) -> Signal:

@@ -16,6 +16,7 @@ import sympy as sp
 
 from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
+from .program import Label, component
 from .quantities import QUANTITIES, Quantity, described
 
 
@@ -45,6 +46,10 @@ class Signal:
         for index in np.ndindex(*self.shape):
             yield index, self.name + self.suffix(index)
 
+    def label(self, index: tuple[int, int]) -> Label:
+        """The name of an entry in generated code."""
+        return Label(self.name, component(self.unit, index[0]) if self.shape == (6, 1) else self.suffix(index)[1:])
+
     def suffix(self, index: tuple[int, int]) -> str:
         """The suffix of an entry's label: letters along the axes of a frame, numbers elsewhere.
 
@@ -71,6 +76,11 @@ class Step:
     expression: Expression
     equation: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+    @cached_property
+    def labels(self) -> dict[str, Label]:
+        """The names in generated code of the symbols that the step may define."""
+        return {text: self.signal.label(index) for index, text in self.signal.labels()}
 
     @cached_property
     def uses(self) -> dict[str, set[str]]:

@@ -36,7 +36,7 @@ def lower(
         with tracer.section(title(step)):
             for symbol, expression in step.assignments:
                 value = recipe(expression)(known, tracer)
-                give_label(value, symbol.name)
+                give_label(value, step.labels[symbol.name])
                 known[symbol.name] = value
     return {name: _array(block.values[name], known, tracer) for name in outputs}
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from operator import attrgetter
+from typing import NamedTuple
 
 import mpmath
 import numpy as np
@@ -24,6 +25,30 @@ FUNCTIONS = frozenset({"sqrt", "sin", "cos", "c4", "c5", "c6", "c7"})
 """Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7: slopes)."""
 
 
+class Label(NamedTuple):
+    """The name of a value in generated code: a quantity, the place of an entry in it, and the link that it belongs to.
+
+    ``negative``: the value is the negative of that entry.
+    """
+
+    quantity: str
+    place: str = ""
+    link: str = ""
+    negative: bool = False
+
+    def __str__(self) -> str:
+        return "_".join(x for x in ("minus" * self.negative, self.quantity, self.link, self.place) if x)
+
+
+PARTS = {"N*m, N": ("tau", "f"), "rad/s, m/s": ("omega", "v"), "rad/s^2, m/s^2": ("alpha", "a")}
+"""The letters of the angular and the linear part of six components, by their unit."""
+
+
+def component(unit: str, k: int) -> str:
+    """The name of one of six components: ``tau_x`` ... ``f_z`` of a wrench, a number where the unit has no letters."""
+    return f"{PARTS[unit][k // 3]}_{'xyz'[k % 3]}" if unit in PARTS else str(k + 1)
+
+
 class Node:
     """One value of a program: an operation on nodes and floats, or an input entry."""
 
@@ -31,7 +56,7 @@ class Node:
 
     def __init__(self, tracer: Tracer, op: str, args: tuple, number: int, section: int):
         self.tracer, self.op, self.args, self.id, self.section = tracer, op, args, number, section
-        self.label: str | None = None
+        self.label: Label | None = None
 
     def __add__(self, other):
         return NotImplemented if isinstance(other, np.ndarray) else self.tracer.add(self, other)
@@ -284,11 +309,16 @@ class Program:
         return sum(self.operations.values())
 
 
-def give_label(value: Value, label: str) -> None:
-    """Name a computed value, or its operand if it is a negative, unless it has a name."""
+def give_label(value: Value, label: Label) -> None:
+    """Name a computed value, or its operand if it is a negative, unless it has a name.
+
+    The name of a negative gives way to that of the value itself.
+    """
     if isinstance(value, Node) and value.op == "neg":
-        value, label = value.args[0], f"minus_{label}"
-    if isinstance(value, Node) and value.label is None and value.op not in ("input", "epsilon"):
+        value, label = value.args[0], label._replace(negative=not label.negative)
+    if not isinstance(value, Node) or value.op in ("input", "epsilon"):
+        return
+    if value.label is None or (value.label.negative and not label.negative):
         value.label = label
 
 

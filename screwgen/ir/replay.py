@@ -43,20 +43,20 @@ def run(
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 
-def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, rename: Callable[[str], str], origin=0):
+def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, link="", origin=0):
     """Replay a program into a tracer: the fused layout.
 
-    ``rename`` turns labels and section titles; ``origin`` is the link that a failing guard reports.
+    ``link`` is added to labels and section titles; ``origin`` is the number of the link that a failing guard reports.
     """
     section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
-    tracer.sections.extend(rename(title) if title else "" for title in program.sections)
+    tracer.sections.extend(f"{link}, {title}" if link and title else title for title in program.sections)
     values: dict[int, Value] = {}
     before = tracer._section
     for node in program.nodes:
         tracer._section = section[node.section]
         values[node.id] = value = _replay(node, values, inputs, tracer)
         if node.label:
-            give_label(value, rename(node.label))
+            give_label(value, node.label._replace(link=link or node.label.link))
     tracer._section = before
     pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
     for g in program.guards:
@@ -87,6 +87,6 @@ def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Progr
     for name, size in program.inputs.items():
         free = tracer.input(name, size)
         given[name] = [x if v is None else v for x, v in zip(free, known.get(name, [None] * size), strict=True)]
-    outputs = inline(program, given, tracer, lambda text: text)
+    outputs = inline(program, given, tracer)
     left = {n: size for n, size in program.inputs.items() if n not in known or None in known[n]}
     return tracer.program(program.name, left, outputs)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
-from .compiled import STATUS, LeanProject, number_of
+from .compiled import STATUS, LeanProject, known
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
@@ -89,14 +89,15 @@ class CompiledBatch:
         status, fault, done = (np.full(q.shape[2], x, np.int32) for x in (OK, -1, 0))
         task = _Task(q, v, tau, w_ext, constants, hold, q[0].copy(), v[0].copy(), status, fault)
         real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
-        number, dt = number_of(method, self.project), real(dt)
+        method, dt = known(method, self.project), real(dt)
+        step = getattr(self.library, f"{self.project.name}_step_batch_{method}")
 
         def call(first: int, size: int, k: int, periods: int) -> None:
             """Some periods of the scenarios from `first` on."""
             own = task.constants[first if len(constants) > 1 else 0 :]
             batch, made = task.part(first, size, k), np.zeros(size, np.int32)
             batch.completed = pointer(made)
-            if failed := self.library.shim_batch(number, pointer(own), ctypes.byref(batch), dt, periods):
+            if failed := step(pointer(own), ctypes.byref(batch), dt, periods):
                 raise ScrewgenError(f"the generated C reports: {STATUS[failed]}")
             done[first : first + size] += made
 

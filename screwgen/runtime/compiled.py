@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..arguments import Given, choice, seconds, whole
+from ..arguments import Given, array, choice, seconds, whole
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError, SingularError, UsageError
@@ -43,13 +43,12 @@ class Derived(Protocol):
     def version(self) -> str: ...
 
 
-def number_of(method: str | Method, project: CProject) -> int:
-    """The number of an integrator in the library of a project; raises UsageError where it is not one of its methods."""
-    known = list(project.methods.values())
+def known(method: str | Method, project: CProject) -> Method:
+    """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
     wanted = method_of(method, project.methods, NO_METHOD)
-    if wanted not in known:
+    if wanted not in project.methods.values():
         raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
-    return known.index(wanted)
+    return wanted
 
 
 class LeanProject(CProject):
@@ -114,11 +113,11 @@ class Compiled(Memory):
         values = None if p is None else self.chain.parameters.vector(p)
         given = None if values is None else values.astype(self.real)
         with self._lock:
-            before = self._buffer.copy()
+            before = self._block.bytes.copy()
             try:
                 self.check(self.library.shim_prepare(self.memory, None if given is None else pointer(given)))
             except ScrewgenError:
-                self._buffer[:] = before
+                self._block.bytes[:] = before
                 raise
             self.p = values
 
@@ -211,46 +210,54 @@ class Compiled(Memory):
 
         ``method``: a built-in integrator, or one of those that the model was compiled with.
         """
-        nq = self.chain.nq
-        q, v = self._in(q, (nq,), "q"), self._in(v, (nq,), "v")
-        self._steps(self.library.shim_step, method, count, dt, (*self._input(tau, w_ext), q, v))
-        return q[:nq], v[:nq]
+        q, v = (array(x, name, (self.chain.nq,), finite=False) for x, name in ((q, "q"), (v, "v")))
+        state = ((self.q, slice(None), q), (self.v, slice(None), v))
+        q, v = self._steps(self.library.shim_step, method, count, dt, tau, w_ext, state)
+        return q, v
 
     def number(self, method: str | Method) -> int:
         """The number that an integrator has in the library; raises UsageError where it has none."""
-        return number_of(method, self.project)
+        return list(self.project.methods.values()).index(known(method, self.project))
 
-    def _steps(self, call: Callable[..., int], method: str | Method, count: int, dt: float, arrays) -> None:
-        """Steps in parts; the last of the arrays are the state."""
+    def _steps(self, call: Callable[..., int], method, count: int, dt: float, tau, w_ext, state) -> list[Array]:
+        """The state after steps, in parts between which others may use the memory.
+
+        ``state``: arrays of the memory, the entries of each that are meant, and their values.
+        """
         number, dt = self.number(method), self._real(seconds(dt, "dt"))
-        places = [pointer(x) for x in arrays]
+        tau, w_ext = self._input(tau, w_ext)
+        values = [np.array(value, self.real) for _, _, value in state]
         for _, part in slices(whole(count, "count", 0)):
             with self._lock:
-                self.check(call(self.memory, number, part, dt, *places))
+                self.tau[:], self.w_ext[:] = tau, w_ext
+                for (place, entries, _), value in zip(state, values, strict=True):
+                    place[entries] = value
+                self.check(call(self.memory, number, part, dt))
+                values = [np.array(place[entries]) for place, entries, _ in state]
+        return values
 
     # DAE form ---------------------------------------------------------------------------------
 
     def dae_state(self, q, v) -> Array:
         """The state ``x`` of the DAE form."""
-        x = np.zeros(state_size(self.chain), self.real)
         with self._lock:
             self._set(q, v)
-            self.check(self.library.shim_dae_state(self.memory, pointer(x)))
-        return x
+            self.check(self.library.shim_dae_state(self.memory))
+            return self.x
 
     def dae_step(self, x, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> Array:
         """``x`` after ``count`` steps of the DAE form, each projected, the input held."""
-        x = self._in(x, (state_size(self.chain),), "x")
-        self._steps(self.library.shim_dae_step, method, count, dt, (*self._input(tau, w_ext), x))
-        return x
+        state = ((self._dae, self._order, array(x, "x", (state_size(self.chain),), finite=False)),)
+        return self._steps(self.library.shim_dae_step, method, count, dt, tau, w_ext, state)[0]
 
     def assemble(self, x, tau, w_ext) -> tuple[Array, Array, Array]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``."""
         size, rows, columns = unknown_size(self.chain), *self._pattern()
         values, H, W = np.zeros(len(rows), self.real), np.zeros(size, self.real), np.zeros(size, self.real)
-        arrays = (self._in(x, (state_size(self.chain),), "x"), *self._input(tau, w_ext), values, H, W)
+        x, (tau, w_ext) = array(x, "x", (state_size(self.chain),), finite=False), self._input(tau, w_ext)
         with self._lock:
-            self.check(self.library.shim_assemble(self.memory, *map(pointer, arrays)))
+            self.x, self.tau[:], self.w_ext[:] = x, tau, w_ext
+            self.check(self.library.shim_assemble(self.memory, *map(pointer, (values, H, W))))
         M = np.zeros((size, size), self.real)
         for j in range(size):
             M[rows[columns[j] : columns[j + 1]], j] = values[columns[j] : columns[j + 1]]

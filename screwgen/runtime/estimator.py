@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,15 +14,31 @@ from ..arguments import array
 from ..errors import ScrewgenError, SingularError, UsageError
 from .compiled import STATUS, LeanProject
 from .library import load
+from .memory import Block, pointer
 
 if TYPE_CHECKING:
     from ..model import Model
 
 
+SENSORS = ("encoder", "strain", "acceleration")
+
+
+def _members(model: Model) -> dict[str, tuple[int, ...]]:
+    """The members of a filter's memory that are read or written here, and their shapes."""
+    n, m, g = model.nq, model.n_joints, len(gauges(model.chain))
+    states = {f"{state}.{part}": (n,) for state in ("state", "deviation", "estimator.state") for part in "qv"}
+    sensors = dict(zip(SENSORS, (m, g, 3), strict=True))
+    places = ("estimator.{}_variance", "measurement.{}", "measurement.has_{}")
+    measured = {place.format(name): (size,) for name, size in sensors.items() for place in places}
+    noise = {"estimator.density_q": (n,), "estimator.density_v": (n,), "estimator.fibre": (g,)}
+    inputs = {"input.tau": (m,), "input.w_ext": (model.n_links, 6)}
+    return states | measured | noise | inputs | {"estimator.P": (2 * n, 2 * n)}
+
+
 def _files(model: Model, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
     project = LeanProject(model.chain, model.version, binding, estimator=True)
-    return project.files() | {"shim.c": project.shim("estimator_shim.c")}
+    return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model)))}
 
 
 @dataclass(frozen=True)
@@ -65,32 +82,27 @@ class CompiledEstimator:
         files = model.once(("estimator files", binding), lambda: _files(model, binding))
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
-        self._memory = ctypes.create_string_buffer(self.library.shim_size())
+        members = _members(model)
+        self._block = Block(self.library, list(members), np.dtype(self.real))
+        self._memory, kind = self._block.address, lambda name: ctypes.c_int if "has_" in name else None
+        self._at = {name: self._block.view(name, *shape, kind=kind(name)) for name, shape in members.items()}
 
     def start(self, q, v, deviation_q, deviation_v, noise: Noise) -> None:
         """Begin at a state (nq, nq) with the standard deviations of its entries."""
-        n = self.model.nq
-        given = (self._in(self._p), *(self._in(x, n) for x in (q, v, deviation_q, deviation_v)))
-        self._check(self.library.shim_init(self._memory, *given))
+        self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
+        p = np.append(self._p, 0.0).astype(self.real)
+        self._check(self.library.shim_init(self._memory, pointer(p)))
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
-        n, m, g = self.model.nq, self.model.n_joints, len(self.gauges)
-        square = lambda x, size: self._in(np.square(np.broadcast_to(np.asarray(x, float), size)), size)  # noqa: E731
-        self.library.shim_set(
-            self._memory,
-            self._in(noise.density_q, n),
-            self._in(noise.density_v, n),
-            square(noise.encoder, m),
-            square(noise.strain, g),
-            square(noise.acceleration, 3),
-            self._in(noise.fibre, g),
-        )
+        self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in SENSORS})
+        self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v", "fibre")})
 
     def predict(self, tau, w_ext, dt: float) -> None:
         """Predict the state ``dt`` seconds later, with torques (n_joints) and tip wrenches (n, 6) held."""
-        self._check(self.library.shim_predict(self._memory, *self._input(tau, w_ext), self._number(dt)))
+        self._input(tau, w_ext)
+        self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
     def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
@@ -98,30 +110,25 @@ class CompiledEstimator:
         ``encoder`` (n_joints) in rad, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in tip-frame
         components, less free fall.
         """
-        sizes = (self.model.n_joints, len(self.gauges), 3)
-        given = [
-            np.full(n, np.nan) if x is None else np.array(x, float)
-            for x, n in zip((encoder, strain, acceleration), sizes, strict=True)
-        ]
-        for name, x, n in zip(("encoder", "strain", "acceleration"), given, sizes, strict=True):
-            if x.shape != (n,):
-                raise UsageError(f"{name}: shape {x.shape}, must be ({n},); give NaN for what was not measured")
-        has = np.isfinite(np.concatenate(given)).astype(np.int32)
-        infinite = np.isinf(np.concatenate(given))
-        has[infinite] = 1
-        values = [self._in(np.where(np.isnan(x), 0.0, x), n) for x, n in zip(given, sizes, strict=True)]
-        flags = np.ctypeslib.as_ctypes(np.append(has, np.int32(0)))
-        self._check(self.library.shim_update(self._memory, *self._input(tau, w_ext), flags, *values))
+        self._input(tau, w_ext)
+        for name, given in zip(SENSORS, (encoder, strain, acceleration), strict=True):
+            size = len(self._at[f"measurement.{name}"])
+            values = np.full(size, np.nan) if given is None else np.array(given, float)
+            if values.shape != (size,):
+                raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
+            missing = np.isnan(values)
+            self._write({f"measurement.{name}": np.where(missing, 0.0, values), f"measurement.has_{name}": ~missing})
+        self._check(self.library.shim_update(self._memory))
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
         """The mean of q and of v, (nq,) each."""
-        return self._got()[:2]
+        return self._at["estimator.state.q"].copy(), self._at["estimator.state.v"].copy()
 
     @property
     def covariance(self) -> np.ndarray:
         """``P`` of [q; v], (2 nq, 2 nq)."""
-        return self._got()[2]
+        return self._at["estimator.P"].copy()
 
     @property
     def fault(self) -> int:
@@ -130,25 +137,22 @@ class CompiledEstimator:
 
     def put(self, q, v, P) -> None:
         """Set mean and covariance."""
-        n = self.model.nq
-        self.library.shim_put(self._memory, self._in(q, n), self._in(v, n), self._in(P, 4 * n * n))
+        self._write({"estimator.state.q": q, "estimator.state.v": v, "estimator.P": P})
 
-    def _got(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        n = self.model.nq
-        arrays = [np.zeros(shape, self.real) for shape in (n, n, (2 * n, 2 * n))]
-        self.library.shim_get(self._memory, *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
-        return tuple(arrays)
+    def _input(self, tau, w_ext) -> None:
+        for name, values in (("tau", tau), ("w_ext", w_ext)):
+            place = self._at[f"input.{name}"]
+            place[:] = array(values, name, place.shape, finite=False)
 
-    def _input(self, tau, w_ext):
-        given = (("tau", tau, (self.model.n_joints,)), ("w_ext", w_ext, (self.model.n_links, 6)))
-        return [self._in(array(values, name, shape, finite=False)) for name, values, shape in given]
-
-    def _in(self, values, size: int | None = None):
-        values = np.asarray(values, float)
-        flat = np.ravel(values if size is None or values.ndim else np.full(size, values))
-        if size is not None and flat.size != size:
-            raise UsageError(f"{flat.size} numbers where {size} are needed; see the docstring for the shapes")
-        return np.ctypeslib.as_ctypes(np.append(flat, 0.0).astype(self.real))
+    def _write(self, members: Mapping[str, Any]) -> None:
+        """Set members to arrays of their size; a single number is set in all entries."""
+        for name, given in members.items():
+            place, values = self._at[name], np.asarray(given, float)
+            if values.ndim and values.size != place.size:
+                raise UsageError(
+                    f"{values.size} numbers where {place.size} are needed; see the docstring for the shapes"
+                )
+            place[...] = values.reshape(place.shape) if values.ndim else values
 
     def _number(self, value: float):
         return ctypes.c_float(value) if self.real is np.float32 else ctypes.c_double(value)

@@ -10,17 +10,34 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..arguments import array
+from ..backends.c.shim import VIEWS
 from ..bodies.validity import MEASURES
 from ..errors import UsageError
 from ..topology.chain import Chain
-
-FIELDS = ("size", "q", "v", "tau", "w_ext", "vdot", "wrench", "tip_rotation", "tip_position", "energy", "measures")
-"""The library's memory layout: its size, and the offsets of these members, in bytes."""
 
 CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
 """The errors of memoryviews for values that are not arrays of their shape and number type."""
 
 Array = np.ndarray
+
+
+class Block:
+    """Memory for a struct of a library, and its members by name."""
+
+    def __init__(self, library: ctypes.CDLL, names: Sequence[str], real: np.dtype):
+        offsets = (ctypes.c_size_t * (1 + len(names)))()
+        library.shim_layout(offsets)
+        size, *places = offsets
+        self.bytes, self.real = np.zeros(size + 64, np.uint8), real
+        self._start = -self.bytes.ctypes.data % 64
+        self._places = dict(zip(names, places, strict=True))
+        self.address = ctypes.c_void_p(self.bytes.ctypes.data + self._start)
+
+    def view(self, name: str, *shape: int, kind: type | None = None) -> Array:
+        """A member as an array, of reals by default."""
+        dtype = np.dtype(kind or self.real)
+        first = self._start + self._places[name]
+        return self.bytes[first:][: math.prod(shape) * dtype.itemsize].view(dtype).reshape(shape)
 
 
 class Memory:
@@ -33,27 +50,30 @@ class Memory:
     def _place(self) -> None:
         """Allocate the memory and find the views in it."""
         self._lock = threading.Lock()
-        c, offsets = self.chain, (ctypes.c_size_t * len(FIELDS))()
-        self.library.shim_layout(offsets)
-        place = dict(zip(FIELDS, offsets, strict=True))
-        self._buffer = np.zeros(place["size"] + 64, np.uint8)
-        start = -self._buffer.ctypes.data % 64
-        self.memory = ctypes.c_void_p(self._buffer.ctypes.data + start)
-
-        def view(name: str, *shape: int) -> Array:
-            size = math.prod(shape) * self.real.itemsize
-            return self._buffer[start + place[name] :][:size].view(self.real).reshape(shape)
-
-        self.q, self.v, self.vdot = (view(name, c.nq) for name in ("q", "v", "vdot"))
-        self.tau, self.w_ext, self.wrench = view("tau", c.n_joints), view("w_ext", c.n, 6), view("wrench", c.n, 6)
-        self.tip_rotation, self.tip_position = view("tip_rotation", 3, 3), view("tip_position", 3)
+        c, self._block = self.chain, Block(self.library, VIEWS, self.real)
+        self.memory, view = self._block.address, self._block.view
+        self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nq), view("output.vdot", c.nq)
+        self.tau, self.w_ext = view("input.tau", c.n_joints), view("input.w_ext", c.n, 6)
+        self.wrench = view("output.wrench", c.n, 6)
+        self.tip_rotation, self.tip_position = view("output.tip_rotation", 3, 3), view("output.tip_position", 3)
         self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
+        self._order = _order(c)
+        self._dae = view("dae", int(max(self._order)) + 1)
         self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)
         self._w_ext = memoryview(self.w_ext.reshape(-1))
         self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nq, c.n_joints, 6 * c.n))
         self._w_shape = self.w_ext.shape
         self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
         self._forward_in = {"joint": self._forward, "dae": self.library.shim_dae_forward}
+
+    @property
+    def x(self) -> Array:
+        """The state of the DAE form in memory."""
+        return self._dae[self._order]
+
+    @x.setter
+    def x(self, values: Array) -> None:
+        self._dae[self._order] = values
 
     def _set(self, q, v, tau=None, w_ext=None) -> None:
         """Copy values into the structs by memoryviews, which accept arrays of their type and length only."""
@@ -98,12 +118,21 @@ class Memory:
             place[...] = array(values, name, place.shape, finite=False)
 
     def _input(self, tau, w_ext):
-        return self._in(tau, (self.chain.n_joints,), "tau"), self._in(w_ext, (self.chain.n, 6), "w_ext")
+        given = ((tau, "tau", (self.chain.n_joints,)), (w_ext, "w_ext", (self.chain.n, 6)))
+        return [array(values, name, shape, finite=False) for values, name, shape in given]
 
     def _in(self, values, shape: tuple[int, ...], name: str) -> Array:
         """Numbers as a new array for the C; zeros for None."""
         out = array(values, name, shape, finite=False).astype(self.real)
         return out if out.size else np.zeros(1, self.real)
+
+
+def _order(c: Chain) -> Array:
+    """The places of the entries of x in ``<robot>_dae_state``: there positions follow all quaternions."""
+    sizes = (4 * c.n, 3 * c.n, c.n_modes, 6 * c.n, c.n_modes, c.n_joints)
+    starts = np.cumsum([0, *(max(size, 1) for size in sizes)])
+    quaternion, position, *rest = (start + np.arange(size) for start, size in zip(starts, sizes, strict=False))
+    return np.concatenate([np.hstack([quaternion.reshape(-1, 4), position.reshape(-1, 3)]).ravel(), *rest])
 
 
 def pointer(array: Array) -> ctypes.c_void_p:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from ...algorithms import fused
 from ...ir.program import Node, Program
-from ...ir.split import KEPT, split
+from ...ir.split import KEPT
 from ...topology.chain import Chain
-from .code import ATOM, Writer, with_unused
-
-Place = Callable[[str, int], str]
+from .code import ATOM, Place, Writer
+from .pieces import bodies, piece_place
 
 FILES = ("lanes.h", "batch.h", "batch.c")
 """The files that a batch adds, without the robot's name; their templates have the same names."""
@@ -18,16 +15,14 @@ FILES = ("lanes.h", "batch.h", "batch.c")
 LANE_BYTES = 64
 """The widest vector register that the generated C uses, in bytes."""
 
-
-PIECE = 4000
 LONGEST = 6000
-"""Operations of a C function: compilers take more than twice as long for twice as many."""
+"""A program of more operations is cut into several C functions."""
 
 
 class LaneWriter(Writer):
     """A program over lanes: guards are collected, sine and cosine of an angle come from one call."""
 
-    paired = False
+    paired, prefix = False, "$_lanes"
 
     def _guard(self, node: Node, text: str) -> str:
         return f"bad = {self.prefix}_blame(bad, {text}, {self._guards[node.id]});"
@@ -35,11 +30,6 @@ class LaneWriter(Writer):
     def _text(self, node: Node) -> tuple[str, int]:
         angle = _angle(node)
         return super()._text(node) if angle is None else (f"{node.op}_q[{angle}]", ATOM)
-
-    def _outputs(self) -> list[str]:
-        for name, values in self.program.outputs.items():
-            self._written |= {(name, k) for k, v in enumerate(values) if v is None}
-        return super()._outputs()
 
 
 def dynamics(chain: Chain, baked: bool) -> Program:
@@ -49,46 +39,18 @@ def dynamics(chain: Chain, baked: bool) -> Program:
     return Program("batch_dynamics", whole.inputs, outputs, whole.guards, whole.sections, whole.origins)
 
 
-def content(chain: Chain, name: str, baked: bool, constants: int, states: int, place: Place) -> dict:
+def content(chain: Chain, baked: bool, constants: int, states: int, place: Place) -> dict:
     """The templates' context.
 
-    ``constants`` are the members of a link's struct, ``states`` those of a scenario in a step, ``place`` is as in
-    :class:`Writer`.
+    ``constants`` are the members of a link's struct, ``states`` those of a scenario in a step, ``place`` is that of the
+    fused function.
     """
     program = dynamics(chain, baked)
-    pieces, kept = split(program, _pieces(program))
+    pointers = ("c", "state", "input", "work", "output", "sin_q", "cos_q", KEPT)
+    placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)
+    found = bodies(lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
     angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
-    return {
-        "operations": program.operation_count,
-        "pieces": [_lines(piece, name, place) for piece in pieces],
-        "kept": kept,
-        "angles": angles,
-        "stack": _stack(chain, constants, states, kept),
-    }
-
-
-def _pieces(program: Program) -> int:
-    count = program.operation_count
-    return 1 if count <= LONGEST else -(-count // PIECE)
-
-
-def _lines(program: Program, name: str, place: Place) -> list[str]:
-    """The body of a function over lanes."""
-
-    def kept_or(signal: str, k: int) -> str:
-        kind, _, first = signal.partition(":")
-        if kind == "m_eta":
-            return f"work->m_eta[{k}]"
-        return f"{KEPT}[{int(first or 0) + k}]" if kind == KEPT else place(signal, k)
-
-    pointers = ("c", "state", "input", "work", "output")
-    taken = {*pointers, KEPT, "bad", "sin_q", "cos_q"}
-    lines = LaneWriter(program, f"{name}_lanes", kept_or, _no_guard, taken, apart=True).lines()
-    return with_unused((*pointers, "sin_q", "cos_q", KEPT), lines)
-
-
-def _no_guard(test: str, link: int) -> str:
-    raise AssertionError("guards of lanes are gathered")
+    return found | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"])}
 
 
 def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:

@@ -1,4 +1,4 @@
-"""Programs as readable C statements.
+"""Programs as readable C statements; ``$_`` stands for the robot's prefix, ``$$_`` for that in capitals.
 
 Named values keep their names. A value that is used once is written where it is used. Every section has a comment. The
 grouping of the program is kept, so C and the NumPy back end round alike.
@@ -15,6 +15,12 @@ from typing import ClassVar
 
 from ...ir.program import Node, Program, live
 from ...ir.replay import BINARY
+from ...ir.signs import signed
+
+Place = Callable[[str, int], str | None]
+"""The C expression of entry k of an input or output; None for an output that is not stored."""
+Fail = Callable[[str, int], str]
+"""The statement for a guard: of the test for its failure, and of its link."""
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 3}
@@ -31,38 +37,42 @@ def literal(value: float) -> str:
     """A number in the target's precision; whole numbers as integers."""
     if value == int(value) and abs(value) < 1e6:
         return str(int(value))
-    return f"REAL({value!r})"
+    return f"$$_REAL({value!r})"
 
 
 @dataclass
 class Writer:
     """Turns one program into lines of C.
 
-    ``place(name, k)`` is the C expression of entry k of an input or output; ``fail(test, link)`` the statement
-    for a guard that fails; ``taken`` are the names of the function's parameters.  ``apart``: no output shares memory
-    with an input, so outputs may be written as soon as they are known.  ``optional`` maps outputs to the C condition
-    on which they are wanted: operations that only they need are inside that condition.  ``within`` nests one condition
-    in another, so its operations can use the values of the outer one.
+    Without ``fail`` a program has no guards; ``taken`` are the names of the function's parameters.  ``apart``: no
+    output shares memory with an input, so outputs may be written as soon as they are known.  ``optional`` maps outputs
+    to the C condition on which they are wanted: operations that only they need are inside that condition.  ``within``
+    nests one condition in another, so its operations can use the values of the outer one. An entry None of an output is
+    not written.
     """
 
     program: Program
-    prefix: str
-    place: Callable[[str, int], str]
-    fail: Callable[[str, int], str]
+    place: Place
+    fail: Fail | None = None
     taken: set[str] = field(default_factory=set)
     apart: bool = False
     optional: Mapping[str, str] = field(default_factory=dict)
     within: Mapping[str, str] = field(default_factory=dict)
     paired: ClassVar[bool] = True
     """Whether sine and cosine of an angle come from one call."""
+    prefix: ClassVar[str] = "$"
+    """The prefix of the real type and of the functions."""
 
     def lines(self) -> list[str]:
         """The body of a function: sections of assignments, then the outputs."""
+        self.program = signed(self.program)
         self._count_uses()
         self._names: dict[int, str] = {}
         self._numbers = count(1)
         self._pending: dict[int, tuple[str, int]] = {}
-        self._written: set[tuple[str, int]] = set()
+        self._written = {
+            (n, k) for n, values in self.program.outputs.items() for k, v in enumerate(values) if v is None
+        }
         self._guards = {g.id: o for g, o in zip(self.program.guards, self.program.origins, strict=True)}
         always, groups = self._groups()
         out = self._part(always, "")
@@ -154,6 +164,7 @@ class Writer:
         return lines + self._early_outputs(sine, names[0]) + self._early_outputs(cosine, names[1])
 
     def _guard(self, node: Node, text: str) -> str:
+        assert self.fail is not None, f"{self.program.name} has guards"
         return self.fail(f"!({text} > 0)", self._guards[node.id])
 
     def _early_outputs(self, node: Node, name: str) -> list[str]:
@@ -176,14 +187,14 @@ class Writer:
         return all(place in self._written for place in places)
 
     def _inlined(self, node: Node, text: str) -> bool:
-        if node.label or self._uses[node.id] != 1 or node.id in self._guards or len(text) > WIDTH:
+        if node.label or self._uses[node.id] != 1 or node.id in self._guards or len(text.replace("$$_", "")) > WIDTH:
             return False
         user = self._users.get(node.id)
         return user is not None and user.section == node.section
 
     def _name(self, node: Node) -> str:
         if node.label:
-            name = self._free(node.label)
+            name = self._free(str(node.label))
         else:
             name = next(name for k in self._numbers if (name := f"t{k}") not in self.taken)
             self.taken.add(name)
@@ -221,7 +232,7 @@ class Writer:
         if value.op == "input":
             return self.place(*value.args), ATOM
         if value.op == "epsilon":
-            return f"{self.prefix.upper()}_REAL_EPSILON", ATOM
+            return f"{self.prefix.replace('$', '$$').upper()}_REAL_EPSILON", ATOM
         return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
 
     def _outputs(self) -> list[str]:
@@ -254,6 +265,11 @@ def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:
             found.setdefault(node.args[0].id, {})[node.op] = node
     both = [(x["sin"], x["cos"]) for x in found.values() if len(x) == 2]
     return {node.id: pair for pair in both for node in pair}
+
+
+def singular(test: str, link: int) -> str:
+    """The statement of a guard that ends a function with its link in ``work``."""
+    return f"if ({test}) {{ work->fault = {link}; return $$_SINGULAR; }}"
 
 
 def sizes(programs: Iterable[Program]) -> int:

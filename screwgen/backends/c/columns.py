@@ -14,9 +14,14 @@ MARKS = frozenset('"()[]{}').union(token[0] for token in BREAKS)
 
 
 def rendered(template: str, **values: object) -> str:
-    """A template of the C back end as text, within the columns if it is C."""
+    """A template of the C back end as text.
+
+    C has limited columns, and the robot's prefix where templates and programs have ``$_``, in capitals for ``$$_``.
+    """
     text = render(f"c/{template}.jinja", **values)
-    return text if template.endswith((".md", "Makefile", ".txt")) else folded(text)
+    if template.endswith((".md", "Makefile", ".txt")):
+        return text
+    return folded(text.replace("$$_", f"{values['NAME']}_").replace("$_", f"{values['name']}_"))
 
 
 def folded(text: str) -> str:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from ...algorithms.gauges import gauges
 from ...algorithms.tip_acceleration import tip_acceleration
-from ...ir.program import Program
-from ...ir.split import KEPT, split
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .code import literal, with_unused
-from .derivatives import LIMIT, PIECE, PieceWriter, Place, check_size, piece_place
+from .code import Place, literal
+from .derivatives import LIMIT, check_size
+from .pieces import piece_place, pieces
 
 FILES = ("estimator.h", "estimator.c")
 """The files that an estimator adds, without the robot's name; their templates have the same names."""
@@ -24,14 +23,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     """
     program = tip_acceleration(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
-    pieces, kept = split(program, -(-program.operation_count // PIECE) or 1)
-    lines = [_lines(piece, chain, place) for piece in pieces]
-    text = "\n".join(line for piece in lines for line in piece)
-    return {
-        "operations": program.operation_count,
-        "pieces": lines,
-        "kept": kept,
-        "slopes_of_stumpff": any(f"{chain.robot.name}_c{k}(" in text for k in (6, 7)),
+    own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
+    own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
+    return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
+        "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
         "per_prediction": 11 * chain.nq**3,
         "per_entry": 6 * chain.nq**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
@@ -56,19 +51,3 @@ def _curvatures(chain: Chain) -> list[str]:
     for gauge in gauges(chain):
         out[gauge.first : gauge.first + len(gauge.curvatures)] = gauge.curvatures
     return [literal(x) for x in out]
-
-
-def _lines(program: Program, chain: Chain, place: Place) -> list[str]:
-    """The body of a function that writes the acceleration and its derivatives."""
-    name = chain.robot.name
-
-    own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
-    own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
-    pointers = ("c", "state", "work")
-    placed = piece_place(chain, "work->kept", own, place)
-    lines = PieceWriter(program, name, placed, _no_guard, {*pointers, KEPT}, apart=True).lines()
-    return with_unused(pointers, lines)
-
-
-def _no_guard(test: str, link: int) -> str:
-    raise AssertionError("a motion has no guards")

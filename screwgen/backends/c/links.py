@@ -10,20 +10,16 @@ from dataclasses import dataclass, field
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places
 from ...algorithms.schedule import OUTWARD, Algorithm
-from ...algorithms.signals import CALL
+from ...algorithms.signals import CALL, H_SYS, M_SYS
 from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
 
-WRITTEN = {"qdot": "new_qdot", "R": "rotation", "r": "position"}
-READ = {name: f"given_{name}" for name in ("alpha", "qddot", "etaddot", "position", "wrench", "motion")}
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
 WITHIN = {"motion": "wrench"}  # output: the output that it requires
 WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
-MATRIX = set("joint_w joint_V V_w V_V V_eta eta_V eta_eta next_V next_eta V_next eta_next".split())
-ROWS = {"joint_H": ("H", 0), "V_H": ("H", 6), "joint_W": ("W", 0), "V_W": ("W", 6)}
 
 
 @dataclass(frozen=True)
@@ -91,7 +87,7 @@ RUNS: dict[str, Run] = {
     "measuring": _run(
         alg.MEASURING, "How far every link is from the limits of the first-order model.", "measures", apart=True
     ),
-    "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*sorted(MATRIX), *ROWS, "eta_H", "eta_W"])),
+    "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*M_SYS, *H_SYS])),
 }
 
 
@@ -112,7 +108,6 @@ class Links:
     """All functions of the chain for a robot."""
 
     chain: Chain
-    prefix: str
     baked: Sequence[dict] | None
     joint_form: bool = True
     functions: dict[tuple, Function] = field(default_factory=dict)
@@ -159,7 +154,7 @@ class Links:
         shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
-            accelerating = not out and any("base.alpha_0" in p.program.inputs for p in first)
+            accelerating = not out and any("base.acc_0" in p.program.inputs for p in first)
             out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating})
         return out
 
@@ -173,8 +168,8 @@ class Links:
 
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
-        fail = lambda test, _: f"if ({test}) {{ return {self.prefix.upper()}_SINGULAR; }}"  # noqa: E731
-        writer = Writer(program, self.prefix, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
+        fail = lambda test, _: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
+        writer = Writer(program, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = ", ".join(arguments or ["void"])
@@ -221,13 +216,8 @@ class Places:
             return f"c->{what}"
         if where in ("base", "tip", "w"):
             return f"{'link' if where == 'w' else where}->{what}[{k}]"
-        if name in MATRIX:
+        if name in M_SYS:
             return f"M[place[{self.matrix[name, k]}]]" if (name, k) in self.matrix else None
-        if name in ROWS:
-            array, offset = ROWS[name]
-            return f"{array}[{offset + k}]"
-        if name in ("eta_H", "eta_W"):
-            return f"{name}[{k}]"
         return f"{name}[{k}]"
 
     @property
@@ -238,33 +228,26 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        return signals | {"c", "link", "base", "tip", "place", "M", "H", "W", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
+        return signals | {"c", "link", "base", "tip", "place", "M", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
-        real, out, alone = f"{self.links.prefix}_real", [], self._restrict
-        reads = [n for n, size in self.program.inputs.items() if size]
-        writes = [n for n, v in self.program.outputs.items() if v]
-        out += self._structs(reads, writes)
-        for name in reads:
-            if "." not in name:
-                out.append(
-                    (
-                        f"const {real} {name}[{alone}{self.program.inputs[name]}]",
-                        self._address(READ.get(name, name), name, False),
-                    )
-                )
+        alone, inputs, outputs = self._restrict, self.program.inputs, self.program.outputs
+        reads, writes = [n for n, size in inputs.items() if size], [n for n, v in outputs.items() if v]
+        out = self._structs(reads, writes)
+        out += [(f"const $_real {n}[{alone}{inputs[n]}]", self._address(n, n)) for n in reads if "." not in n]
         for name in writes:
-            if "." not in name and name not in MATRIX and name not in ROWS:
-                size = len(self.program.outputs[name])
-                out.append((f"{real} {name}[{alone}{size}]", self._address(WRITTEN.get(name, name), name)))
-        out += self._assembly(writes, real)
+            if "." not in name and name not in M_SYS:
+                address = self._address(name if name.startswith("new_") else f"new_{name}", name)
+                out.append((f"$_real {name}[{alone}{len(outputs[name])}]", address))
+        if any(n in M_SYS for n in writes):
+            out += [("const int *place", "M_PLACE + M_OFFSET[i]"), ("$_real *M", "call->M")]
         return [a for a, _ in out], [b for _, b in out]
 
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
-        prefix, out = self.links.prefix, []
+        out: list[tuple[str, str]] = []
         if any(n.startswith("c.") for n in reads):
-            out.append((f"const {prefix}_link_constants *{self._restrict}c", "&c->links[i]"))
+            out.append((f"const $_link_constants *{self._restrict}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", "&chain->nodes[i]"),
@@ -272,12 +255,13 @@ class Places:
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
-                out.append((f"{const}{prefix}_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
+                out.append((f"{const}$_{type_} *{self._restrict}{'link' if where == 'w' else where}", value))
         return out
 
-    def _address(self, member: str, name: str, optional=True) -> str:
-        if name in ("eta_H", "eta_W"):
-            return f"call->{name[-1]} + {12 * self.links.chain.n} + e"
+    def _address(self, member: str, name: str) -> str:
+        """The address of a link's part of a signal, which is a member of the call; what is written begins with new_."""
+        if CALL[name].at:
+            return f"call->{CALL[name].at}"
         match CALL[name].shape:
             case ("m",):
                 place = f"call->{member} + q"
@@ -285,15 +269,7 @@ class Places:
                 place = f"call->{member} + e"
             case shape:
                 place = f"call->{member}" if name == "gravity" else f"call->{member} + {math.prod(shape)} * i"
-        return f"call->{member} ? {place} : 0" if optional and name in OPTIONAL else place
-
-    def _assembly(self, writes: list[str], real: str) -> list[tuple[str, str]]:
-        out = []
-        if any(n in MATRIX for n in writes):
-            out += [("const int *place", "M_PLACE + M_OFFSET[i]"), (f"{real} *M", "call->M")]
-        if any(n in ROWS for n in writes):
-            out += [(f"{real} H[12]", "call->H + 12 * i"), (f"{real} W[12]", "call->W + 12 * i")]
-        return out
+        return f"call->{member} ? {place} : 0" if member != name in OPTIONAL else place
 
 
 def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
@@ -303,7 +279,7 @@ def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
         (name, k)
         for passage in own
         for name, values in passage.program.outputs.items()
-        if name in MATRIX
+        if name in M_SYS
         for k, v in enumerate(values)
         if not (isinstance(v, float) and v == 0.0)
     ]

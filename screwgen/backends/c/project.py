@@ -18,28 +18,24 @@ from ...integrators.methods import with_built_in
 from ...ir.program import Program
 from ...spec.parameters import coordinate_names, parameters
 from ...topology.chain import Chain
-from ...topology.parameters import label
 from ..numpy.reference import Case, cases
 from . import batch, check, derivatives, estimator, files, steps
-from .code import Writer, literal, sizes, trimmed, with_unused
+from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
     Field,
-    body_count,
-    changing_parameter,
     columns,
     constant_fields,
     fused_place,
     index_type,
-    limits,
     node_fields,
-    parameter_member,
-    parameter_structs,
     rows,
     store_fields,
+    structs,
     stumpff_terms,
 )
 from .links import RUNS, WATCHED, WITHIN, Links, sparsity
+from .parameters import body_count, changing_parameter, defaults, limits, members, parameter_structs, place
 
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
@@ -77,7 +73,7 @@ class CProject:
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
-        self.links = Links(chain, self.name, self.baked)
+        self.links = Links(chain, self.baked)
         self.layout = self._layout(layout)
         self.links.joint_form = self.layout == "modular"
 
@@ -104,10 +100,9 @@ class CProject:
         """The files of the library, with the templates that they are made from."""
         return files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
 
-    def shim(self, template="shim.c") -> str:
-        """A source with flat arrays for callers in other languages; not part of the folder."""
-        places = [line.partition(" = ")[0] for line in self.defaults]
-        return rendered(template, **self.context, places=places)
+    def shim(self, template: str, views: Sequence[str] = ()) -> str:
+        """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
+        return rendered(template, **self.context, views=views)
 
     @cached_property
     def context(self) -> dict:
@@ -128,8 +123,7 @@ class CProject:
             "nq": chain.nq,
             "sprung": chain.sprung,
             "slides": chain.slides,
-            "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
-            "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
+            "n_given": chain.n_given,
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -138,7 +132,8 @@ class CProject:
             "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
-            "structs": self.structs,
+            "structs": structs(),
+            "parameters": self.parameters,
             "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
             "n_bodies": body_count(robot),
             "constants": self.constants,
@@ -150,8 +145,9 @@ class CProject:
             "masked": self.masked,
             "check": self.check,
             "limits": limits(robot),
-            "frequencies": [f for f in self.structs["link"] if f.name.startswith("frequencies_")],
-            "defaults": self.defaults,
+            "frequencies": [f for f in self.parameters["link"] if f.name.startswith("frequencies_")],
+            "defaults": defaults(robot),
+            "places": [place(p) for p in parameters(robot)],
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
             "baked": self.baked_tables,
@@ -199,24 +195,24 @@ class CProject:
         if self.layout != "fused":
             return []
         taken = {"c", "state", "input", "m_eta", "work", "wanted", "output", "bad", "link"}
-        asked = {name: f"wanted & {self.name.upper()}_{part}" for name, part in ASKED.items()}
+        asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
         within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
-        lines = Writer(self.fused, self.name, fused_place, self._fused_guard, taken, True, asked, within).lines()
+        lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
         used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
 
     @property
     def _batch(self) -> dict:
-        constants = sum(f.reals for f in self.constants)
+        constants = sum(f.reals() for f in self.constants)
         states = 2 + len(steps.registers(self.methods))
-        return batch.content(self.chain, self.name, self.baked is not None, constants, states, fused_place)
+        return batch.content(self.chain, self.baked is not None, constants, states, fused_place)
 
     def _fused_guard(self, test: str, link: int) -> str:
         """The statement of a failed guard: failures are collected, because early returns cost more than comparisons."""
         if self.masked:
             return f"bad |= (unsigned long)({test}) << {link};"
-        return f"if ({test}) {{ work->fault = {link}; return {self.name.upper()}_SINGULAR; }}"
+        return singular(test, link)
 
     @property
     def masked(self) -> bool:
@@ -246,7 +242,7 @@ class CProject:
     # parameters and constants -----------------------------------------------------------------
 
     @cached_property
-    def _labels(self) -> list[tuple[str, ...]]:
+    def labels(self) -> list[tuple[str, ...]]:
         """The constants that the code of every link reads."""
         algorithms = tuple(run.algorithm for run in RUNS.values())
         return [constant_labels(key, algorithms) for key in self.chain.keys]
@@ -255,22 +251,14 @@ class CProject:
     def constants(self):
         if self.baked is not None:
             return []
-        return constant_fields(self.chain, {x for labels in self._labels for x in labels})
+        return constant_fields(self.chain, {x for labels in self.labels for x in labels})
 
     @cached_property
-    def structs(self) -> dict[str, list[Field]]:
+    def parameters(self) -> dict[str, list[Field]]:
         """The members of the parameters' structs."""
-        pairs = zip(self.chain.keys, self._labels, strict=True)
+        pairs = zip(self.chain.keys, self.labels, strict=True)
         names = [{n[2:] for n in fused.preparation(key, labels).inputs} for key, labels in pairs]
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
-
-    @property
-    def defaults(self) -> list[str]:
-        out = []
-        for p in parameters(self.chain.robot):
-            place = f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
-            out.append(f"{place} = {literal(p.value)};")
-        return out
 
     @property
     def prepare_functions(self) -> list[dict]:
@@ -282,22 +270,23 @@ class CProject:
         return [self.chain.keys.index(key) for key in self.chain.classes]
 
     def _prepare_function(self, i: int) -> dict:
-        program = fused.preparation(self.chain.keys[i], self._labels[i])
+        program = fused.preparation(self.chain.keys[i], self.labels[i])
         program = Program(
             program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
         )
 
-        def place(name: str, k: int) -> str:
+        given = members(self.chain.robot, i)
+
+        def placed(name: str, k: int) -> str:
             if name.startswith("p."):
-                return f"p->{parameter_member(name[2:])}"
+                return f"p->{given[name[2:]]}"
             return f"{name}[{k}]" if name in fused.ALL_COLUMNS else f"c->{name}"
 
-        real = f"{self.name}_real"
-        lines = trimmed(Writer(program, self.name, place, lambda _: "", {"p", "c", *fused.ALL_COLUMNS}).lines())
-        own = columns(self.chain, i, lambda name, *_: f"{real} {name}[]")
-        signature = f"const {self.name}_link_parameters *p, {self.name}_link_constants *c{own}"
+        lines = trimmed(Writer(program, placed, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
+        own = columns(self.chain, i, lambda name, *_: f"$_real {name}[]")
+        signature = f"const $_link_parameters *p, $_link_constants *c{own}"
         name = self.chain.robot.links[i].name
-        written = [place(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
+        written = [placed(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
         total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
         comment = f"links like {name}"
         return {"name": name, "signature": signature, "lines": lines, "total": total, "comment": comment}
@@ -322,16 +311,13 @@ class CProject:
     @property
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
-        c, length, states = self.chain, lambda n: max(n, 1), 1 + len(steps.registers(self.methods))
-        chain_reals = (c.n + 1) * sum(f.reals for f in node_fields(self._programs)) + c.n * sum(
-            f.reals for f in store_fields(self._programs)
-        )
-        state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
-        dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
-        work = 2 * length(c.n_given) + 4 * c.n + states * state + output
-        work += chain_reals if self.layout == "modular" else 0
-        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 18 * c.n
-        dae += states * (dae_state + 6 * c.n) + chain_reals
+        c, states = self.chain, 1 + len(steps.registers(self.methods))
+        sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nq, "NTAU": c.n_joints, "NMODES": c.n_modes, "NGIVEN": c.n_given}
+        total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
+        own = {name: total(fields) for name, fields in structs().items()}
+        chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(store_fields(self._programs))
+        work = own["work"] + states * own["state"] + own["output"] + chain * (self.layout == "modular")
+        dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
     @cached_property

@@ -5,55 +5,48 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...algorithms import fused
-from ...algorithms.schedule import constant_labels
+from ...algorithms.signals import ROBOT
 from ...ir.program import Program, live
-from ...ir.split import split
-from ...spec.parameters import parameters
-from ...topology.parameters import label
-from .code import Writer, trimmed, with_unused
+from .code import Writer, trimmed
 from .columns import rendered
-from .derivatives import PIECE, PieceWriter, piece_place
-from .fields import parameter_member
-from .links import RUNS
+from .parameters import members
+from .pieces import piece_place, pieces
 
 if TYPE_CHECKING:
     from .project import CProject
 
 FILES = ("shim.h", "shim.c", "run_shim.c")
+VIEWS = (
+    *(f"state.{name}" for name in ROBOT["state"]),
+    *(f"input.{name}" for name in ROBOT["input"]),
+    *(f"output.{name}" for name in ROBOT["output"]),
+    "dae",
+    "energy",
+    "measures",
+)
+"""The members of an instance's memory that callers see."""
 
 
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C that its shared library is made of."""
     energy = fused.energy(project.chain, "baked" if project.baked is not None else "constants")
-    pieces, kept = split(energy, -(-energy.operation_count // PIECE))
     extra = _extra(project, energy)
-    known = _labels(project)
+    known = project.labels
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     chain = project.chain
     values = dict(
-        places=[_parameter_place(p) for p in parameters(chain.robot)],
+        views=VIEWS,
         extra=extra,
         extra_lines=_extra_lines(project, extra),
-        pieces=[_energy_lines(project, piece, known, extra) for piece in pieces],
-        kept=kept,
+        energy=_energy(project, energy, known, extra),
         width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}
 
 
-def _parameter_place(p) -> str:
-    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{parameter_member(label(p))}"
-
-
-def _labels(project: CProject) -> list[tuple[str, ...]]:
-    """The constants that `<robot>_prepare` computes for every link."""
-    algorithms = tuple(run.algorithm for run in RUNS.values())
-    return [constant_labels(key, algorithms) for key in project.chain.keys]
-
-
 def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
     """Link and label of the constants that the energy reads and `<robot>_prepare` does not compute."""
-    known, found = _labels(project), []
+    known, found = project.labels, []
     for node in live([v for values in energy.outputs.values() for v in values]):
         if node.op == "input":
             link, _, what = node.args[0].partition(":")
@@ -70,18 +63,19 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
         whole = fused.preparation(project.chain.keys[i], wanted)
         outputs = {name: whole.outputs[name] for name in wanted}
         program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
+        given = members(project.chain.robot, i)
 
-        def place(name: str, k: int, i=i) -> str:
+        def place(name: str, k: int, i=i, given=given) -> str:
             if name.startswith("p."):
-                return f"p->links[{i}].{parameter_member(name[2:])}"
+                return f"p->links[{i}].{given[name[2:]]}"
             return f"m->extra[{extra.index((i, name))}]"
 
-        lines = trimmed(Writer(program, project.name, place, lambda _, __: "", {"p", "m"}).lines())
+        lines = trimmed(Writer(program, place, None, {"p", "m"}).lines())
         out += ["{", *(f"    {line}" if line else "" for line in lines), "}"]
     return out
 
 
-def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> list[str]:
+def _energy(project: CProject, program: Program, known, extra: list[tuple[int, str]]) -> dict:
     own = {
         "kinetic": lambda k: "energy[0]",
         "potential": lambda k: "energy[1]",
@@ -95,7 +89,4 @@ def _energy_lines(project: CProject, program: Program, known, extra: list[tuple[
         prepared = member in known[int(link)]
         return f"c->links[{link}].{member}" if prepared else f"extra[{extra.index((int(link), member))}]"
 
-    pointers = ("c", "state", "extra", "kept", "energy")
-    placed = piece_place(project.chain, "kept", own, place)
-    lines = PieceWriter(program, project.name, placed, lambda _, __: "", set(pointers), apart=True).lines()
-    return with_unused(pointers, lines)
+    return pieces(program, piece_place(project.chain, "kept", own, place), ("c", "state", "extra", "kept", "energy"))

@@ -1,0 +1,103 @@
+"""The parameters in the generated C: the members that hold them, and the conditions that they must meet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ...spec.parameters import FIELDS, Parameter, parameters
+from ...spec.robot import Robot
+from ...topology.parameters import label
+from .code import literal
+from .fields import Field
+
+
+class Member(NamedTuple):
+    """The place of a parameter: a member of the struct of links, joints or bodies, perhaps one entry of an array."""
+
+    struct: str
+    name: str
+    body: int | None
+    entry: int | None
+
+    def __str__(self) -> str:
+        owner = {"link": "", "joint": "joint.", "body": f"bodies[{self.body}]."}[self.struct]
+        return owner + self.name + (f"[{self.entry}]" if self.entry is not None else "")
+
+
+def member(p: Parameter) -> Member:
+    """The member of ``<robot>_link_parameters`` that holds a parameter of a link."""
+    head, _, rest = p.field.partition(".")
+    struct = {"joint": "joint", "bodies": "body"}.get(head, "link")
+    name = (p.field if struct == "link" else rest).replace(".", "_")
+    body, entry = (p.index[0], p.index[1:]) if struct == "body" else (None, p.index)
+    return Member(struct, name, body, entry[0] if entry else None)
+
+
+def place(p: Parameter) -> str:
+    """The C expression of a parameter in ``<robot>_parameters``."""
+    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{member(p)}"
+
+
+def members(robot: Robot, link: int) -> dict[str, Member]:
+    """The members of a link's parameters, by the labels that its blocks know them by."""
+    return {label(p): member(p) for p in parameters(robot) if p.link == link}
+
+
+def defaults(robot: Robot) -> list[str]:
+    """The assignments of the robot file's values."""
+    return [f"{place(p)} = {literal(p.value)};" for p in parameters(robot)]
+
+
+def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
+    """The members of the link, joint and body structs: the parameters that any link of the robot states.
+
+    ``read`` has, for every link, the labels of the parameters that its constants depend on. Members that no link's
+    constants depend on are marked.
+    """
+    own = [(p.link, p) for p in parameters(robot) if p.link is not None]
+    live = {member(p)[:2] for link, p in own if label(p) in read[link]}
+    structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
+    for _, p in own:
+        struct, name, _, entry = member(p)
+        known = structs[struct].get(name)
+        shape = () if entry is None else (entry + 1,)
+        unused = "" if (struct, name) in live else "; this model does not use it"
+        comment = ascii_unit(f"{p.unit}: {_general(p)}{unused}")
+        structs[struct][name] = Field(name, max(shape, known.shape) if known else shape, comment)
+    return {struct: list(fields.values()) for struct, fields in structs.items()}
+
+
+def changing_parameter(robot: Robot) -> dict[str, str]:
+    """The parameter of the README's example: a mass at the last tip, else the last link's mass per length."""
+    own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
+    masses = [p for p in own if p.field == "bodies.mass"]
+    p = (masses or [p for p in own if p.field == "rhoA"])[-1]
+    return {"member": str(member(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
+
+
+def ascii_unit(text: str) -> str:
+    """A unit in ASCII."""
+    return text.replace("·", "*").replace("²", "^2").replace("−", "-")
+
+
+def _general(p: Parameter) -> str:
+    """The description without the component's own name."""
+    return ", ".join(x for x in p.description.split(", ") if x not in FIELDS[p.field].components)
+
+
+def body_count(robot: Robot) -> int:
+    return max((len(link.bodies) for link in robot.links), default=0)
+
+
+def limits(robot: Robot) -> list[str]:
+    """Conditions on which a link's parameters are refused; members that no link states have none."""
+    sections = [link.section for link in robot.links]
+    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
+    tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
+    return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in sections)
+
+
+def _limit(name: str, values: Sequence[float | None]) -> str:
+    """A length or mass must be positive, or not negative if some link does not state it."""
+    return f"link->{name} < 0" if None in values else f"!(link->{name} > 0)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Diagonal, Symbol, stack, zeros
+from ..algebra.expression import Diagonal, Expression, Symbol, stack, zeros
 from ..algebra.screw import lever, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
@@ -23,7 +23,7 @@ def link_rows_block(key: LinkClass) -> Block:
     M_D = b.input(
         "M_D", (6, r), r"\mathbf{M}_{D,i}", "kg, kg*m", LINK, "wrench that modal accelerations need", numbered=(1,)
     )
-    m_eta = b.input("m_eta", (r, 1), r"\mathbf{m}_{\eta}", "kg", "-", "inertia of each mode", numbered=(0,))
+    m_eta = _modal_inertia(b, key)
     M_T = b.input("M_T", (6, 6), r"\mathbf{M}_T", "kg, kg*m, kg*m^2", "tip frame", "inertia of the bodies at the tip")
     h_V = b.input("h_V", (6, 1), r"\mathbf{h}_V", "N*m, N", LINK, "bias of the twist rows")
     h_phi = b.input("h_phi", (r, 1), r"\mathbf{h}_{\phi,i}", "N", "-", "bias of the modal rows", numbered=(0,))
@@ -69,7 +69,7 @@ def link_rows_block(key: LinkClass) -> Block:
     )
     b.step(
         "eta_eta",
-        Diagonal(m_eta) + J_eta.T @ M_T @ J_eta if r else zeros(0, 0),
+        m_eta + J_eta.T @ M_T @ J_eta if r else zeros(0, 0),
         r"\mathbf{M}_{\eta\eta,i}",
         unit="kg",
         equation="100",
@@ -162,6 +162,14 @@ def link_rows_block(key: LinkClass) -> Block:
         numbered=(0,),
     )
     return b
+
+
+def _modal_inertia(b: Block, key: LinkClass) -> Expression:
+    """The (r, r) inertia of the modes; a diagonal one is given by its column."""
+    r = key.modes
+    if key.coupled:
+        return b.input("m_eta", (r, r), r"\mathbf{M}_{W\phi,i}", "kg", "-", "inertia of the modes", numbered=(0, 1))
+    return Diagonal(b.input("m_eta", (r, 1), r"\mathbf{m}_{\eta}", "kg", "-", "inertia of each mode", numbered=(0,)))
 
 
 def _tip_jacobian(b: Block, key: LinkClass) -> tuple[Symbol, Symbol]:

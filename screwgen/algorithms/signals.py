@@ -2,7 +2,7 @@
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates and
-``r`` the number of modes of a link. Angular parts come first. Accelerations are those of material points in the
+``r`` the number of modes of a link, ``b`` that of the coupled pairs of modes. Angular parts come first. Accelerations are those of material points in the
 inertial frame, less free fall.
 """
 
@@ -24,9 +24,9 @@ class Signal(NamedTuple):
     frame: str
     meaning: str
 
-    def size(self, joints: int, modes: int) -> tuple[int, ...]:
-        """The shape for given numbers of joint coordinates and modes."""
-        return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
+    def size(self, joints: int, modes: int, coupled: int = 0) -> tuple[int, ...]:
+        """The shape for given numbers of joint coordinates, modes and coupled pairs of modes."""
+        return tuple({"m": joints, "r": modes, "b": coupled}.get(n, n) for n in self.shape)
 
     @property
     def comment(self) -> str:
@@ -76,6 +76,7 @@ CALL = {
     "etadot": Signal(("r",), "m/s (torsion: rad/s)", "-", "modal rates"),
     "etaddot": Signal(("r",), "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
     "m_eta": Signal(("r",), "kg (torsion: kg*m^2)", "-", "inertia of the modes"),
+    "m_below": Signal(("b",), "kg (torsion: kg*m^2)", "-", "inertia of coupled modes, below the diagonal"),
     "f_eta": Signal(("r",), "N (torsion: N*m)", "-", "stress and damping of the modes"),
     "force_eta": Signal(("r",), "N (torsion: N*m)", "-", "force of the modal coordinates"),
     "gravity": Signal((3,), "m/s^2", INERTIAL, "acceleration of free fall"),

@@ -29,6 +29,7 @@ class DaeDynamics:
         self.solve, self.projection = Evaluator(functions["dae_dynamics"]), Evaluator(functions["project"])
         self.joint_rates = Evaluator(functions["joint_rates"]) if model.chain.sprung else None
         self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+        self.times = model.chain.modal_product
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
@@ -40,7 +41,7 @@ class DaeDynamics:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         own, rate = self.own(x if start is None else start)
         inertia = self.M + h * self.D + h**2 * self.K
-        force = self.K * (own + h * rate) + self.D * rate
+        force = self.times(self.K, own + h * rate) + self.times(self.D, rate)
         return self.solve(x, tau, w_ext, inertia, force, self.p)
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

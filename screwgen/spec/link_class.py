@@ -49,6 +49,10 @@ class LinkClass:
     """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
+    stations: tuple[float, ...] = ()
+    """The places s in [0, 1] at which a section that varies is stated; none: the rod is uniform."""
+    between: str = "linear"
+    """How the section's properties are interpolated between the stations."""
 
     @property
     def modes(self) -> int:
@@ -79,6 +83,17 @@ class LinkClass:
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""
         return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
+
+    @cached_property
+    def coupled(self) -> tuple[tuple[int, int], ...]:
+        """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
+
+        A uniform rod has none. Where its sections vary the modes of one direction are coupled.
+        """
+        if not self.stations:
+            return ()
+        of = [d for d, _ in self.directions]
+        return tuple((i, j) for i in range(self.modes) for j in range(i) if of[i] == of[j])
 
     def shapes(self, direction: str):
         """The mode shapes of a direction."""

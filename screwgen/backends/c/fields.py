@@ -145,6 +145,25 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     return out
 
 
+def given_coordinates(chain: Chain) -> dict[str, object]:
+    """Sizes and places of the coordinates whose inertia and force an integrator gives, for the templates.
+
+    ``coupled``: row and column, among all modes, of the entries below the diagonal of the modes' matrices.
+    """
+    NAME, below = chain.robot.name.upper(), chain.below_offset[-1]
+    n_given = f"{NAME}_{'NV' if chain.sprung else 'NMODES'}"
+    modes = zip(chain.eta_offset, chain.keys, strict=False)
+    return {
+        "n_given": n_given,
+        "n_inertia": f"{n_given} + {below}" if below else n_given,
+        "first_given": "" if chain.sprung else f" + {NAME}_NTAU",
+        "modal": f" + {NAME}_NTAU" if chain.sprung else "",
+        "coupled": [(e + i, e + j) for e, key in modes for i, j in key.coupled],
+        "below": "; at the end the entries below the diagonal, of coupled modes" if below else "",
+        "below_offset": chain.below_offset[:-1],
+    }
+
+
 def node_fields(programs: Iterable[Program]) -> list[Field]:
     """The members of a node that the programs read or write."""
     return [Field(n, s, NODE[n].comment) for n, s in _signals(programs, ("base.", "tip.")).items()]

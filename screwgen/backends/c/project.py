@@ -30,6 +30,7 @@ from .fields import (
     columns,
     constant_fields,
     fused_place,
+    given_coordinates,
     index_type,
     limits,
     node_fields,
@@ -128,8 +129,7 @@ class CProject:
             "nq": chain.nq,
             "sprung": chain.sprung,
             "slides": chain.slides,
-            "n_given": f"{self.name.upper()}_{'NV' if chain.sprung else 'NMODES'}",
-            "first_given": "" if chain.sprung else f" + {self.name.upper()}_NTAU",
+            **given_coordinates(chain),
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -327,9 +327,9 @@ class CProject:
         )
         state, output = 2 * length(c.nq), length(c.nq) + 6 * c.n + 12
         dae_state = 13 * c.n + 2 * length(c.n_modes) + length(c.n_joints)
-        work = 2 * length(c.n_given) + 4 * c.n + states * state + output
+        work = length(c.n_given) + length(c.n_inertia) + 4 * c.n + states * state + output
         work += chain_reals if self.layout == "modular" else 0
-        dae = 2 * length(c.n_given) + length(c.n_modes) + 2 * length(c.n_joints) + 18 * c.n
+        dae = length(c.n_given) + length(c.n_inertia) + length(c.n_modes) + 2 * length(c.n_joints) + 18 * c.n
         dae += states * (dae_state + 6 * c.n) + chain_reals
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 

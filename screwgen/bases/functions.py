@@ -59,6 +59,17 @@ class ClosedForm:
             return self
         return ClosedForm({alpha: _slope(alpha, c) for alpha, c in self.terms.items()}).derivative(order - 1)
 
+    def within(self, start: Scalar, end: Scalar) -> ClosedForm:
+        """The function of t in [0, 1] whose value is this one's at ``start + (end - start) t``."""
+        length, terms = end - start, {}
+        for alpha, c in self.terms.items():
+            shifted = [
+                length**j * mpmath.fsum(c[n] * mpmath.binomial(n, j) * start ** (n - j) for n in range(j, len(c)))
+                for j in range(len(c))
+            ]
+            terms[alpha * length] = [mpmath.exp(alpha * start) * x for x in shifted]
+        return ClosedForm(terms)
+
     def integral(self) -> mpf:
         """The definite integral over [0, 1]."""
         parts = (mpmath.fdot(c, _moments(alpha, len(c))) for alpha, c in self.terms.items())

@@ -61,6 +61,10 @@ class Moments:
             if generator in self.coarse:
                 rest = sp.Mul(*monomial[:position], *monomial[position + 1 :])
                 return self.integrate(sp.expand(rest * self.coarse[generator]), weight)
+        return self._weighted(weight, monomial)
+
+    def _weighted(self, weight: str | None, monomial: list[sp.Symbol]) -> sp.Expr:
+        """The integral of ``weight``, which is uniform, times a product of the finest generators."""
         value = self._fine(monomial)
         return value if weight is None else sp.Symbol(weight, real=True) * value
 

@@ -1,4 +1,4 @@
-"""The rod: a slender uniform beam of a link, whose invariants are integrals along its centreline."""
+"""The rod: a slender beam of a link, uniform here (see :mod:`.varying_rod`), whose invariants are integrals along its centreline."""
 
 from __future__ import annotations
 
@@ -16,15 +16,19 @@ from .rod_stiffness import RodStiffness
 class Rod(RodStiffness):
     """Sections along a centreline, with mode shapes in four directions."""
 
+    kind: type[Fields] = Fields
+    form = "diagonal"
+    """The form of the modal matrices."""
+
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key = b, key
-        self.rhoA = b.parameter("rhoA", (1, 1), r"\rho_i A_i", "kg/m", "-", "mass per length")
+        self.rhoA = self._property("rhoA", (1, 1), r"\rho_i A_i", "kg/m", "-", "mass per length")
         self.length = b.parameter("length", (1, 1), "l_i", "m", "-", "length of the link")
 
     def declare(self, start: Expression) -> None:
         """The fields along the rod; ``start`` is the place of the joint on the centreline."""
         a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
-        f, field = Fields(self.key, self.b.values["length"].item(), a), self.b.field
+        f, field = self.kind(self.key, self.b.values["length"].item(), a), self.b.field
         self.fields = f
         self.r_b = field("r_b", column(XI, 0, 0), r"\mathbf{r}_b")
         self.Phi = field("Phi", f.Phi(), r"\boldsymbol{\phi}")
@@ -53,7 +57,7 @@ class Rod(RodStiffness):
         """``∫ rho I_p dξ e_x e_x^T``: spin about the centreline."""
         if not self.key.spin:
             return zeros(3, 3)
-        self.rhoIp = self.b.parameter("rhoIp", (1, 1), r"\rho_i I_{p,i}", "kg*m", "-", "polar inertia per length")
+        self.rhoIp = self._property("rhoIp", (1, 1), r"\rho_i I_{p,i}", "kg*m", "-", "polar inertia per length")
         self.I_s = self.b.step(
             "I_s", self.integral(identity(1), self.rhoIp), "I_s", unit="kg*m^2", meaning="spin inertia of the beam"
         )
@@ -99,15 +103,21 @@ class Rod(RodStiffness):
             unit="kg",
             equation="86",
             symmetric=True,
-            meaning="inertia of the modes (torsion: kg*m^2), diagonal",
+            meaning="inertia of the modes (torsion: kg*m^2), " + self.form,
         )
         for k in self._translational():
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.b.values["sigma"][axis, k], phi[k])
             name("rhoA", self.b.values["chi"][0, k], XI, phi[k])
-            name("rhoA", self.b.values["M_Wphi"][k, k], phi[k], phi[k])
+        self._name_products()
         self._products_of_shapes()
         self._stiffness()
+
+    def _name_products(self) -> None:
+        """``∫ρA φ_k φ_k``: the products of different shapes of one direction have no integral."""
+        for k in self._translational():
+            phi = self.fields.phi[k]
+            self.fields.name_moment("rhoA", self.b.values["M_Wphi"][k, k], phi, phi)
 
     def _products_of_shapes(self) -> None:
         """``∫ρA φ_k φ_m`` of modes in different directions.
@@ -140,7 +150,7 @@ class Rod(RodStiffness):
         )
         mu = self.b.values["mu"].item()
         for (i, j), value in np.ndenumerate(self.b.values[name]):
-            same = self.fields.gram(first[i], second[j]) == 1
+            same = not self.key.stations and self.fields.gram(first[i], second[j]) == 1
             self.fields.name_moment("rhoA", mu if same else value, phi[first[i]], phi[second[j]])
 
     def _translational(self) -> list[int]:

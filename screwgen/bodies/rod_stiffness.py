@@ -30,6 +30,7 @@ MEASURED = (
 class RodStiffness:
     """The stiffness K and damping D of a rod, both diagonal and stored as columns."""
 
+    form: str
     b: Block
     key: LinkClass
     fields: Fields
@@ -37,6 +38,10 @@ class RodStiffness:
 
     def integral(self, integrand: Expression, weight: Symbol | None) -> Integral:
         return Integral(integrand, weight, self.fields.integrate)
+
+    def _property(self, name: str, shape: tuple[int, int], display: str, unit: str, frame: str, meaning: str) -> Symbol:
+        """A property of the section: a parameter."""
+        return self.b.parameter(name, shape, display, unit, frame, meaning)
 
     def _stiffness(self) -> None:
         """``K = ∫ B^T C B dξ``, with measured frequencies ``K_kk = M_kk (2π f_k)^2``, and ``D``."""
@@ -52,16 +57,19 @@ class RodStiffness:
 
     def _section_stiffness(self) -> Symbol:
         rows = zip(DIRECTIONS, SECTION, self.key.counts, strict=True)
-        stiff = [self.b.parameter(*row) if n and d not in self.key.measured else zeros(1) for d, row, n in rows]
+        stiff = [self._property(*row) if n and d not in self.key.measured else zeros(1) for d, row, n in rows]
         C = block(*([stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)))
+        return self._full_stiffness(self.integral(self.strain.T @ C @ self.strain, None))
+
+    def _full_stiffness(self, expression: Expression) -> Symbol:
         return self.b.step(
             "K_full",
-            self.integral(self.strain.T @ C @ self.strain, None),
+            expression,
             r"\mathbf{K}_i",
             unit="N/m",
             equation="88",
             symmetric=True,
-            meaning="stiffness of the modes (torsion: N*m), diagonal",
+            meaning="stiffness of the modes (torsion: N*m), " + self.form,
         )
 
     def _modal_inertia(self) -> Symbol:
@@ -128,6 +136,11 @@ class RodStiffness:
 
     def _column(self, name: str, full: Symbol, display: str, unit_: str, meaning: str) -> Symbol:
         return self.b.step(name, full @ self._ones(name), display, unit=unit_, meaning=meaning)
+
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+        return Diagonal(self.K)
 
     def _ones(self, name: str) -> Symbol:
         ones = np.full((self.key.modes, 1), sp.S.One, dtype=object)

@@ -122,9 +122,11 @@ def link_class(link: Link, section_rotation: bool) -> LinkClass:
         length=link.length is not None,
         beam=link.section is not None,
         body=link.body,
-        spin=link.section is not None and link.section.rhoIp is not None,
+        spin=link.section is not None and link.section.states("rhoIp"),
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
         measured=modes.measured,
+        stations=link.section.places if link.section else (),
+        between=link.section.between if link.section else "linear",
     )

@@ -20,6 +20,7 @@ from .physics import axes, inertia, own_body
 from .ranges import several, within
 from .screw import Screw
 from .section import PRODUCTS, Section
+from .stations import AnySection, Stations
 from .values import boolean, choice, count, quoted, refuse
 
 
@@ -217,7 +218,7 @@ class Link(Part):
     frame_at: Annotated[float, PlainValidator(within("frame_at"))] | None = Field(
         None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
     )
-    section: Section | None = Field(
+    section: AnySection | None = Field(
         None,
         description="the section, at least { rhoA = … } or { density = …, area = … }; without it only bodies have mass",
     )
@@ -247,6 +248,9 @@ class Link(Part):
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
         for direction in self.modes.measured:
+            if isinstance(self.section, Stations):
+                what = "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
+                raise refuse(what, at=("modes", "frequencies", direction))
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
 
@@ -302,7 +306,7 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
     return modes.model_copy(update=update)
 
 
-def refuse_both(section: Section | None, name: str, direction: str) -> None:
+def refuse_both(section: AnySection | None, name: str, direction: str) -> None:
     """Refuse a section that states the stiffness `name` of a direction whose frequencies are stated."""
     if getattr(section, name, None) is not None:
         spelling = " and ".join(map(quoted, PRODUCTS[name]))
@@ -311,12 +315,13 @@ def refuse_both(section: Section | None, name: str, direction: str) -> None:
         raise refuse(what, at=("modes", "frequencies", direction))
 
 
-def require(section: Section, name: str, direction: str) -> None:
+def require(section: AnySection, name: str, direction: str) -> None:
     """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
-    value = getattr(section, name)
+    value = section.least(name)
     if value:
         return
     wrong = "is missing" if value is None else "is zero"
+    wrong += " at a station" if value is not None and section.places else ""
     other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
     what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
     raise refuse(what, at=("section", name))

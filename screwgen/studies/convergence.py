@@ -93,7 +93,7 @@ def _modes(link: Link) -> Modes:
 
 def _more(link: Link, direction: str) -> bool:
     """Whether a link can have one more mode in a direction."""
-    stated = link.section and all(getattr(link.section, name) for name in NEEDS[direction])
+    stated = link.section and all(link.section.least(name) for name in NEEDS[direction])
     room = direction not in link.modes.measured and getattr(link.modes, direction) < MAX_MODES
     return bool(link.modes.total and stated and room)
 

@@ -15,6 +15,7 @@ from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...spec.robot import Robot
+from ...spec.section import Section
 from ...topology.chain import Chain
 from ...topology.parameters import label
 from .code import literal
@@ -41,7 +42,7 @@ PATTERNS = (
     (r"mount_(xyz|rpy)_([xyz])", lambda m: f"joint.mount_{m[1]}[{'xyz'.index(m[2])}]"),
     (r"armature_(\d+)", lambda m: f"joint.armature[{int(m[1]) - 1}]"),
     (r"joint_(damping|stiffness)_(\d+)", lambda m: f"joint.{m[1]}[{int(m[2]) - 1}]"),
-    (r"(frequencies_\w+)_(\d+)", lambda m: f"{m[1]}[{int(m[2]) - 1}]"),
+    (r"((?:frequencies|section)_\w+)_(\d+)", lambda m: f"{m[1]}[{int(m[2]) - 1}]"),
     (r"body(\d+)_mass", lambda m: f"bodies[{m[1]}].mass"),
     (r"body(\d+)_com_([xyz])", lambda m: f"bodies[{m[1]}].com[{'xyz'.index(m[2])}]"),
     (r"body(\d+)_inertia_(\d)", lambda m: f"bodies[{m[1]}].inertia[{int(m[2]) - 1}]"),
@@ -80,7 +81,7 @@ def changing_parameter(robot) -> dict[str, str]:
     """The parameter of the README's example: a mass at the last tip, else the last link's mass per length."""
     own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
     masses = [p for p in own if label(p).endswith("_mass")]
-    p = (masses or [p for p in own if label(p) == "rhoA"])[-1]
+    p = (masses or [p for p in own if label(p) in ("rhoA", "section_rhoA_1")])[-1]
     return {"member": parameter_member(label(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
 
 
@@ -225,9 +226,10 @@ def rows(numbers: list[int], width: int = 20) -> list[str]:
 def limits(robot: Robot) -> list[str]:
     """Conditions on which a link's parameters are refused; members that no link states have none."""
     sections = [link.section for link in robot.links]
-    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
+    uniform = [section if isinstance(section, Section) else None for section in sections]
+    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in uniform]}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
-    return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in sections)
+    return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in uniform)
 
 
 def _limit(name: str, values: Sequence[float | None]) -> str:

@@ -150,7 +150,7 @@ class CProject:
             "masked": self.masked,
             "check": self.check,
             "limits": limits(robot),
-            "frequencies": [f for f in self.structs["link"] if f.name.startswith("frequencies_")],
+            "frequencies": [f for f in self.structs["link"] if f.name.startswith(("frequencies_", "section_"))],
             "defaults": self.defaults,
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,

@@ -7,6 +7,8 @@ import pytest
 from dense_filter import DenseFilter
 from helpers import G, arm, example, link, model_of
 
+from varying_robots import tapered_arm
+
 from screwgen import SingularError, UsageError
 from screwgen.errors import ScrewgenError
 from screwgen.runtime.estimator import CompiledEstimator, Noise
@@ -34,7 +36,7 @@ SKEW = arm(
 
 @cache
 def model(name):
-    return example("ella") if name == "ella" else model_of(SKEW)
+    return example("ella") if name == "ella" else model_of({"skew": SKEW, "tapered": tapered_arm()}[name])
 
 
 @cache
@@ -97,7 +99,7 @@ class Truth:
 # -------- against the dense filter
 
 
-@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100)])
+@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100), ("tapered", "runtime", 50)])
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""
     robot, e = model(name), compiled(name, binding=binding)

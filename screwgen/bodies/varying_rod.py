@@ -79,6 +79,11 @@ class VaryingRod(Rod):
             self.b.step(f"{stem}_below", below, shown, unit=unit_, meaning=what)
         return out
 
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+        return self.b.symbol("K_full")
+
     def _entries(self, name: str, display: str, values: Iterable[sp.Expr]) -> Symbol:
         return self.b.field(name, np.array([*values], dtype=object).reshape(-1, 1), display)
 

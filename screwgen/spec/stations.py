@@ -1,5 +1,6 @@
 """A section that varies along the link, stated at stations."""
 
+import math
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, SerializeAsAny, ValidationError, WrapValidator, model_validator
@@ -10,7 +11,7 @@ from .part import Part
 from .section import LineProperties, Section
 from .values import Path, array, choice, number, refuse, shown
 
-MOST = 64
+MOST, SAMPLES = 64, 200
 MOST_POLYNOMIAL = 9
 
 
@@ -83,6 +84,26 @@ class Stations(Part):
                 what = f"is missing; station {stated.index(True)} states it, so all stations must"
                 raise refuse(what, at=("stations", stated.index(False), name))
         return self
+
+    @model_validator(mode="after")
+    def _nowhere_negative(self) -> Self:
+        for name in LineProperties.model_fields if self.between == POLYNOMIAL else ():
+            values = self.values(name)
+            for k in range(SAMPLES) if values else ():
+                s = (k + 0.5) / SAMPLES
+                if (value := lagrange(self.places, values, s)) < 0:
+                    what = f"the polynomial through {name} is {value:.3g} at s = {s:.3g}"
+                    raise refuse(f'is "polynomial", but {what}; state more stations, or "linear"', at=("between",))
+        return self
+
+
+def lagrange(places: tuple[float, ...], values: tuple[float, ...], s: float) -> float:
+    """At `s`, the polynomial that has these values at these places."""
+    total = 0.0
+    for place, value in zip(places, values, strict=True):
+        others = (other for other in places if other != place)
+        total += value * math.prod((s - other) / (place - other) for other in others)
+    return total
 
 
 def section_or_stations(value: Any, handler: Any) -> Any:

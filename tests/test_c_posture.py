@@ -14,7 +14,7 @@ from screwgen.studies.equilibrium import equilibrium
 MODELS = {
     "ella": lambda: example("ella"),
     "strange": lambda: model_of(strange()),
-    "tapered": lambda: model_of(tapered_arm(stiff=20.0)),
+    "tapered": lambda: model_of(tapered_arm(stiff=20.0, springs=False)),
 }
 
 

@@ -10,6 +10,7 @@ from oracle_robots import beam
 from varying_robots import tapered_arm
 
 from screwgen import simulate
+from screwgen.simulation.dae import DaeStepper
 from screwgen.simulation.integrate import JointStepper
 from screwgen.studies.modes import natural_frequencies
 
@@ -81,7 +82,7 @@ def test_assembled_system_solved_densely(seed):
 @pytest.mark.parametrize("seed", [703, 708, 709, 713])
 def test_compiled(seed, layout):
     case = varied(seed)
-    compiled, numeric = quick(case.model, layout=layout), case.model.numpy()
+    compiled, numeric = quick(case.model, layout=layout, derivatives=True), case.model.numpy()
     q, v, tau, w_ext = case.inputs
     for form in ("joint", "dae"):
         found = compiled.forward_dynamics(*case.inputs, form=form)
@@ -90,6 +91,10 @@ def test_compiled(seed, layout):
         case.agreement
     )
     assert relative(compiled.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
+    assert relative(compiled.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
+    assert np.allclose(compiled.energy(q, v), numeric.energy(q, v), rtol=1e-12)
+    for found, expected in zip(compiled.linearise(*case.inputs)[1:], numeric.derivatives(*case.inputs), strict=True):
+        assert relative(found, expected) < 10 * case.tolerance
 
 
 @pytest.mark.parametrize("seed", [708, 713])
@@ -158,18 +163,20 @@ def test_station_values_are_parameters():
 def test_runs_agree_over_forms_back_ends_and_methods():
     """Steps in NumPy and in C, joint form and DAE form: with implicit modes, and to the common limit of small steps."""
     model = model_of(tapered_arm())
-    q0 = np.append([0.3, -0.4, 0.2, 0.5], np.zeros(model.nq - 4))
-    ends = {}
-    for form in ("joint", "dae"):
-        for backend in ("numpy", "c"):
-            for method, step in (("modal_midpoint", 1e-3), ("rk4", 2e-5)):
-                run = simulate(model, 2e-3, step, q0, integrator=method, form=form, backend=backend)
-                ends[form, backend, method] = run.q[-1]
-    for form in ("joint", "dae"):
-        for method in ("modal_midpoint", "rk4"):
-            assert relative(ends[form, "c", method], ends[form, "numpy", method]) < 1e-11
-    assert relative(ends["dae", "c", "rk4"], ends["joint", "c", "rk4"]) < 1e-9
-    assert relative(ends["joint", "c", "modal_midpoint"], ends["joint", "c", "rk4"]) < 1e-4
+    q0, v0 = np.append([0.3, -0.4, 0.2, 0.5], np.zeros(model.nq - 4)), np.zeros(model.nq)
+    tau, w_ext, compiled = np.ones(4), np.ones((3, 6)), quick(model)
+    for method, step, count in (("modal_midpoint", 1e-3, 3), ("rk4", 2e-5, 10)):
+        ends = {}
+        for form, kind in (("joint", JointStepper), ("dae", DaeStepper)):
+            stepper = kind(model, method, model.parameter_values)
+            state = stepper.initial(q0, v0)
+            for _ in range(count):
+                state = stepper.step(state, tau, w_ext, step)
+            ends[form] = np.concatenate(stepper.coordinates(state))
+        found = compiled.dae_step(compiled.dae_state(q0, v0), tau, w_ext, step, method, count)
+        assert relative(np.concatenate(stepper.coordinates(found)), ends["dae"]) < 1e-11
+        assert relative(np.concatenate(compiled.step(q0, v0, tau, w_ext, step, method, count)), ends["joint"]) < 1e-11
+        assert relative(ends["dae"], ends["joint"]) < (1e-9 if method == "rk4" else 1e-3)
 
 
 def test_energy_of_free_swinging_is_conserved():

@@ -7,7 +7,7 @@ those of NOTATION.md.
 
 from collections.abc import Callable
 from numbers import Real
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
@@ -17,10 +17,11 @@ from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia, own_body
+from .profile import Profile
 from .ranges import several, within
 from .screw import Screw
 from .section import PRODUCTS, Section
-from .stations import AnySection, Stations
+from .stations import AnySection, Stations, checked
 from .values import boolean, choice, count, quoted, refuse
 
 
@@ -211,6 +212,8 @@ class Link(Part):
     `length` its tip is at the joint. In Python, `body` may be a rigid body of one's own (`bodies.contract`).
     """
 
+    other_keys: ClassVar = {"profile": "in place of section: a tube, rod or box of a material"}
+
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
     length: Annotated[float, PlainValidator(within("length"))] | None = Field(
         None, description="the length of the centreline, m; a link without a section can do without"
@@ -227,6 +230,11 @@ class Link(Part):
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _section_of_profile(cls, data: Any) -> Any:
+        return profiled(data)
 
     @model_validator(mode="after")
     def _section_along_a_length(self) -> Self:
@@ -304,6 +312,17 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
         left = {name: x for name, x in modes.frequencies.stated.items() if name not in directions}
         update["frequencies"] = Frequencies(**left) if left else None
     return modes.model_copy(update=update)
+
+
+def profiled(data: Any) -> Any:
+    """A link's table with the `section` that its `profile` amounts to."""
+    if not (isinstance(data, dict) and data.get("profile") is not None):
+        return data
+    if data.get("section") is not None:
+        raise refuse("is stated beside section; either gives the section, leave one of them out", at=("profile",))
+    given = data["profile"]
+    section = given.section() if isinstance(given, Profile) else checked(Profile, given, ("profile",)).section()
+    return {key: value for key, value in data.items() if key != "profile"} | {"section": section}
 
 
 def refuse_both(section: AnySection | None, name: str, direction: str) -> None:

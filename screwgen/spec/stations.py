@@ -1,18 +1,21 @@
 """A section that varies along the link, stated at stations."""
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
-from pydantic import Field, PlainValidator, SerializeAsAny, ValidationError, WrapValidator, model_validator
+from pydantic import BaseModel, Field, PlainValidator, SerializeAsAny, ValidationError, WrapValidator, model_validator
 
 from ..bases.weighted import LINEAR, POLYNOMIAL
-from .messages import reason
+from .messages import first_error, reason
 from .part import Part
 from .section import LineProperties, Section
 from .values import Path, array, choice, number, refuse, shown
 
 MOST, SAMPLES = 64, 200
 MOST_POLYNOMIAL = 9
+
+
+Validated = TypeVar("Validated", bound=BaseModel)
 
 
 def place(value: Any, *, at: Path = ()) -> float:
@@ -114,12 +117,17 @@ def section_or_stations(value: Any, handler: Any) -> Any:
     if not listed and not (isinstance(value, dict) and "stations" in value):
         return handler(value)
     data = {"stations": list(array(value, "an array of stations"))} if listed else value
+    return checked(Stations, data, (), 1 if listed else 0)
+
+
+def checked(model: type[Validated], data: Any, at: Path, skipped: int = 0) -> Validated:
+    """`data` as a `model`, or its first error as one at the path `at`, less the first keys of its own path."""
     try:
-        return Stations.model_validate(data)
+        return model.model_validate(data)
     except ValidationError as error:
-        record = error.errors(include_url=False)[0]
+        record = first_error(error)
         path = (*record["loc"], *record.get("ctx", {}).get("at", ()))
-        raise refuse(reason(record, Stations), at=path[1:] if listed else path) from None
+        raise refuse(reason(record, model), at=(*at, *path[skipped:])) from None
 
 
 if TYPE_CHECKING:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 from scipy.interpolate import BarycentricInterpolator
 
@@ -19,7 +21,7 @@ def intervals(section) -> list[tuple[float, float]]:
     if not stations or between == "polynomial":
         return [(0.0, 1.0)]
     places = [station["at"] for station in stations]
-    return [(a, b) for a, b in zip(places, places[1:], strict=False) if b > a]
+    return [(a, b) for a, b in itertools.pairwise(places) if b > a]
 
 
 def property_at(section, name: str, s: np.ndarray) -> np.ndarray:

@@ -138,7 +138,10 @@ def varied(rng, section: dict):
         return stations
     places = np.linspace(0.0, 1.0, len(stations))
     stations = [{**station, "at": float(s)} for station, s in zip(stations, places, strict=True)]
-    near = [{key: v if key == "at" else float(section[key] * rng.uniform(0.8, 1.2)) for key, v in x.items()} for x in stations]
+    near = [
+        {key: v if key == "at" else float(section[key] * rng.uniform(0.8, 1.2)) for key, v in x.items()}
+        for x in stations
+    ]
     return {"stations": near, "between": "polynomial"}
 
 

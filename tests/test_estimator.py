@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from dense_filter import DenseFilter
 from helpers import G, arm, example, link, model_of
-
 from varying_robots import tapered_arm
 
 from screwgen import SingularError, UsageError
@@ -99,7 +98,9 @@ class Truth:
 # -------- against the dense filter
 
 
-@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100), ("tapered", "runtime", 50)])
+@pytest.mark.parametrize(
+    ("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100), ("tapered", "runtime", 50)]
+)
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""
     robot, e = model(name), compiled(name, binding=binding)

@@ -57,7 +57,9 @@ def test_inverse_dynamics_mass_matrix_and_energy(seed):
     case = varied(seed)
     (q, v, _, w_ext), numeric, rng = case.inputs, case.model.numpy(), np.random.default_rng(seed)
     vdot = rng.uniform(-1, 1, len(q))
-    assert relative(numeric.inverse_dynamics(q, v, vdot, w_ext), case.oracle.inverse_dynamics(q, v, vdot, w_ext)) < 1e-11
+    assert (
+        relative(numeric.inverse_dynamics(q, v, vdot, w_ext), case.oracle.inverse_dynamics(q, v, vdot, w_ext)) < 1e-11
+    )
     assert relative(numeric.mass_matrix(q), case.oracle.mass_matrix(q)) < 1e-12
     functions, p = case.model.casadi(), case.model.parameter_values
     assert relative(functions["mass_matrix"](q, p).full(), case.oracle.mass_matrix(q)) < 1e-12
@@ -83,13 +85,13 @@ def test_assembled_system_solved_densely(seed):
 def test_compiled(seed, layout):
     case = varied(seed)
     compiled, numeric = quick(case.model, layout=layout, derivatives=True), case.model.numpy()
-    q, v, tau, w_ext = case.inputs
+    q, v, _, w_ext = case.inputs
     for form in ("joint", "dae"):
         found = compiled.forward_dynamics(*case.inputs, form=form)
         assert max(case.oracle.errors(case.state, *found).values()) <= case.tolerance
-    assert disagreement(case.oracle, numeric.forward_dynamics(*case.inputs), compiled.forward_dynamics(*case.inputs)) <= (
-        case.agreement
-    )
+    assert disagreement(
+        case.oracle, numeric.forward_dynamics(*case.inputs), compiled.forward_dynamics(*case.inputs)
+    ) <= (case.agreement)
     assert relative(compiled.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
     assert relative(compiled.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
     assert np.allclose(compiled.energy(q, v), numeric.energy(q, v), rtol=1e-12)
@@ -127,7 +129,12 @@ def test_equal_stations_are_a_uniform_rod(basis, section):
     tip = {"mass": 0.6, "com": [0.0, 0.1, 0.05]}
     uniform, stated = (rod(["z", "y"], tip, section=s, **more) for s in (EQUAL, section))
     rng = np.random.default_rng(3)
-    state = {"q": rng.uniform(-0.1, 0.1, 11), "v": rng.uniform(-1, 1, 11), "tau": [1.0, 2.0], "w_ext": [[1, 2, 3, 4, 5, 6]]}
+    state = {
+        "q": rng.uniform(-0.1, 0.1, 11),
+        "v": rng.uniform(-1, 1, 11),
+        "tau": [1.0, 2.0],
+        "w_ext": [[1, 2, 3, 4, 5, 6]],
+    }
     first, second = case_of(uniform, state), case_of(stated, state)
     expected, found = (case.model.numpy().forward_dynamics(*case.inputs) for case in (first, second))
     bound = max(1e-13, 50 * np.finfo(float).eps * first.oracle.condition(state["q"]))
@@ -159,6 +166,7 @@ def test_station_values_are_parameters():
     compiled = quick(given)
     compiled.prepare(p)
     assert relative(compiled.forward_dynamics(*state)[0], expected) < 1e-12
+
 
 def test_runs_agree_over_forms_back_ends_and_methods():
     """Steps in NumPy and in C, joint form and DAE form: with implicit modes, and to the common limit of small steps."""

@@ -11,7 +11,7 @@ def scaled(section: dict, mass: float, stiffness: float) -> dict:
 
 
 def tapered_arm(stiff: float = 1.0, springs: bool = True) -> dict:
-    """A stepped boom with all directions and a tapered one on sprung joints, then a uniform link; joint springs may be left out."""
+    """A stepped boom with all directions and a tapered one on joints with springs, if wanted, then a uniform link."""
     thick, thin = scaled(SECTION, 1.0, stiff), scaled(SECTION, 0.4, 0.3 * stiff)
     boom = [{"at": 0.0, **thick}, {"at": 0.4, **thick}, {"at": 0.4, **thin}, {"at": 1.0, **thin}]
     cone = [{"at": 0.0, **thick}, {"at": 1.0, **thin}]

@@ -54,8 +54,9 @@ class Functions:
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and force
-    of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give their own.
+    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and
+    force of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give
+    their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None

@@ -1,8 +1,9 @@
 """Eliminating the modal accelerations of a link.
 
 The modal rows read ``C^T alpha + (m + E^T Q E) etaddot + h = 0``, where ``m`` is the inertia of the modes, diagonal or
-in blocks by direction, ``E`` (6 x r) maps modal to tip accelerations and ``Q`` is the articulated inertia at the tip.  Two methods give the same result:
-to factorise the r x r matrix, or to combine the tip's inertia with the modes' compliance, which costs O(r).
+in blocks by direction, ``E`` (6 x r) maps modal to tip accelerations and ``Q`` is the articulated inertia at the tip.
+Two methods give the same result: to factorise the r x r matrix, or to combine the tip's inertia with the modes'
+compliance, which costs O(r) if ``m`` is diagonal.
 For each link class the one with fewer operations is taken when its programs are traced (:func:`.schedule.trace`).
 """
 

@@ -2,8 +2,8 @@
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates and
-``r`` the number of modes of a link, ``b`` that of the coupled pairs of modes. Angular parts come first. Accelerations are those of material points in the
-inertial frame, less free fall.
+``r`` the number of modes of a link, ``b`` that of its coupled pairs of modes. Angular parts come first. Accelerations
+are those of material points in the inertial frame, less free fall.
 """
 
 from __future__ import annotations

@@ -42,14 +42,17 @@ class Weights:
 def weighted_powers(weights: Weights, power: int) -> tuple[float, ...]:
     """The integrals of ``s^power`` times each weight function."""
     with mpmath.workdps(working_digits(0)):
-        return rounded(_integrals(weights, _monomial(power)))
+        pieces = weights.pieces()
+        return rounded(_integrals(weights, pieces, _local(pieces, _monomial(power))))
 
 
 @cache
 def weighted_shapes(weights: Weights, shapes: Shapes, power: int) -> tuple[tuple[float, ...], ...]:
     """The integrals of ``s^power psi_k`` times each weight function: count x stations."""
     with mpmath.workdps(working_digits(shapes.count)):
-        return tuple(rounded(_integrals(weights, _monomial(power) * psi)) for psi in shapes.functions)
+        pieces = weights.pieces()
+        forms = (_local(pieces, _monomial(power) * psi) for psi in shapes.functions)
+        return tuple(rounded(_integrals(weights, pieces, local)) for local in forms)
 
 
 @cache
@@ -59,20 +62,29 @@ def weighted_products(weights: Weights, a: Shapes, b: Shapes, order: int = 0) ->
     a.count x b.count x stations.
     """
     with mpmath.workdps(working_digits(max(a.count, b.count))):
-        first, second = ([psi.derivative(order) for psi in x.functions] for x in (a, b))
-        product = lambda k, l: rounded(_integrals(weights, first[k] * second[l]))  # noqa: E731
+        pieces = weights.pieces()
+        first, second = ([_local(pieces, psi.derivative(order)) for psi in x.functions] for x in (a, b))
+
+        def product(k: int, l: int) -> tuple[float, ...]:
+            return rounded(_integrals(weights, pieces, [f * g for f, g in zip(first[k], second[l], strict=True)]))
+
         if a is not b:
             return tuple(tuple(product(k, l) for l in range(b.count)) for k in range(a.count))
         lower = [[product(k, l) for l in range(k + 1)] for k in range(a.count)]
         return tuple(tuple(lower[max(k, l)][min(k, l)] for l in range(b.count)) for k in range(a.count))
 
 
-def _integrals(weights: Weights, form: ClosedForm) -> list[mpf]:
+def _local(pieces: list[Piece], form: ClosedForm) -> list[ClosedForm]:
+    """A function of s in every interval, as a function of t in [0, 1] along it."""
+    return [form.within(start, end) for start, end, _ in pieces]
+
+
+def _integrals(weights: Weights, pieces: list[Piece], local: list[ClosedForm]) -> list[mpf]:
+    """The integrals of a function, given in every interval, times each weight function."""
     out = [mpf(0)] * len(weights.places)
-    for start, end, functions in weights.pieces():
-        local = form.within(start, end).scaled(end - start)
+    for (start, end, functions), form in zip(pieces, local, strict=True):
         for station, function in functions:
-            out[station] += (function * local).integral()
+            out[station] += (end - start) * (function * form).integral()
     return out
 
 

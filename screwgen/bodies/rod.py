@@ -1,4 +1,7 @@
-"""The rod: a slender beam of a link, uniform here (see :mod:`.varying_rod`), whose invariants are integrals along its centreline."""
+"""The rod: a slender uniform beam of a link, whose invariants are integrals along its centreline.
+
+:mod:`.varying_rod` has the rod whose sections vary.
+"""
 
 from __future__ import annotations
 

@@ -10,8 +10,8 @@ which the link would buckle, or stiffen by its own size.
                 tip and ``q l^3 / (7.837 EI)`` of the link's own mass, ``q = rhoA a_x``
 ``rotation``    ``Omega^2 rhoA l^4 / EI`` of the angular velocity about the transverse axes
 
-EI is the smaller of the planes that have modes. Of a section that varies, EI is the smallest and rhoA the largest at its
-stations, which makes the measures larger than those of the link. If frequencies are stated, it is that of the uniform beam with the
+EI is the smaller of the planes that have modes. Of a section that varies, EI is the smallest and rhoA the largest at
+its stations, so that the measures are not too small. If frequencies are stated, it is that of the uniform beam with the
 first of them. The force at the tip is the joint's axial force less the inertial force of the link and its base bodies.
 Approximations: the link's own axial load is uniform, apart from ``rotation``; the axis is that of the straight link;
 the next links are a mass at the tip.
@@ -131,7 +131,9 @@ def _largest_mass(b: Block, key: LinkClass) -> Symbol:
     first, *others = b.entries(_at_stations(b, key, "rhoA", r"\rho_iA_i", "kg/m", "mass per length"))
     largest: Expression = number(1)
     for k, rhoA in enumerate(others):
-        ratio = b.step(f"mass_ratio{k + 1}", rhoA @ Inverse(first), "m_i", unit="-", meaning="mass per length, relative")
+        ratio = b.step(
+            f"mass_ratio{k + 1}", rhoA @ Inverse(first), "m_i", unit="-", meaning="mass per length, relative"
+        )
         bound = _larger(b, largest, ratio, f"mass_gap{k + 1}", "(1-m_i)^2", "relative difference of rhoA, squared")
         largest = b.step(f"mass_bound{k + 1}", bound, "m_i", unit="-", meaning="largest of the ratios so far")
     return b.step("rhoA_max", largest @ first, r"\rho_iA_i", unit="kg/m", meaning="largest mass per length")
@@ -143,7 +145,10 @@ def _at_stations(b: Block, key: LinkClass, name: str, display: str, unit: str, m
 
 
 def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: Symbol) -> list[Symbol]:
-    """EI of a plane, at every station where it varies, or ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of its first stated frequency."""
+    """EI of a plane, at every station where it varies.
+
+    If frequencies are stated it is ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of the first.
+    """
     name, display = PLANES[direction]
     if direction not in key.measured:
         meaning = f"bending stiffness of the modes in {direction[-1]}"

@@ -16,7 +16,6 @@ from .rod import Rod
 from .rod_stiffness import SECTION
 from .varying_fields import VaryingFields
 
-
 LETTERS = {"axial": "x", "bending_y": "y", "bending_z": "z", "torsion": "t"}
 
 
@@ -43,7 +42,9 @@ class VaryingRod(Rod):
     def _property(self, name: str, shape: tuple[int, int], display: str, unit: str, frame: str, meaning: str) -> Symbol:
         """The property as a field along the rod; its values at the stations are the parameters."""
         stations = (len(self.key.stations), 1)
-        self.b.parameter(f"section_{name}", stations, display, unit, frame, f"{meaning}, at each station", numbered=(0,))
+        self.b.parameter(
+            f"section_{name}", stations, display, unit, frame, f"{meaning}, at each station", numbered=(0,)
+        )
         self._values[name] = self.b.values[f"section_{name}"][:, 0]
         return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display + r"(\xi)")
 

@@ -10,7 +10,7 @@ from ..bases.weighted import POLYNOMIAL
 from .part import Part
 from .ranges import within
 from .section import Section
-from .stations import Station, Stations
+from .stations import Station, Stations, checked
 from .values import array, refuse, shown
 
 PLACES = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -104,7 +104,9 @@ def refuse_thick(wall: Sequence[float], size: Sequence[float], what: str) -> Non
     for k in range(2):
         if 2 * wall[k] >= size[k]:
             end = ("base", "tip")[k]
-            raise refuse(f"is {wall[k]} at the {end}; it must be below half of the {what}, {size[k] / 2:g}", at=("wall",))
+            raise refuse(
+                f"is {wall[k]} at the {end}; it must be below half of the {what}, {size[k] / 2:g}", at=("wall",)
+            )
 
 
 def ring(outer: float, inner: float) -> tuple[float, float, float, float]:
@@ -123,7 +125,7 @@ SHAPES: dict[str, Callable] = {"tube": Tube, "rod": Rod, "box": Box}
 
 
 class Profile(Part):
-    """The shape of a link's cross-section and its material: one of `tube`, `rod` and `box`, `E`, `density`, `nu` or `G`.
+    """Shape and material of a link's cross-section: one of `tube`, `rod` and `box`; `E`, `density`, `nu` or `G`.
 
     It is turned into line properties at once: `rhoA`, `EA`, `EIy`, `EIz`, `rhoIp`, and `GJ` where `nu` or `G` is
     stated. Dimensions of two values taper linearly from base to tip. The properties of a tapered shape are polynomials
@@ -167,3 +169,16 @@ class Profile(Part):
         line = {"rhoA": self.density * area, "EA": self.E * area, "EIy": self.E * Iy, "EIz": self.E * Iz}
         shear = self.E / (2 * (1 + self.nu)) if self.nu is not None else self.G
         return line | ({} if shear is None else {"GJ": shear * J}) | {"rhoIp": self.density * (Iy + Iz)}
+
+
+def profiled(data: Any) -> Any:
+    """A link's table with the `section` that its `profile` amounts to."""
+    if not (isinstance(data, dict) and "profile" in data):
+        return data
+    if data["profile"] is None:
+        return {key: value for key, value in data.items() if key != "profile"}
+    if data.get("section") is not None:
+        raise refuse("is stated beside section; either gives the section, leave one of them out", at=("profile",))
+    given = data["profile"]
+    section = given.section() if isinstance(given, Profile) else checked(Profile, given, ("profile",)).section()
+    return {key: value for key, value in data.items() if key != "profile"} | {"section": section}

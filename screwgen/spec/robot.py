@@ -17,11 +17,11 @@ from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia, own_body
-from .profile import Profile
+from .profile import profiled
 from .ranges import several, within
 from .screw import Screw
-from .section import PRODUCTS, Section
-from .stations import AnySection, Stations, checked
+from .section import PRODUCTS
+from .stations import AnySection, Stations
 from .values import boolean, choice, count, quoted, refuse
 
 
@@ -257,7 +257,9 @@ class Link(Part):
     def _stiffness_stated_once(self) -> Self:
         for direction in self.modes.measured:
             if isinstance(self.section, Stations):
-                what = "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
+                what = (
+                    "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
+                )
                 raise refuse(what, at=("modes", "frequencies", direction))
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
@@ -312,17 +314,6 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
         left = {name: x for name, x in modes.frequencies.stated.items() if name not in directions}
         update["frequencies"] = Frequencies(**left) if left else None
     return modes.model_copy(update=update)
-
-
-def profiled(data: Any) -> Any:
-    """A link's table with the `section` that its `profile` amounts to."""
-    if not (isinstance(data, dict) and data.get("profile") is not None):
-        return data
-    if data.get("section") is not None:
-        raise refuse("is stated beside section; either gives the section, leave one of them out", at=("profile",))
-    given = data["profile"]
-    section = given.section() if isinstance(given, Profile) else checked(Profile, given, ("profile",)).section()
-    return {key: value for key, value in data.items() if key != "profile"} | {"section": section}
 
 
 def refuse_both(section: AnySection | None, name: str, direction: str) -> None:

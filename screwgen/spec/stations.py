@@ -75,8 +75,10 @@ class Stations(Part):
                 relation = "not be before" if self.between == LINEAR else "be beyond"
                 what = f"is {s[k]}; it must {relation} the station before it, {s[k - 1]}"
                 raise refuse(what, at=("stations", k, "at"))
-            if s[k - 1] == s[min(k + 1, len(s) - 1)] and k + 1 < len(s) or s[k] == s[k - 1] and s[k] in (0.0, 1.0):
-                raise refuse(f"is {s[k]} again; a step has two stations, between base and tip", at=("stations", k, "at"))
+            if (s[k - 1] == s[min(k + 1, len(s) - 1)] and k + 1 < len(s)) or (s[k] == s[k - 1] and s[k] in (0.0, 1.0)):
+                raise refuse(
+                    f"is {s[k]} again; a step has two stations, between base and tip", at=("stations", k, "at")
+                )
         return self
 
     @model_validator(mode="after")

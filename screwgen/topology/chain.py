@@ -84,7 +84,7 @@ class Chain:
         return self.n_given + self.below_offset[-1]
 
     def modal_product(self, A, x):
-        """A symmetric matrix of these coordinates, given by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
+        """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
         out = A[: self.n_given] * x
         for k, (i, j) in enumerate(self.coupled, self.n_given):
             out[i] += A[k] * x[j]

@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, add, zeros
+from ..algebra.notation import ALONG
 from ..ir.block import Block
 from ..spec.link_class import DIRECTIONS, LinkClass
 from .fields import STRAIN
@@ -46,7 +47,7 @@ class VaryingRod(Rod):
             f"section_{name}", stations, display, unit, frame, f"{meaning}, at each station", numbered=(0,)
         )
         self._values[name] = self.b.values[f"section_{name}"][:, 0]
-        return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display + r"(\xi)")
+        return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display + ALONG)
 
     def _name_products(self) -> None:
         """Products of the shapes of one direction."""
@@ -62,7 +63,7 @@ class VaryingRod(Rod):
         for direction, row, count in zip(DIRECTIONS, SECTION, self.key.counts, strict=True):
             if count:
                 shapes = self.fields.strain()[[STRAIN[direction]]]
-                shown = rf"\boldsymbol{{\varphi}}_{{\varepsilon{LETTERS[direction]}}}^{{\top}}"
+                shown = rf"\boldsymbol{{\varphi}}_{{\varepsilon {LETTERS[direction]}}}^{{\top}}"
                 strain = self.b.field(f"strain_{direction}", shapes, shown)
                 terms.append(self.integral(strain.T @ strain, self._property(*row)))
         return self._full_stiffness(add(*terms))

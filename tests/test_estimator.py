@@ -99,7 +99,7 @@ class Truth:
 
 
 @pytest.mark.parametrize(
-    ("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100), ("tapered", "runtime", 50)]
+    ("name", "binding", "steps"), [("ella", "runtime", 200), ("skew", "baked", 100), ("tapered", "runtime", 25)]
 )
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""

@@ -4,12 +4,14 @@ from functools import cache
 
 import numpy as np
 import pytest
+import random_robots as rr
 from helpers import EPS32, Case, casadi_forward, case_of, disagreement, drawn, flat, model_of, quick, relative
 from oracle import Oracle
 from oracle_robots import beam
 from varying_robots import tapered_arm
 
 from screwgen import simulate
+from screwgen.algorithms import schedule
 from screwgen.simulation.dae import DaeStepper
 from screwgen.simulation.integrate import JointStepper
 from screwgen.studies.modes import natural_frequencies
@@ -217,3 +219,22 @@ def test_frequencies_are_the_oracles(joints):
     found, expected = natural_frequencies(model, q, joints), Oracle(robot).frequencies(q, joints)
     moving = expected > 1e-3
     assert np.allclose(found[moving], expected[moving], rtol=1e-9)
+
+
+@pytest.mark.parametrize("way", schedule.WAYS)
+@pytest.mark.parametrize("counts", [(1, 1, 1, 0), (2, 2, 2, 1), (3, 4, 4, 3)])
+def test_both_ways_to_eliminate_coupled_modes(monkeypatch, counts, way):
+    """The r x r factor and the modes' compliance."""
+    thin = {key: 0.6 * EQUAL[key] for key in EQUAL}
+    modes = dict(zip(("axial", "bending_y", "bending_z", "torsion"), counts, strict=True))
+    section = [{"at": 0.0, **EQUAL}, {"at": 1.0, **thin}]
+    robot = rod(["z", "y"], {"mass": 0.6, "com": [0.0, 0.1, 0.05]}, modes=modes, section=section)
+    case = case_of(robot, rr.random_state(np.random.default_rng(4), robot))
+    for name, value in (("WAYS", (way,)), ("FEW", 0), ("MANY", 99)):
+        monkeypatch.setattr(schedule, name, value)
+    schedule.trace.cache_clear()
+    try:
+        found = case.model.numpy().forward_dynamics(*case.inputs)
+    finally:
+        schedule.trace.cache_clear()
+    assert max(case.oracle.errors(case.state, *found).values()) < case.tolerance

@@ -223,7 +223,8 @@ class Link(Part):
     )
     section: AnySection | None = Field(
         None,
-        description="the section, at least { rhoA = … } or { density = …, area = … }; without it only bodies have mass",
+        description="the section, at least { rhoA = … } or { density = …, area = … }, or an array of stations; "
+        "without it only bodies have mass",
     )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")

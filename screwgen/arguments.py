@@ -165,12 +165,13 @@ def _title(rows: np.ndarray, row: int) -> str:
 
 def _must_be_positive(robot: Robot, x: Parameter) -> bool:
     """Whether the value must be positive: a length, a mass per length, a parameter of a direction with modes."""
-    if x.field in POSITIVE or x.field.startswith("frequencies."):
+    field = x.field.removeprefix("section.")
+    if field in POSITIVE or x.field.startswith("frequencies."):
         return True
     if x.link is None:
         return False
     modes = robot.links[x.link].modes
-    return any(x.field in needed and getattr(modes, direction) for direction, needed in NEEDS.items())
+    return any(field in needed and getattr(modes, direction) for direction, needed in NEEDS.items())
 
 
 def _tensors(own: Sequence[Parameter]) -> list[np.ndarray]:

@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 import random_robots as rr
 from helpers import arm, equal_links, example_dict, link, model_of
+from varying_robots import tapered_arm
 
 from screwgen.backends.c.project import CProject
 from screwgen.runtime.batch import CompiledBatch
@@ -26,6 +27,7 @@ ROBOTS = {
     ),
     "many modes": arm(link("rod", axes="yz", modes={"bending_y": 5, "bending_z": 5}, section=SOFT)),
     "welded": arm(link("rod", axes=(), modes={"bending_y": 2, "axial": 1}, section=SOFT)),
+    "tapered": tapered_arm(),
     "rods": arm(*(link(n, axes=a) | {"section": {"rhoA": 1.0}} for n, a in (("rod", "x"), ("blade", "z")))),
     "eleven links": equal_links(11),
 }

@@ -8,12 +8,14 @@ spin inertia about the centreline and no rotary inertia of bending. Joints, moun
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 import scipy.linalg
 import scipy.sparse as sparse
 from numpy.polynomial import Legendre, Polynomial
+from oracle_sections import intervals, property_at
 from scipy.spatial.transform import Rotation
 
 ELEMENTS, BUBBLES, LOWEST = 4, 3, 8
@@ -64,36 +66,47 @@ def shapes(size: int, bubbles: int) -> list[Polynomial]:
     return ends + [(s * (1 - s)) ** size * p for p in inside]
 
 
-def products(functions: list[Polynomial]) -> np.ndarray:
-    """The integrals over [0, 1] of all products."""
+def products(functions: list[Polynomial], weight, start: float, end: float) -> np.ndarray:
+    """The integrals over [0, 1] of all products, weighted by a property of the element from s = start to s = end."""
     nodes, weights = np.polynomial.legendre.leggauss(12)
-    values = np.array([f((1 + nodes) / 2) for f in functions])
-    return (values * weights / 2) @ values.T
+    s = (1 + nodes) / 2
+    values = np.array([f(s) for f in functions])
+    return (values * (weights / 2 * weight(start + (end - start) * s))) @ values.T
 
 
-def flexible(size: int, stiffness: float, density: float, length: float, elements: int, bubbles: int) -> Field:
-    """A chain of elements; per element: the values at its start, then those inside, last the values at the tip."""
-    h, each = length / elements, size + bubbles
-    functions = shapes(size, bubbles)
-    scale = np.array([1.0, h][:size] * 2 + [1.0] * bubbles)
-    k = stiffness * h ** (1 - 2 * size) * products([f.deriv(size) for f in functions]) * np.outer(scale, scale)
-    m = density * h * products(functions) * np.outer(scale, scale)
+def boundaries(section, elements: int) -> np.ndarray:
+    """Where the elements of a link end: as many in every part in which its section is smooth."""
+    parts = [np.linspace(a, b, elements + 1)[1:] for a, b in intervals(section)]
+    return np.concatenate([[0.0], *parts])
+
+
+def flexible(size: int, stiffness, density, length: float, places: np.ndarray, bubbles: int) -> Field:
+    """A chain of elements; per element: the values at its start, then those inside, last the values at the tip.
+
+    `stiffness` and `density`: functions of s; `places`: where the elements end.
+    """
+    each = size + bubbles
+    functions, elements = shapes(size, bubbles), len(places) - 1
     n = elements * each + size
     K, M = np.zeros((n, n)), np.zeros((n, n))
     for e in range(elements):
+        ends, h = places[e : e + 2], (places[e + 1] - places[e]) * length
+        scale = np.array([1.0, h][:size] * 2 + [1.0] * bubbles)
+        k = h ** (1 - 2 * size) * products([f.deriv(size) for f in functions], stiffness, *ends)
+        m = h * products(functions, density, *ends)
         start, end = e * each, (e + 1) * each
         at = np.ix_(*2 * [[*range(start, start + size), *range(end, end + size), *range(start + size, end)]])
-        K[at] += k
-        M[at] += m
+        K[at] += k * np.outer(scale, scale)
+        M[at] += m * np.outer(scale, scale)
     return Field(sparse.csr_matrix(K), sparse.csr_matrix(M), sparse.eye(size, n, n - size, format="csr"))
 
 
-def rigid(size: int, density: float, length: float) -> Field:
-    """A direction that cannot deform: displacement and slope of the base tell those of the tip."""
-    tip = np.array([[1.0, length], [0.0, 1.0]])[:size, :size]
-    element = flexible(size, 0.0, density, length, 1, 0).M
-    both = sparse.csr_matrix(np.vstack([np.eye(size), tip]))
-    return Field(sparse.csr_matrix((size, size)), both.T @ element @ both, sparse.csr_matrix(tip))
+def rigid(size: int, density, length: float, places: np.ndarray) -> Field:
+    """A direction that cannot deform: displacement and slope of the base tell those of all sections."""
+    moved = [np.array([[1.0, s * length], [0.0, 1.0]])[:size, :size] for s in places]
+    elements = flexible(size, lambda s: 0 * s, density, length, places, 0).M
+    every = sparse.csr_matrix(np.vstack(moved))
+    return Field(sparse.csr_matrix((size, size)), every.T @ elements @ every, sparse.csr_matrix(moved[-1]))
 
 
 class Assembly:
@@ -113,8 +126,11 @@ class Assembly:
     def scale(self) -> float:
         """A square of an angular frequency of the order of the lowest one, from stiffness, mass and reach."""
         links = self.robot["links"]
-        EI = min((link["section"][k] for link in links for k in ("EIy", "EIz") if k in link["section"]), default=1.0)
-        mass = sum(link["section"]["rhoA"] * link["length"] for link in links)
+        s = np.linspace(0.01, 0.99, 25)
+        along = lambda link, name: property_at(link["section"], name, s)  # noqa: E731
+        stiff = [float(np.min(along(link, name))) for link in links for name in ("EIy", "EIz")]
+        EI = min((x for x in stiff if x), default=1.0)
+        mass = sum(float(np.mean(along(link, "rhoA"))) * link["length"] for link in links)
         mass += sum(body["mass"] for link in links for body in link.get("bodies", []))
         return EI / (mass * sum(link["length"] for link in links) ** 3)
 
@@ -164,11 +180,12 @@ def link_fields(link: dict, elements: int, bubbles: int) -> list[Field]:
     """The link's directions, in the order of `DIRECTIONS`."""
     out = []
     for name, (stiffness, density, places) in DIRECTIONS.items():
-        size, rho, length = len(places), link["section"].get(density, 0.0), link["length"]
+        size, length, ends = len(places), link["length"], boundaries(link["section"], elements)
+        k, rho = (partial(property_at, link["section"], key) for key in (stiffness, density))
         if link.get("modes", {}).get(name, 0):
-            out.append(flexible(size, link["section"][stiffness], rho, length, elements, bubbles))
+            out.append(flexible(size, k, rho, length, ends, bubbles))
         else:
-            out.append(rigid(size, rho, length))
+            out.append(rigid(size, rho, length, ends))
     return out
 
 

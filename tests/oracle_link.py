@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy.linalg
 from oracle_second_order import SecondOrder, second_order
+from oracle_sections import intervals, property_at, stations_of
 from oracle_shapes import DIRECTIONS, Shapes, quadrature, shapes_of
 
 STIFFNESS_OF = {"axial": "EA", "bending_y": "EIz", "bending_z": "EIy", "torsion": "GJ"}
@@ -28,8 +29,8 @@ class Link:
 
     length: float
     a: float  # coordinate of the link's base on its centreline, from F_i (m)
-    rhoA: float
-    rhoIp: float  # 0 where the file states none
+    rhoA: np.ndarray  # (N,)
+    rhoIp: np.ndarray  # (N,), 0 where the file states none
     axes: np.ndarray  # (m, 3), unit vectors
     turns: tuple[bool, ...]  # of each axis; a link that does not turn about it slides along it
     travel: np.ndarray  # (m,), m along the axis per unit of the coordinate
@@ -66,6 +67,17 @@ def unit_axis(axis) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
+LINE = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
+
+
+def properties_along(section, nodes: np.ndarray) -> dict[str, np.ndarray]:
+    """The line properties of a section at the places `nodes`, (N,) each."""
+    stations, between = stations_of(section)
+    line = [{"at": x["at"], **line_properties(x)} for x in stations]
+    whole = {"stations": line, "between": between} if line else line_properties(section)
+    return {name: property_at(whole, name, nodes) for name in LINE}
+
+
 def line_properties(section: dict) -> dict:
     """rhoA, EA, EIy, EIz, GJ, rhoIp of a section in either spelling; 0 for what it does not state."""
     if "density" not in section:
@@ -84,26 +96,28 @@ def read_body(body: dict) -> Body:
     return Body(body["mass"], np.array(body.get("com", [0.0] * 3), dtype=float), tensor)
 
 
-def modal_matrices(link: dict, line: dict, shapes: dict) -> tuple[np.ndarray, np.ndarray]:
+def modal_matrices(link: dict, line: dict, shapes: dict, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """K (r, r) and the damping coefficients (r,) of one link."""
     length, ratio = link["length"], link.get("damping", {}).get("ratio", 0.0)
     blocks, inertia = [np.zeros((0, 0))], []
     for name in DIRECTIONS:
         power = 3 if name.startswith("bending") else 1
-        blocks.append(line[STIFFNESS_OF[name]] / length**power * shapes[name].stiffness)
-        inertia += [line["rhoIp" if name == "torsion" else "rhoA"] * length] * len(shapes[name].tip)
+        strain, values = shapes[name].strain, shapes[name].nodes
+        blocks.append((strain * weights * line[STIFFNESS_OF[name]]) @ strain.T / length**power)
+        inertia += [*(values**2 @ (weights * line["rhoIp" if name == "torsion" else "rhoA"]) * length)]
     K = scipy.linalg.block_diag(*blocks)
     return K, 2.0 * ratio * np.sqrt(np.diag(K) * np.array(inertia))
 
 
 def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
-    modes, joint, line = link.get("modes", {}), link["joint"], line_properties(link["section"])
+    modes, joint, parts = link.get("modes", {}), link["joint"], tuple(intervals(link["section"]))
     counts = {name: modes.get(name, 0) for name in DIRECTIONS}
     count = 16 + 4 * max(counts.values()) + extra_nodes
-    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count) for d in DIRECTIONS}
-    K, damping = modal_matrices(link, line, shapes)
-    nodes, weights = quadrature(count)
+    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count, parts) for d in DIRECTIONS}
+    nodes, weights = quadrature(count, parts)
+    line = properties_along(link["section"], nodes)
+    K, damping = modal_matrices(link, line, shapes, weights)
     axes = np.array([unit_axis(getattr(axis, "axis", axis)) for axis in joint["axes"]]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
     mount, bodies = joint.get("mount", {}), link.get("bodies", [])

@@ -18,50 +18,59 @@ class Shapes(NamedTuple):
     tip: np.ndarray  # (r,): ψ_k(1)
     tip_slope: np.ndarray  # (r,): ψ_k'(1)
     stiffness: np.ndarray  # (r, r): ∫ψ''ψ'' ds in bending, ∫ψ'ψ' ds for axial and torsion
+    strain: np.ndarray  # (r, N): ψ'' in bending, ψ' for axial and torsion
+
+
+WHOLE = ((0.0, 1.0),)
+"""The intervals of a smooth integrand."""
 
 
 @cache
-def quadrature(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Gauss-Legendre nodes and weights on [0, 1]."""
+def quadrature(count: int, parts: tuple = WHOLE) -> tuple[np.ndarray, np.ndarray]:
+    """Gauss-Legendre nodes and weights, `count` in each of the intervals that [0, 1] is divided into."""
     nodes, weights = np.polynomial.legendre.leggauss(count)
-    return (nodes + 1.0) / 2.0, weights / 2.0
+    places = [start + (end - start) * (nodes + 1.0) / 2.0 for start, end in parts]
+    return np.concatenate(places), np.concatenate([(end - start) * weights / 2.0 for start, end in parts])
 
 
 @cache
-def bending_shapes(basis: str, modes: int, count: int) -> Shapes:
+def bending_shapes(basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     """Bending shapes of the named basis on `count` quadrature nodes."""
-    return _shapes({"clamped_free": clamped_free, "polynomial": polynomial}[basis](modes), 2, count)
+    return _shapes({"clamped_free": clamped_free, "polynomial": polynomial}[basis](modes), 2, count, parts)
 
 
 @cache
-def rod_shapes(basis: str, modes: int, count: int) -> Shapes:
+def rod_shapes(basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     """Axial and torsion shapes of the named basis on `count` quadrature nodes."""
-    return sine_shapes(modes, count) if basis == "clamped_free" else _shapes(polynomial(modes, 1), 1, count)
+    if basis == "clamped_free":
+        return sine_shapes(modes, count, parts)
+    return _shapes(polynomial(modes, 1), 1, count, parts)
 
 
-def _shapes(functions: list, order: int, count: int) -> Shapes:
-    nodes, weights = quadrature(count)
+def _shapes(functions: list, order: int, count: int, parts: tuple) -> Shapes:
+    nodes, weights = quadrature(count, parts)
     table, tip = tabulate(functions, nodes), tabulate(functions, [1.0])
-    return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], (table[order] * weights) @ table[order].T)
+    return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], (table[order] * weights) @ table[order].T, table[order])
 
 
 @cache
-def sine_shapes(modes: int, count: int) -> Shapes:
+def sine_shapes(modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     """√2 sin((2k-1)πs/2): axial and torsion shapes of a fixed-free rod."""
-    nodes, weights = quadrature(count)
+    nodes, weights = quadrature(count, parts)
     wave = (2 * np.arange(1, modes + 1)[:, None] - 1) * np.pi / 2
     derivative = np.sqrt(2) * wave * np.cos(wave * nodes)
     value, tip = np.sqrt(2) * np.sin(wave * nodes), np.sqrt(2) * np.sin(wave[:, 0])
-    return Shapes(value, tip, np.zeros(modes), (derivative * weights) @ derivative.T)
+    return Shapes(value, tip, np.zeros(modes), (derivative * weights) @ derivative.T, derivative)
 
 
-def shapes_of(direction: str, basis: str, modes: int, count: int) -> Shapes:
+def shapes_of(direction: str, basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     """Shapes of one direction."""
     if modes == 0:
-        return Shapes(np.zeros((0, count)), np.zeros(0), np.zeros(0), np.zeros((0, 0)))
+        none = np.zeros((0, count * len(parts)))
+        return Shapes(none, np.zeros(0), np.zeros(0), np.zeros((0, 0)), none)
     if direction in ("axial", "torsion"):
-        return rod_shapes(basis, modes, count)
-    return bending_shapes(basis, modes, count)
+        return rod_shapes(basis, modes, count, parts)
+    return bending_shapes(basis, modes, count, parts)
 
 
 def tabulate(functions, points) -> np.ndarray:

@@ -26,6 +26,7 @@ LIMITS = {
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
     "second_order": 0.0,  # of a link, or of a robot
+    "stations": 0.0,  # of a link: a section that varies
     "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
 }
 
@@ -85,6 +86,8 @@ def random_link(rng, index: int, limits: dict, soft: bool) -> dict:
     link = {"name": f"link_{index}", "length": length, "section": random_section(rng, modes, limits)}
     if soft:
         soften(link["section"])
+    if limits["stations"] and chance(rng, limits["stations"]):
+        link["section"] = varied(rng, link["section"])
     if modes or chance(rng, 0.2):
         link["modes"] = modes
     if modes and chance(rng, 0.5):
@@ -127,6 +130,24 @@ def random_section(rng, modes: dict, limits: dict) -> dict:
     if modes.get("torsion", 0) or chance(rng, limits["rhoIp"]):
         section["rhoIp"] = log_uniform(rng, 2e-4, 1e-2)
     return section
+
+
+def varied(rng, section: dict):
+    """Stations whose properties differ from those of `section` by factors, all in one spelling; some have steps."""
+    places = [0.0, *sorted(rng.uniform(0.05, 0.95, int(rng.integers(0, 3)))), 1.0]
+    if len(places) > 2 and chance(rng, 0.5):
+        places.insert(1, places[1])
+    factor = lambda: log_uniform(rng, 0.5, 2.0)  # noqa: E731
+    stations = [{"at": float(s), **{key: value * factor() for key, value in section.items()}} for s in places]
+    if len(set(places)) < len(places) or chance(rng, 0.6):
+        return stations
+    places = np.linspace(0.0, 1.0, len(stations))
+    stations = [{**station, "at": float(s)} for station, s in zip(stations, places, strict=True)]
+    near = [
+        {key: v if key == "at" else float(section[key] * rng.uniform(0.8, 1.2)) for key, v in x.items()}
+        for x in stations
+    ]
+    return {"stations": near, "between": "polynomial"}
 
 
 def soften(section: dict) -> None:

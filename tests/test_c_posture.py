@@ -7,10 +7,15 @@ import numpy as np
 import pytest
 from c_robots import strange
 from helpers import Model, example, model_of, quick
+from varying_robots import tapered_arm
 
 from screwgen.studies.equilibrium import equilibrium
 
-MODELS = {"ella": lambda: example("ella"), "strange": lambda: model_of(strange())}
+MODELS = {
+    "ella": lambda: example("ella"),
+    "strange": lambda: model_of(strange()),
+    "tapered": lambda: model_of(tapered_arm(stiff=20.0, springs=False)),
+}
 
 
 class Posture:
@@ -90,9 +95,10 @@ def test_gravity_of_a_limp_arm_says_what_it_leaves():
     assert np.max(np.abs(force[m:])) > 1.0
 
 
-def test_gravity_is_the_equilibrium_of_held_joints():
+@pytest.mark.parametrize("name", ["ella", "tapered"])
+def test_gravity_is_the_equilibrium_of_held_joints(name):
     """The torques and modal coordinates of the search for rest, in one call."""
-    p, model = posture("ella"), posture("ella").model
+    p, model = posture(name), posture(name).model
     m, w_ext = model.n_joints, np.zeros((model.n_links, 6))
     w_ext[-1] = [0.1, -0.2, 0.1, 1.0, -2.0, 0.5]
     q = np.append(np.linspace(0.4, 1.0, m), np.zeros(model.nq - m))

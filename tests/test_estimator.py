@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from dense_filter import DenseFilter
 from helpers import QUICK, G, arm, example, link, model_of
+from varying_robots import tapered_arm
 
 from screwgen import SingularError, UsageError
 from screwgen.errors import ScrewgenError
@@ -34,7 +35,7 @@ SKEW = arm(
 
 @cache
 def model(name):
-    return example("ella") if name == "ella" else model_of(SKEW)
+    return example("ella") if name == "ella" else model_of({"skew": SKEW, "tapered": tapered_arm()}[name])
 
 
 @cache
@@ -95,7 +96,9 @@ class Truth:
 # -------- against the dense filter
 
 
-@pytest.mark.parametrize(("name", "binding", "steps"), [("ella", "runtime", 100), ("skew", "baked", 60)])
+@pytest.mark.parametrize(
+    ("name", "binding", "steps"), [("ella", "runtime", 100), ("skew", "baked", 60), ("tapered", "runtime", 25)]
+)
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""
     robot, e = model(name), compiled(name, binding=binding)

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import GOOD, MATERIAL, refusal
 
 from screwgen import UsageError, derive
 from screwgen.errors import RobotFileError
@@ -16,6 +16,7 @@ GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration"}
 """Not in a robot file."""
 
 KEYS = {
+    "dimension": "outer = ",
     "frequency": r"frequencies = \{ bending_y = \[",
     "damping ratio": "ratio = ",
     "armature": r"armature = \[",
@@ -31,6 +32,9 @@ KEYS = {
 MEASURED = GOOD.replace("EIz = 1e3, GJ", "GJ").replace(
     'clamped_free", axial = 1', 'clamped_free", frequencies = { bending_y = [20.0, 1e8] }, axial = 1'
 )
+TUBE = "profile = { tube = { outer = 0.1, wall = 0.004 }, E = 2e11, density = 7800.0, nu = 0.3 }"
+TEXTS = {"frequency": MEASURED} | dict.fromkeys(("dimension", "nu"), GOOD.replace(f"section = {MATERIAL}", TUBE))
+"""The files of quantities that the good file lacks."""
 
 
 def outside(quantity: str) -> list[float]:
@@ -51,9 +55,7 @@ def test_a_robot_file_states_sizes_that_arms_have(tmp_path, quantity):
     path = tmp_path / "bot.toml"
     before = KEYS.get(quantity, rf"\b{quantity} = ")
     for number in outside(quantity):
-        text, count = re.subn(
-            rf"({before})[-+.e\d]+", rf"\g<1>{number}", MEASURED if quantity == "frequency" else GOOD, count=1
-        )
+        text, count = re.subn(rf"({before})[-+.e\d]+", rf"\g<1>{number}", TEXTS.get(quantity, GOOD), count=1)
         assert count == 1
         path.write_text(text)
         assert f"is {number}; it must be {RANGES[quantity].text}" in refusal(path)

@@ -16,6 +16,7 @@ from pydantic.fields import FieldInfo
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from screwgen.spec import profile, section, stations  # noqa: E402
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
 
@@ -27,8 +28,17 @@ CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|G
 ATOM = r"(?:kg|rad|Hz|Pa|N|m|s)[²³⁴]?"
 UNIT = re.compile(rf", ({ATOM}(?:[·/]{ATOM})*)(?=$|[ ,;:)])")
 PARTS = (
-    *(spec.Robot, spec.Link, spec.Section, spec.Modes, spec.Frequencies, spec.Damping),
-    *(spec.Joint, spec.Mount, spec.Body),
+    *(
+        spec.Robot,
+        spec.Link,
+        section.Section,
+        stations.Stations,
+        profile.Profile,
+        profile.Tube,
+        profile.Rod,
+        profile.Box,
+    ),
+    *(spec.Modes, spec.Frequencies, spec.Damping, spec.Joint, spec.Mount, spec.Body),
 )
 
 

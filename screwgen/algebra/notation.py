@@ -188,10 +188,16 @@ def _inverse(e: Inverse) -> str:
     return rf"\left({text}\right)^{{{script}}}" if "^" in text and not text.endswith(")") else rf"{text}^{{{script}}}"
 
 
+ALONG = r"(\xi)"
+"""The end of the LaTeX of a quantity that varies along the link: it stands under the integral."""
+
+
 def _integral(e: Integral) -> str:
     weight = "" if e.weight is None else latex(e.weight)
-    integrand = "" if is_identity(e.integrand) else rf"{_factor(e.integrand, True)}\,"
-    return rf"{weight}\int_{{a_{e.index}}}^{{c_{e.index}}} {integrand}d\xi"
+    under = weight if weight.endswith(ALONG) else ""
+    integrand = "" if is_identity(e.integrand) else _factor(e.integrand, True)
+    inside = "".join(rf"{part}\," for part in (under, integrand) if part)
+    return rf"{weight.removesuffix(under)}\int_{{a_{e.index}}}^{{c_{e.index}}} {inside}d\xi"
 
 
 _LATEX: dict[type, Callable] = {

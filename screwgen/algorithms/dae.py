@@ -277,7 +277,11 @@ def link_rows(s: Scope) -> None:
     """Tip to base: the link's six rows and its modal rows, and its columns in the next joint's rows."""
     given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
     given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
-    given |= {"m_eta": s.read("m_eta"), "h_phi": s.kept("h_eta") + s.read("f_eta"), "w_ext": s.read("w_ext")}
+    given |= {
+        "m_eta": s.modal_inertia() if s.key.coupled else s.read("m_eta"),
+        "h_phi": s.kept("h_eta") + s.read("f_eta"),
+        "w_ext": s.read("w_ext"),
+    }
     given |= {"X": s.read("tip.X"), "PX": s.read("tip.PX")}
     for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):
         s.write(name, value)

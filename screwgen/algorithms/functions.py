@@ -54,8 +54,9 @@ class Functions:
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia and force of the last
-    ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give their own.
+    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and
+    force of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give
+    their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None
@@ -85,14 +86,27 @@ class Functions:
 
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out = {}
-        for part, span in self.chain.given(i).items():
+        spans = self.chain.given(i)
+        below = spans.pop("below", None)
+        for part, span in spans.items():
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
             elif not parts or part in parts:
                 M, K, D = (self.constants[i][name] for name in COLUMNS[part])
                 pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
-        return out
+        return out | ({} if below is None else self._coupled_terms(i, x, below, out["f_eta"]))
+
+    def _coupled_terms(self, i: int, x: Mapping[str, list], span: slice, force: Sequence) -> dict[str, list]:
+        """The inertia of coupled modes; their forces are added to ``force`` unless they are given."""
+        if self.given is not None:
+            return {"m_below": list(self.given[0][span])}
+        M, K, D = (self.constants[i][name] for name in COLUMNS["below"])
+        out = list(force)
+        for (a, b), k, d in zip(self.chain.keys[i].coupled, K, D, strict=True):
+            out[a] = out[a] + k * x["eta"][b] + d * x["etadot"][b]
+            out[b] = out[b] + k * x["eta"][a] + d * x["etadot"][a]
+        return {"m_below": list(M), "f_eta": out}
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
         offset = self.chain.q_offset

@@ -114,7 +114,7 @@ def _stumpff(order: int, x):
 
 def _dynamics_inputs(chain: Chain, given: bool) -> dict[str, int]:
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
-    return sizes | ({"m_eta": chain.n_given, "f_eta": chain.n_given} if given else {})
+    return sizes | ({"m_eta": chain.n_inertia, "f_eta": chain.n_given} if given else {})
 
 
 def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
@@ -181,8 +181,11 @@ def modal_properties(chain: Chain, constants="parameters") -> Program:
 
 
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
-    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung."""
-    out = {name: [0.0] * chain.n_given for name in COLUMNS["eta"]}
+    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
+
+    Entries below the diagonal, if modes are coupled, follow the diagonal's.
+    """
+    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
     for i, link in enumerate(links):
         for part, span in chain.given(i).items():
             for name, own in zip(out, COLUMNS[part], strict=True):
@@ -276,7 +279,7 @@ def dae_dynamics(chain: Chain, constants="parameters") -> Program:
         "x": state_size(chain),
         "tau": chain.n_joints,
         "w_ext": 6 * chain.n,
-        "m_eta": chain.n_given,
+        "m_eta": chain.n_inertia,
         "f_eta": chain.n_given,
     }
 

@@ -83,15 +83,16 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
     M_q, K_q, D_q = _joint_columns(key, constants)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
-    out.M[eta, eta] = link["M_eta_eta"] + mx.diagonal(constants["M_eta"])
+    modal_matrix = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731
+    out.M[eta, eta] = link["M_eta_eta"] + modal_matrix("M_eta", "M_below")
     for J, joint, modal, passive, stress in (
-        (out.f_q, "q", "eta", K_q, constants["K"]),
-        (out.f_v, "qdot", "etadot", D_q, constants["D"]),
+        (out.f_q, "q", "eta", K_q, modal_matrix("K", "K_below")),
+        (out.f_v, "qdot", "etadot", D_q, modal_matrix("D", "D_below")),
     ):
         J[q, q] = link[f"f_{joint}"] + mx.diagonal(passive)
         J[q, eta] = mx.multiply(link["axes"].T, link[f"F_{modal}"])
         J[eta, q] = mx.multiply(link["rows_eta"], link[f"u_{joint}"])
-        J[eta, eta] = link[f"f_{modal}"] + mx.diagonal(stress)
+        J[eta, eta] = link[f"f_{modal}"] + stress
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:
@@ -158,7 +159,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     its guards are included, so common operations are computed once.
     """
     sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
-    sizes |= {"m_eta": chain.n_given, "f_eta": chain.n_given}
+    sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         f.given = (x["m_eta"], x["f_eta"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Diagonal, Symbol, stack, zeros
+from ..algebra.expression import Diagonal, Expression, Symbol, stack, zeros
 from ..algebra.screw import lever, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
@@ -19,7 +19,7 @@ def link_rows_block(key: LinkClass) -> Block:
     r = key.modes
     M_V = b.input("M_V", (6, 6))
     M_D = b.input("M_D", (6, r))
-    m_eta = b.input("m_eta", (r, 1))
+    m_eta = _modal_inertia(b, key)
     M_T = b.input("M_T", (6, 6))
     h_V = b.input("h_V", (6, 1))
     h_phi = b.input("h_phi", (r, 1))
@@ -32,7 +32,7 @@ def link_rows_block(key: LinkClass) -> Block:
     b.step("V_V", M_V + J_V.T @ M_T @ J_V, symmetric=True)
     V_eta = b.step("V_eta", M_D + J_V.T @ M_T @ J_eta)
     b.step("eta_V", V_eta.T)
-    b.step("eta_eta", Diagonal(m_eta) + J_eta.T @ M_T @ J_eta if r else zeros(0, 0), symmetric=True)
+    b.step("eta_eta", m_eta + J_eta.T @ M_T @ J_eta if r else zeros(0, 0), symmetric=True)
     b.step("V_next", J_V.T @ X.T)
     b.step("eta_next", J_eta.T @ X.T)
     b.step("next_V", -(PX @ J_V))
@@ -44,6 +44,14 @@ def link_rows_block(key: LinkClass) -> Block:
     b.step("V_W", J_V.T @ w_ext)
     b.step("eta_W", J_eta.T @ w_ext)
     return b
+
+
+def _modal_inertia(b: Block, key: LinkClass) -> Expression:
+    """The (r, r) inertia of the modes; a diagonal one is given by its column."""
+    r = key.modes
+    if key.coupled:
+        return b.input("m_eta", (r, r), r"\mathbf{M}_{W\phi,i}", meaning="inertia of the modes", numbered=(0, 1))
+    return Diagonal(b.input("m_eta", (r, 1)))
 
 
 def _tip_jacobian(b: Block, key: LinkClass) -> tuple[Symbol, Symbol]:

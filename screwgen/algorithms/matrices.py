@@ -62,6 +62,12 @@ def diagonal(values: Sequence[Value]) -> Array:
     return symmetric(len(values), lambda i, j: values[i] if i == j else 0.0)
 
 
+def coupled(values: Sequence[Value], places: Sequence[tuple[int, int]], below: Sequence[Value]) -> Array:
+    """The symmetric matrix with ``values`` on its diagonal and entries ``below`` it at ``places`` (row, column)."""
+    others = dict(zip(places, below, strict=True))
+    return symmetric(len(values), lambda i, j: values[i] if i == j else others.get((j, i), 0.0))
+
+
 def congruence(T: Array, A: Array) -> Array:
     """``T^T A T`` of a symmetric ``A``."""
     half = multiply(A, T)
@@ -144,17 +150,21 @@ def shift_twist(r: Array, V: Array) -> Array:
     return np.concatenate([V[:3], V[3:] + cross(V[:3], r)])
 
 
-def factorise(M: Array, tracer: Tracer, threshold: Value = 0.0) -> tuple[Array, list[Value]]:
-    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled: returns ``L`` and ``1/d``.
+Factor = tuple[Array, list[Value]]
+"""``L`` and ``1/d`` of a symmetric ``L diag(d) L^T``."""
 
-    Every pivot of ``d`` must exceed ``threshold``.
+
+def factorise(M: Array, tracer: Tracer | None = None, threshold: Value = 0.0) -> Factor:
+    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled.
+
+    Every pivot of ``d`` must exceed ``threshold``; a tracer guards that.
     """
     n = M.shape[0]
     L, d, inverse = identity(n), [], []
     for j in range(n):
         scaled = [L[j, k] * d[k] for k in range(j)]
         pivot = M[j, j] - dot(scaled, L[j, :j])
-        if isinstance(pivot, Node) or not pivot > 0:
+        if tracer and (isinstance(pivot, Node) or not pivot > 0):
             tracer.guard(pivot - threshold)
         d.append(pivot)
         inverse.append(1.0 / pivot)
@@ -186,6 +196,7 @@ def scale_rows(x: Array, factors: Sequence[Value]) -> Array:
     return array([x[i] * factors[i] for i in range(len(factors))], x.shape)
 
 
-def divide(x: Array, d: Sequence[Value]) -> Array:
-    """Row ``i`` of ``x`` divided by ``d[i]``."""
-    return scale_rows(x, [1.0 / value for value in d])
+def solve(factor: Factor, b: Array) -> Array:
+    """``M^-1 b`` of a factorised ``M``; ``b`` may have columns."""
+    L, inverse = factor
+    return backward(L, scale_rows(forward(L, b), inverse))

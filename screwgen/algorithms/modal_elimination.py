@@ -1,8 +1,9 @@
 """Eliminating the modal accelerations of a link.
 
-The modal rows read ``C^T alpha + (diag(m) + E^T Q E) etaddot + h = 0``, where ``E`` (6 x r) maps modal
-to tip accelerations and ``Q`` is the articulated inertia at the tip.  Two methods give the same result:
-to factorise the r x r matrix, or to combine the tip's inertia with the modes' compliance, which costs O(r).
+The modal rows read ``C^T alpha + (m + E^T Q E) etaddot + h = 0``, where ``m`` is the inertia of the modes, diagonal or
+in blocks by direction, ``E`` (6 x r) maps modal to tip accelerations and ``Q`` is the articulated inertia at the tip.
+Two methods give the same result: to factorise the r x r matrix, or to combine the tip's inertia with the modes'
+compliance, which costs O(r) if ``m`` is diagonal.
 For each link class the one with fewer operations is taken when its programs are traced (:func:`.schedule.trace`).
 """
 
@@ -45,12 +46,12 @@ def _tip_shapes(s: Scope) -> Array:
 
 def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     M_V, M_D, h_V, h_eta = own
-    r_T, m_eta, Theta = s.kept("r_T"), s.read("m_eta"), _tip_shapes(s)
+    r_T, m_eta, Theta = s.kept("r_T"), s.modal_inertia(), _tip_shapes(s)
     M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
     h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p), "h_V")
     loaded = mx.multiply(Lambda, Theta)
     C = s.name("C", M_D + _columns(r_T, loaded))
-    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + (m_eta[i] if i == j else 0.0)  # noqa: E731
+    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + m_eta[i, j]  # noqa: E731
     inertia = mx.symmetric(s.key.modes, elastic)
     h_phi = s.name("h_phi", h_eta + s.read("f_eta") + mx.multiply(Theta.T, p))
     L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
@@ -72,15 +73,13 @@ def _columns(r: Array, wrenches: Array) -> Array:
 
 
 def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
-    """With ``Y = G E diag(1/m) E^T G^T = U U^T``: ``Lambda -> Lambda - Lambda U (I + U^T Lambda U)^-1 U^T Lambda``."""
+    """With ``Y = G E m^-1 E^T G^T = U U^T``: ``Lambda -> Lambda - Lambda U (I + U^T Lambda U)^-1 U^T Lambda``."""
     M_V, M_D, h_V, h_eta = own
     r_T, G, E = s.kept("r_T"), _turned(s), _shapes(s)
-    m_eta, h_phi = s.read("m_eta"), h_eta + s.read("f_eta")
-    for m in m_eta:
-        s.tracer.guard(m)
+    factor, h_phi = mx.factorise(s.modal_inertia(), s.tracer), h_eta + s.read("f_eta")
     s.keep("M_D", M_D)
     s.keep("h_phi", h_phi)
-    lightened = mx.divide(E.T, m_eta).T
+    lightened = mx.solve(factor, E.T).T
     U = mx.multiply(G, _root(s, mx.multiply(lightened, E.T)))
     N = mx.chain(G, lightened, M_D.T)
     free = mx.chain(G, lightened, h_phi)
@@ -98,7 +97,7 @@ def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Arr
     s.keep("carried", carried)
     s.keep("p_carried", p_carried)
     M = mx.congruence(reach, carried)
-    H = mx.divide(M_D.T, m_eta).T
+    H = mx.solve(factor, M_D.T).T
     M = mx.symmetric(6, lambda i, j: M_V[i, j] - mx.dot(H[i], M_D[j]) + M[i, j])
     return M, h_V - mx.multiply(H, h_phi) + mx.multiply(reach.T, p_carried)
 
@@ -116,10 +115,10 @@ def _shapes(s: Scope) -> Array:
 
 
 def _compliant_accelerations(s: Scope, delta: Array) -> Array:
-    """``etaddot = -diag(1/m) (h + M_D^T delta + E^T G^T f)`` with the tip's load ``f``."""
+    """``etaddot = -m^-1 (h + M_D^T delta + E^T G^T f)`` with the tip's load ``f``."""
     load = mx.multiply(s.kept("carried"), mx.multiply(s.kept("reach"), delta)) + s.kept("p_carried")
     force = s.kept("h_phi") + mx.multiply(s.kept("M_D").T, delta) + mx.chain(_shapes(s).T, _turned(s).T, load)
-    return -mx.divide(force, s.read("m_eta"))
+    return -mx.solve(mx.factorise(s.modal_inertia()), force)
 
 
 def _root(s: Scope, Y: Array) -> Array:

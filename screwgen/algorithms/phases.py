@@ -201,7 +201,7 @@ def inverse_inward(s: Scope) -> None:
     if s.key.unstiffened:
         axial_motion(s, s.kept("omega"), s.kept("acc_0")[3] + delta[3], needed[3])
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
-    modal = mx.multiply(M_D.T, delta) + s.read("m_eta") * etaddot
+    modal = mx.multiply(M_D.T, delta) + mx.multiply(s.modal_inertia(), etaddot)
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)

@@ -16,8 +16,13 @@ from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import Layout, Scope, derived
 
 OUTWARD, INWARD = +1, -1
-COLUMNS = {"eta": ("M_eta", "K", "D"), "q": ("M_q", "K_q", "D_q")}
-"""Inertia, stiffness and damping of a link's modal coordinates, and of its joint coordinates if the joint is sprung."""
+COLUMNS = {
+    "eta": ("M_eta", "K", "D"),
+    "q": ("M_q", "K_q", "D_q"),
+    "below": ("M_below", "K_below", "D_below"),
+}
+"""Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
+and the entries below the diagonal where modes are coupled (``LinkClass.coupled``)."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
@@ -83,11 +88,11 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         owner = next((b for b in blocks.values() if any(s.name == label for s in b.bindings)), None)
         scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
     inputs = _parameters(scope, derived(key)["link"])
-    for name in ("M_eta", "K") + (("D",) if key.damping else ()):
-        values = lower(derived(key)["link"], inputs, (name,), tracer)
-        scope.write(name, values[name])
-    if not key.damping:
-        scope.write("D", [0.0] * key.modes)
+    for part, size in (("eta", key.modes), ("below", len(key.coupled))):
+        for name in COLUMNS[part] if size or part == "eta" else ():
+            damped = key.damping or not name.startswith("D")
+            values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
+            scope.write(name, values)
     if key.sprung:
         stated = (key.armature, key.stiffness, key.joint_damping)
         labels_of_axes = ("armature", "joint_stiffness", "joint_damping")

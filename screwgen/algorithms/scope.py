@@ -26,9 +26,9 @@ from ..ir.lower import lower
 from ..ir.program import Array, Label, Node, Program, Tracer, Value, give_label
 from ..joints.joint import joint_block, motion_block, posture_block
 from ..spec.link_class import LinkClass
+from . import matrices as mx
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
-from .matrices import zeros
 from .signals import signal, type_of
 
 BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
@@ -125,11 +125,16 @@ class Scope:
 
     def read(self, name: str, *shape: int) -> Array:
         """An input signal; ``shape`` is needed if it has no type in :mod:`.signals`."""
-        shape = shape or signal(name).size(self.key.joints, self.key.modes)
+        shape = shape or signal(name).size(self.key.joints, self.key.modes, len(self.key.coupled))
         size = int(np.prod(shape))
         if name not in self.inputs:
             self.inputs[name] = self.tracer.input(name, size)
         return np.array([*self.inputs[name]], dtype=object).reshape(shape)
+
+    def modal_inertia(self) -> Array:
+        """The (r, r) inertia of the link's modes, as given."""
+        below = self.read("m_below") if self.key.coupled else ()
+        return mx.coupled(self.read("m_eta"), self.key.coupled, below)
 
     def write(self, name: str, values: Array | Sequence[Value]) -> None:
         """An output signal."""
@@ -187,7 +192,7 @@ class Scope:
         if name in self.fresh:
             return self.fresh[name]
         layout = self.layouts[name]
-        stored = self.read(f"w.{name}", layout.size) if layout.size else zeros(0)
+        stored = self.read(f"w.{name}", layout.size) if layout.size else mx.zeros(0)
         values = [self._entry(e, stored) for e in layout.entries]
         return np.array([*values, None], dtype=object)[:-1].reshape(layout.shape)
 

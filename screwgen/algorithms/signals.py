@@ -2,8 +2,8 @@
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates and
-``r`` the number of modes of a link. Angular parts come first. Accelerations are those of material points in the
-inertial frame, less free fall.
+``r`` the number of modes of a link, ``b`` that of its coupled pairs of modes. Angular parts come first. Accelerations
+are those of material points in the inertial frame, less free fall.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ class Signal(NamedTuple):
     at: str = ""
     """Where a call of the generated C has it, if that is not a member of its name; i is the link, e its first mode."""
 
-    def size(self, joints: int, modes: int) -> tuple[int, ...]:
-        """The shape for given numbers of joint coordinates and modes."""
-        return tuple({"m": joints, "r": modes}.get(n, n) for n in self.shape)
+    def size(self, joints: int, modes: int, coupled: int = 0) -> tuple[int, ...]:
+        """The shape for given numbers of joint coordinates, modes and coupled pairs of modes."""
+        return tuple({"m": joints, "r": modes, "b": coupled}.get(n, n) for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
         """The place of an entry of an array of ``shape``: letters along the axes of a frame, numbers elsewhere."""
@@ -113,6 +113,7 @@ CALL: dict[str, Signal] = {
     "etadot": Signal(("r",), "m/s (torsion: rad/s)", "-", "modal rates"),
     "etaddot": Signal(("r",), "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
     "m_eta": Signal(("r",), "kg (torsion: kg*m^2)", "-", "inertia of the modes"),
+    "m_below": Signal(("b",), "kg (torsion: kg*m^2)", "-", "inertia of coupled modes, below the diagonal"),
     "f_eta": Signal(("r",), "N (torsion: N*m)", "-", "stress and damping of the modes"),
     "force_eta": Signal(("r",), "N (torsion: N*m)", "-", "force of the modal coordinates"),
     "gravity": Signal((3,), "m/s^2", INERTIAL, "acceleration of free fall"),
@@ -205,7 +206,7 @@ STORE = {
 
 MODES, JOINTS, RATES = ("NMODES",), ("NTAU",), "rad/s^2, m/s^2"
 GIVEN = {
-    "m_eta": Signal(("NGIVEN",), "kg, kg*m^2", "-", "inertia of modes and sprung joints, implicit over a step"),
+    "m_eta": Signal(("NINERTIA",), "kg, kg*m^2", "-", "inertia of modes and sprung joints, implicit over a step"),
     "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "their stress and damping"),
 }
 ROBOT = {

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
+from math import comb
 from typing import TypeAlias
 
 import mpmath
@@ -58,6 +59,20 @@ class ClosedForm:
         if order == 0:
             return self
         return ClosedForm({alpha: _slope(alpha, c) for alpha, c in self.terms.items()}).derivative(order - 1)
+
+    def within(self, start: Scalar, end: Scalar) -> ClosedForm:
+        """The function of t in [0, 1] whose value is this one's at ``start + (end - start) t``."""
+        length = end - start
+        if (start, length) == (0, 1):
+            return self
+        taylor = lambda c, j: sum(comb(n, j) * c[n] * start ** (n - j) for n in range(j, len(c)))  # noqa: E731
+        factors = {alpha: mpmath.exp(alpha * start) for alpha in self.terms}
+        return ClosedForm(
+            {
+                alpha * length: [factors[alpha] * length**j * taylor(c, j) for j in range(len(c))]
+                for alpha, c in self.terms.items()
+            }
+        )
 
     def integral(self) -> mpf:
         """The definite integral over [0, 1]."""

@@ -33,6 +33,8 @@ class Body(Protocol):
     """Mass per length: the weight of the integrals over the body."""
     fields: Moments
     """The rule that integrates."""
+    stiffness: Expression
+    """The (r, r) stiffness of the modes."""
 
     def declare(self, start: Expression) -> None:
         """Declare the fields; ``start`` (m) is the place of the joint on the centreline of F_i."""
@@ -51,5 +53,8 @@ class Body(Protocol):
         ...
 
     def modal(self) -> None:
-        """State ``sigma``, ``M_Wphi``, ``M_eta``, ``K`` and ``D``, and name the moments of the mode shapes."""
+        """State ``sigma``, ``M_Wphi``, ``M_eta``, ``K`` and ``D``, and name the moments of the mode shapes.
+
+        Where modes are coupled (``LinkClass.coupled``) also ``M_below``, ``K_below`` and ``D_below``.
+        """
         ...

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..algebra.expression import Diagonal, Integral, hat, zeros
+from ..algebra.expression import Integral, hat, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .link import LinkBlock
@@ -26,6 +26,6 @@ def energy_block(key: LinkClass) -> Block:
         kinetic = kinetic + Integral(spin @ spin, b.body.rhoIp, b.body.fields.integrate)
     half = sp.Rational(1, 2)
     b.step("kinetic", half * kinetic)
-    stress = b.eta.T @ (Diagonal(b.body.K) @ b.eta) if key.modes else zeros(1)
+    stress = b.eta.T @ (b.body.stiffness @ b.eta) if key.modes else zeros(1)
     b.step("stress", half * stress)
     return b

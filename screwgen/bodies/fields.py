@@ -49,15 +49,15 @@ class Fields(Moments):
         out = np.full((3, self.key.modes), sp.S.Zero, dtype=object)
         for k, (d, i) in enumerate(self.key.directions):
             if d == "torsion":
-                out[0, k] = _number(self._constants[d].tip_value[i])
+                out[0, k] = number(self._constants[d].tip_value[i])
             elif d.startswith("bending"):
                 row, sign = (2, 1) if d == "bending_y" else (1, -1)
-                out[row, k] = sign * _number(self._constants[d].tip_slope[i]) / self.length
+                out[row, k] = sign * number(self._constants[d].tip_slope[i]) / self.length
         return out
 
     def tip(self) -> np.ndarray:
         """Φ(c), 3 x r: the displacement of the tip section."""
-        return self.Phi([_number(self._constants[d].tip_value[i]) for d, i in self.key.directions])
+        return self.Phi([number(self._constants[d].tip_value[i]) for d, i in self.key.directions])
 
     def _matrix(self, rows, row_of, values) -> np.ndarray:
         out = np.full((rows, self.key.modes), sp.S.Zero, dtype=object)
@@ -90,8 +90,8 @@ class Fields(Moments):
             return l * self.gram(*shapes)
         if len(shapes) == 1 and powers <= 1:
             shape, k = self._shape(shapes[0])
-            integral = _number(shape.integral[k])
-            return l * integral if powers == 0 else l * (a * integral + l * _number(shape.moment[k]))
+            integral = number(shape.integral[k])
+            return l * integral if powers == 0 else l * (a * integral + l * number(shape.moment[k]))
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
 
     def _shape(self, k: int):
@@ -101,15 +101,15 @@ class Fields(Moments):
     def gram(self, k: int, m: int) -> sp.Expr:
         """``∫ psi_k psi_m ds`` of two modes."""
         (first, i), (second, j) = self._shape(k), self._shape(m)
-        return _number(products(first, second)[i][j])
+        return number(products(first, second)[i][j])
 
     def _stiffness(self, k: int, m: int) -> sp.Expr:
         (direction, i), (shape, _) = self.key.directions[k], self._shape(k)
         order = ORDER[direction]
-        return _number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
+        return number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
 
 
-def _number(value) -> sp.Expr:
+def number(value) -> sp.Expr:
     """A basis constant: exact if it is a whole number, else the nearest double."""
     value = float(value)
     return sp.Integer(int(value)) if value == int(value) else sp.Float(value)

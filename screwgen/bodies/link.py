@@ -12,6 +12,7 @@ from .contract import Body
 from .lumped import lumped
 from .rigid import Rigid
 from .rod import Rod
+from .varying_rod import VaryingRod
 
 
 class LinkBlock(Block):
@@ -31,7 +32,7 @@ class LinkBlock(Block):
         super().__init__("turning_link" if turning else "link", title)
         self.key, self.turning = key, turning
         self._declare()
-        self.body: Body = Rod(self, key) if key.beam else Rigid(self)
+        self.body: Body = self._body()
         self.start = self._start()
         self.body.declare(self.start)
         self._constants()
@@ -48,6 +49,11 @@ class LinkBlock(Block):
         self.etadot = state("etadot", (r, 1))
         self.rho = self.field("rho", _column(*sp.symbols("rho_x:z", real=True)), r"\mathbf{r}_{ib}")
         self.udot = self.field("udot", _column(*sp.symbols("udot_x:z", real=True)), r"\dot{\mathbf{r}}_{\xi}")
+
+    def _body(self) -> Body:
+        if not self.key.beam:
+            return Rigid(self)
+        return VaryingRod(self, self.key) if self.key.stations else Rod(self, self.key)
 
     def _start(self) -> Expression:
         """The place of the joint on the centreline of F_i."""
@@ -155,7 +161,7 @@ class LinkBlock(Block):
         return stack(unit(0) @ (self.body.I_s @ self.entries(self.alpha)[0]), zeros(3))
 
     def _modal_force(self) -> None:
-        stress = Diagonal(self.body.K) @ self.eta
+        stress = self.body.stiffness @ self.eta
         if self.key.damping:
             stress = stress + Diagonal(self.body.D) @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))

@@ -64,6 +64,10 @@ class Moments:
             if generator in monomial:
                 monomial.remove(generator)
                 return self.integrate(sp.expand(sp.Mul(*monomial) * self.coarse[generator]), weight)
+        return self._weighted(weight, monomial)
+
+    def _weighted(self, weight: str | None, monomial: list[sp.Symbol]) -> sp.Expr:
+        """The integral of ``weight``, which is uniform, times a product of the finest generators."""
         value = self._fine(monomial)
         return value if weight is None else sp.Symbol(weight, real=True) * value
 

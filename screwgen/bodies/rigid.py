@@ -25,6 +25,8 @@ class Rigid:
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
         self.sigma, self.sigma_t, self.K, self.D = zeros(3, 0), zeros(1, 0), zeros(0), zeros(0)
 
+    stiffness = zeros(0, 0)
+
     def moments(self) -> Moments6:
         """Zero: the link itself has no mass."""
         return zeros(1), zeros(3), zeros(3, 3)

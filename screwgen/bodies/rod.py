@@ -1,4 +1,7 @@
-"""The rod: a slender uniform beam of a link, whose invariants are integrals along its centreline."""
+"""The rod: a slender uniform beam of a link, whose invariants are integrals along its centreline.
+
+:mod:`.varying_rod` has the rod whose sections vary.
+"""
 
 from __future__ import annotations
 
@@ -17,15 +20,17 @@ from .second_order import SecondOrder
 class Rod(RodStiffness):
     """Sections along a centreline, with mode shapes in four directions."""
 
+    kind: type[Fields] = Fields
+
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key = b, key
-        self.rhoA = b.parameter("rhoA", (1, 1))
+        self.rhoA = self._property("rhoA")
         self.length = b.parameter("length", (1, 1))
 
     def declare(self, start: Expression) -> None:
         """The fields along the rod; ``start`` is the place of the joint on the centreline."""
         a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
-        f, field = Fields(self.key, self.b.values["length"].item(), a), self.b.field
+        f, field = self.kind(self.key, self.b.values["length"].item(), a), self.b.field
         self.fields = f
         self.r_b = field("r_b", column(XI, 0, 0), r"\mathbf{r}_b")
         self.Phi = field("Phi", f.Phi(), r"\boldsymbol{\phi}")
@@ -60,7 +65,7 @@ class Rod(RodStiffness):
         """``∫ rho I_p dξ e_x e_x^T``: spin about the centreline."""
         if not self.key.spin:
             return zeros(3, 3)
-        self.rhoIp = self.b.parameter("rhoIp", (1, 1))
+        self.rhoIp = self._property("rhoIp")
         self.I_s = self.b.step("I_s", self.integral(identity(1), self.rhoIp))
         self.fields.name_moment("rhoIp", self.b.values["I_s"].item())
         return self.I_s @ (unit(0) @ unit(0).T)
@@ -86,11 +91,17 @@ class Rod(RodStiffness):
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.b.values["sigma"][axis, k], phi[k])
             name("rhoA", self.b.values["chi"][0, k], XI, phi[k])
-            name("rhoA", self.b.values["M_Wphi"][k, k], phi[k], phi[k])
+        self._name_products()
         self._products_of_shapes()
         self._stiffness()
         if self.key.order == 2:
             self.second.moments(self.rhoA)
+
+    def _name_products(self) -> None:
+        """``∫ρA φ_k φ_k``: the products of different shapes of one direction have no integral."""
+        for k in self._translational():
+            phi = self.fields.phi[k]
+            self.fields.name_moment("rhoA", self.b.values["M_Wphi"][k, k], phi, phi)
 
     def _products_of_shapes(self) -> None:
         """``∫ρA φ_k φ_m`` of modes in different directions.
@@ -123,7 +134,7 @@ class Rod(RodStiffness):
         )
         mu = self.b.values["mu"].item()
         for (i, j), value in np.ndenumerate(self.b.values[name]):
-            same = self.fields.gram(first[i], second[j]) == 1
+            same = not self.key.stations and self.fields.gram(first[i], second[j]) == 1
             self.fields.name_moment("rhoA", mu if same else value, phi[first[i]], phi[second[j]])
 
     def _translational(self) -> list[int]:

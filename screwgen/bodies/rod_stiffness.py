@@ -17,6 +17,7 @@ SECTION = ("EA", "EIz", "EIy", "GJ")
 class RodStiffness:
     """The stiffness K and damping D of a rod, both diagonal and stored as columns."""
 
+    form: str
     b: Block
     key: LinkClass
     fields: Fields
@@ -25,6 +26,10 @@ class RodStiffness:
     def integral(self, integrand: Expression, weight: Symbol | None) -> Integral:
         return Integral(integrand, weight, self.fields.integrate)
 
+    def _property(self, name: str) -> Symbol:
+        """A property of the section: a parameter."""
+        return self.b.parameter(name, (1, 1))
+
     def _stiffness(self) -> None:
         """``K = ∫ B^T C B dξ``, with measured frequencies ``K_kk = M_kk (2π f_k)^2``, and ``D``."""
         full = self._section_stiffness()
@@ -32,20 +37,20 @@ class RodStiffness:
             inertia = self._modal_inertia()
             self.K = self._measured_stiffness(full, inertia)
         else:
-            self.K = self.b.step("K", full @ self._ones("K"))
+            self.K = self._column("K", full)
             inertia = self._modal_inertia()
         self._damping(inertia)
 
     def _section_stiffness(self) -> Symbol:
         stated = zip(DIRECTIONS, SECTION, self.key.counts, strict=True)
-        stiff = [self.b.parameter(s, (1, 1)) if n and d not in self.key.measured else zeros(1) for d, s, n in stated]
+        stiff = [self._property(s) if n and d not in self.key.measured else zeros(1) for d, s, n in stated]
         C = block(*([stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)))
         return self.b.step("K_full", self.integral(self.strain.T @ C @ self.strain, None), symmetric=True)
 
     def _modal_inertia(self) -> Symbol:
         shape = (self.key.modes,) * 2
         full = Symbol("M_Wphi", shape, r"\mathbf{M}_{W\phi,i}")
-        return self.b.step("M_eta", full @ self._ones("M_eta"))
+        return self._column("M_eta", full)
 
     def _measured_stiffness(self, full: Symbol, inertia: Symbol) -> Symbol:
         """Stiffness by the paper's wavenumber identification, ``β_n² = 2π f_n sqrt(ρA/EI)``, mode by mode.
@@ -74,6 +79,15 @@ class RodStiffness:
             return
         ratio = self.b.parameter("damping_ratio", (1, 1))
         self.D = self.b.step("D", (2 * ratio) @ Root(Diagonal(self.K) @ inertia))
+
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+        return Diagonal(self.K)
+
+    def _column(self, name: str, full: Symbol) -> Symbol:
+        """The diagonal of a modal matrix."""
+        return self.b.step(name, full @ self._ones(name))
 
     def _ones(self, name: str) -> Symbol:
         ones = np.full((self.key.modes, 1), sp.S.One, dtype=object)

@@ -10,7 +10,8 @@ which the link would buckle, or stiffen by its own size.
                 tip and ``q l^3 / (7.837 EI)`` of the link's own mass, ``q = rhoA a_x``
 ``rotation``    ``Omega^2 rhoA l^4 / EI`` of the angular velocity about the transverse axes
 
-EI is the smaller of the planes that have modes. If frequencies are stated, it is that of the uniform beam with the
+EI is the smaller of the planes that have modes. Of a section that varies, EI is the smallest and rhoA the largest at
+its stations, so that the measures are not too small. If frequencies are stated, it is that of the uniform beam with the
 first of them. The force at the tip is the joint's axial force less the inertial force of the link and its base bodies.
 Approximations: the link's own axial load is uniform, apart from ``rotation``; the axis is that of the straight link;
 the next links are a mass at the tip.
@@ -24,6 +25,7 @@ from ..algebra.expression import Expression, Inverse, Root, Symbol, number
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .fields import Fields
+from .varying_rod import at_stations
 
 OWN_WEIGHT = 7.8373474
 """``q l^3 / EI`` at which a cantilever buckles under its own weight: 9/4 of the squared first zero of J_(-1/3)."""
@@ -63,7 +65,7 @@ def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
 
 def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
     """Axial load over buckling load, and the dimensionless square of the angular velocity."""
-    rhoA = b.parameter("rhoA", (1, 1))
+    rhoA = _largest_mass(b, key)
     omega = b.input("omega_t", (2, 1))
     a_x = b.input("a_x", (1, 1))
     F_x = b.input("F_x", (1, 1))
@@ -88,24 +90,52 @@ def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
 def _compliance(b: Block, key: LinkClass, length: Symbol, rhoA: Symbol) -> Expression:
     """``1/EI`` of the softer plane that has modes, as ``(1 + r + |1 - r|) / (2 EI)`` with r the ratio of the two."""
     planes = [d for d in PLANES if key.counts[1 + list(PLANES).index(d)]]
-    stiff = [_stiffness(b, key, d, length, rhoA) for d in planes]
+    stiff = [EI for d in planes for EI in _stiffness(b, key, d, length, rhoA)]
     if len(stiff) == 1:
         return Inverse(stiff[0])
-    ratio = b.step("EI_ratio", stiff[0] @ Inverse(stiff[1]))
-    one = number(1)
-    square = (one - ratio) @ (one - ratio)
-    gap = b.step("EI_gap", square)
-    larger = sp.Rational(1, 2) * (one + ratio + Root(gap))
+    larger: Expression = number(1)
+    for k, EI in enumerate(stiff[1:]):
+        tag = str(k + 1) if len(stiff) > 2 else ""
+        what = "bending stiffness, y over z" if not tag else f"first bending stiffness over number {k + 2}"
+        ratio = b.step(f"EI_ratio{tag}", stiff[0] @ Inverse(EI), "r_i", unit="-", meaning=what)
+        larger = _larger(b, larger, ratio, f"EI_gap{tag}", "(1-r_i)^2", "relative difference of EIy and EIz, squared")
+        if tag:
+            larger = b.step(f"EI_bound{tag}", larger, "r_i", unit="-", meaning="largest of the ratios so far")
     return b.step("compliance", larger @ Inverse(stiff[0]))
 
 
-def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: Symbol) -> Symbol:
-    """EI of a plane, or ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of its first stated frequency."""
+def _larger(b: Block, first: Expression, second: Symbol, gap: str, display: str, meaning: str) -> Expression:
+    """The larger of two positive numbers, ``(a + b + sqrt((a - b)^2)) / 2``."""
+    square = (first - second) @ (first - second)
+    root = Root(b.step(gap, square, display, unit="-", meaning=meaning))
+    return sp.Rational(1, 2) * (first + second + root)
+
+
+def _largest_mass(b: Block, key: LinkClass) -> Symbol:
+    """Mass per length; the largest at the stations of a section that varies."""
+    if not key.stations:
+        return b.parameter("rhoA", (1, 1))
+    first, *others = b.entries(at_stations(b, key, "rhoA"))
+    largest: Expression = number(1)
+    for k, rhoA in enumerate(others):
+        ratio = b.step(
+            f"mass_ratio{k + 1}", rhoA @ Inverse(first), "m_i", unit="-", meaning="mass per length, relative"
+        )
+        bound = _larger(b, largest, ratio, f"mass_gap{k + 1}", "(1-m_i)^2", "relative difference of rhoA, squared")
+        largest = b.step(f"mass_bound{k + 1}", bound, "m_i", unit="-", meaning="largest of the ratios so far")
+    return b.step("rhoA_max", largest @ first, r"\rho_iA_i", unit="kg/m", meaning="largest mass per length")
+
+
+def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: Symbol) -> list[Symbol]:
+    """EI of a plane, at every station where it varies.
+
+    If frequencies are stated it is ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of the first.
+    """
     name = PLANES[direction]
     if direction not in key.measured:
-        return b.parameter(name, (1, 1))
+        return b.entries(at_stations(b, key, name)) if key.stations else [b.parameter(name, (1, 1))]
     count = key.counts[1 + list(PLANES).index(direction)]
     f = b.parameter(f"frequencies_{direction}", (count, 1))
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length
     factor = 4 * sp.pi**2 / sp.Float(float(key.shapes(direction).stiffness[0]))
-    return b.step(f"{name}_first", factor * (own @ first @ first))
+    return [b.step(f"{name}_first", factor * (own @ first @ first))]

@@ -151,7 +151,7 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     x = model.casadi()["dae_state"](s.q, s.v, p)
     M_eta, K, D = functions["modal_properties"](p)
     own = slice(model.nq - model.chain.n_given, model.nq)
-    force = K * s.q[own] + D * s.v[own]
+    force = model.chain.modal_product(K, s.q[own]) + model.chain.modal_product(D, s.v[own])
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T
 

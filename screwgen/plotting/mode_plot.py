@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from ..errors import UsageError
 from ..simulation.motion import centrelines, modal_columns, twist
-from ..studies.modes import ModeShapes, stiffness
+from ..studies.modes import ModeShapes, stiffness_matrix
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
 
@@ -119,7 +119,7 @@ def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float
 def meaning(model: Model, shape: np.ndarray) -> str:
     """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
     energies: dict[str, float] = {}
-    for name, energy in zip(model.q_names, stiffness(model) * shape**2, strict=True):
+    for name, energy in zip(model.q_names, shape * (stiffness_matrix(model) @ shape), strict=True):
         link, kind, *direction = name.partition("[")[0].split(".")
         what = f"{WORDS[direction[0]]} of {link}" if kind == "eta" else f"joint spring of {link}"
         energies[what] = energies.get(what, 0.0) + energy

@@ -74,13 +74,14 @@ class Evaluator:
 class Dynamics:
     """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints.
 
-    `M`, `K`, `D` (n_given,): inertia, stiffness and damping of the last coordinates of `q`: of the modes, or of all
-    coordinates if any joint has a spring or a damper.
+    `M`, `K`, `D` (n_inertia,): inertia, stiffness and damping of the last coordinates of `q`: of the modes, or of all
+    coordinates if any joint has a spring or a damper; the diagonal, then the entries below it where modes are coupled.
     """
 
     def __init__(self, model: Model, p: Sequence[float]):
         functions = model.modal_functions
         self.p, self.n_given, self.n_links = np.array(p, float), model.chain.n_given, model.n_links
+        self.times = model.chain.modal_product
         self.evaluate = Evaluator(functions["modal_dynamics"])
         self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
 
@@ -94,14 +95,14 @@ class Dynamics:
 
     def force(self, q: np.ndarray, v: np.ndarray, h: float, K: np.ndarray, D: np.ndarray) -> np.ndarray:
         """Their force `h` after `q`, `v` (nq, ...) without the accelerations' part; `K` and `D` of matching shape."""
-        return K * (self.own(q) + h * self.own(v)) + D * self.own(v)
+        return self.times(K, self.own(q) + h * self.own(v)) + self.times(D, self.own(v))
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nq,) and the joint wrenches (6 n,)."""
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
-        """Inertia and force of the coordinates with stiffness and damping, (n_given,) each."""
+        """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
         return self.M, self.force(q, v, 0.0, self.K, self.D)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:

@@ -4,7 +4,9 @@ from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
 from .load import dump, load
 from .parameters import Parameter, coordinate_names, parameters
-from .robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot, Section
+from .robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot
+from .section import Section
+from .stations import Station, Stations
 
 __all__ = [
     "DIRECTIONS",
@@ -18,6 +20,8 @@ __all__ = [
     "Parameter",
     "Robot",
     "Section",
+    "Station",
+    "Stations",
     "coordinate_names",
     "dump",
     "equivalent_stiffness",

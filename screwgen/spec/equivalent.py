@@ -4,6 +4,7 @@ import math
 
 from ..bases import ORDER
 from .robot import Link
+from .section import Section
 
 
 def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:
@@ -19,7 +20,7 @@ def equivalent_stiffness(link: Link) -> dict[str, tuple[float, ...]]:
 
 
 def _equivalent(link: Link, direction: str, values: tuple[float, ...]) -> tuple[float, ...]:
-    assert link.section is not None and link.length is not None  # what modes need, the file states
+    assert isinstance(link.section, Section) and link.length is not None  # what modes need, the file states
     inertia = link.section.rhoIp if direction == "torsion" else link.section.rhoA
     assert inertia is not None
     scale = inertia * link.length ** (2 * ORDER[direction])

@@ -51,6 +51,10 @@ class LinkClass:
     """The order of the rod's shape in its strains, 1 or 2."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
+    stations: tuple[float, ...] = ()
+    """The places s in [0, 1] at which a section that varies is stated; none: the rod is uniform."""
+    between: str = "linear"
+    """How the section's properties are interpolated between the stations."""
 
     @property
     def modes(self) -> int:
@@ -87,6 +91,17 @@ class LinkClass:
         """Direction and number (from 0) of every modal coordinate, in their order."""
         return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
 
+    @cached_property
+    def coupled(self) -> tuple[tuple[int, int], ...]:
+        """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
+
+        A uniform rod has none. Where its sections vary the modes of one direction are coupled.
+        """
+        if not self.stations:
+            return ()
+        of = [d for d, _ in self.directions]
+        return tuple((i, j) for i in range(self.modes) for j in range(i) if of[i] == of[j])
+
     def shapes(self, direction: str):
         """The mode shapes of a direction."""
         k = DIRECTIONS.index(direction)
@@ -114,10 +129,12 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         length=link.length is not None,
         beam=link.section is not None,
         body=link.body,
-        spin=link.section is not None and link.section.rhoIp is not None,
+        spin=link.section is not None and link.section.states("rhoIp"),
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
         order=(link.order or order) if any(counts) else 1,
         measured=modes.measured,
+        stations=link.section.places if link.section else (),
+        between=link.section.between if link.section else "linear",
     )

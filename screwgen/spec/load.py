@@ -115,7 +115,12 @@ def dump(robot: Robot) -> str:
 
 def assignments(table: dict[str, Any]) -> str:
     """`key = value`, one a line."""
-    return "".join(f"{key} = {entry(key, value)}\n" for key, value in table.items())
+    return "".join(f"{key} = {entry(key, _shortest(value))}\n" for key, value in table.items())
+
+
+def _shortest(value: Any) -> Any:
+    """The stations of a section that is linear between them as the array that they may stand in for."""
+    return value["stations"] if isinstance(value, dict) and value.keys() == {"stations"} else value
 
 
 def entry(key: str, value: Any) -> str:

@@ -18,9 +18,14 @@ def explain(error: ValidationError, root: type[BaseModel], data: Any) -> str:
 
     Unknown keys come first: a misspelt key is why another one is missing.
     """
-    records = sorted(error.errors(include_url=False), key=lambda record: record["type"] != "extra_forbidden")
-    more = f" (and {len(records) - 1} more)" if len(records) > 1 else ""
-    return sentence(records[0], root, data) + more
+    count = error.error_count()
+    more = f" (and {count - 1} more)" if count > 1 else ""
+    return sentence(first_error(error), root, data) + more
+
+
+def first_error(error: ValidationError) -> Any:
+    """The record of the first error; unknown keys come first."""
+    return min(error.errors(include_url=False), key=lambda record: record["type"] != "extra_forbidden")
 
 
 def sentence(record: Any, root: type[BaseModel], data: Any) -> str:

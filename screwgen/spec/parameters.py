@@ -6,6 +6,8 @@ from itertools import chain
 from typing import NamedTuple
 
 from .robot import DIRECTIONS, Body, Joint, Link, Robot
+from .section import Section
+from .stations import Stations
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -67,6 +69,14 @@ FIELDS = {
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
 }
 
+STATED = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
+FIELDS |= {  # of a section that is stated at stations
+    f"section.{name}": FIELDS[name]._replace(
+        pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
+    )
+    for name in STATED
+}
+
 SLIDING = {"joint.armature": "kg", "joint.damping": "N·s/m", "joint.stiffness": "N/m"}
 """Units of a prismatic axis in place of a revolute one."""
 
@@ -94,8 +104,11 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
     """The fields of the link's own body."""
     yield "length", link.length
     yield "frame_at", link.frame_at
-    for name in type(link.section).model_fields if link.section else ():
-        yield name, getattr(link.section, name)
+    for name in Section.model_fields if link.section else ():
+        if isinstance(link.section, Stations):
+            yield f"section.{name}", link.section.values(name)
+        else:
+            yield name, getattr(link.section, name)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values
     yield "damping.ratio", link.damping.ratio if link.damping else None

@@ -45,6 +45,8 @@ RANGES = {
     "Iy": Range(non_negative, 1e-28, 1e18, "m⁴"),
     "Iz": Range(non_negative, 1e-28, 1e18, "m⁴"),
     "J": Range(non_negative, 1e-28, 1e18, "m⁴"),
+    "dimension": Range(positive, 1e-7, 1e4, "m"),
+    "nu": Range(non_negative, 0.0, 0.5, "1"),
     "frequency": Range(positive, 1e-6, 1e9, "Hz"),
     "damping ratio": Range(non_negative, 1e-12, 1e6, "1"),
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m²"),

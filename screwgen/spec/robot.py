@@ -7,7 +7,7 @@ those of NOTATION.md.
 
 from collections.abc import Callable
 from numbers import Real
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
@@ -17,9 +17,11 @@ from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia, own_body
+from .profile import profiled
 from .ranges import several, within
 from .screw import Screw
-from .section import PRODUCTS, Section
+from .section import PRODUCTS
+from .stations import AnySection, Stations
 from .values import boolean, choice, count, quoted, refuse, shape_order
 
 
@@ -210,6 +212,8 @@ class Link(Part):
     `length` its tip is at the joint. In Python, `body` may be a rigid body of one's own (`bodies.contract`).
     """
 
+    other_keys: ClassVar = {"profile": "in place of section: a tube, rod or box of a material"}
+
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
     length: Annotated[float, PlainValidator(within("length"))] | None = Field(
         None, description="the length of the centreline, m; a link without a section can do without"
@@ -217,9 +221,10 @@ class Link(Part):
     frame_at: Annotated[float, PlainValidator(within("frame_at"))] | None = Field(
         None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
     )
-    section: Section | None = Field(
+    section: AnySection | None = Field(
         None,
-        description="the section, at least { rhoA = … } or { density = …, area = … }; without it only bodies have mass",
+        description="the section, at least { rhoA = … } or { density = …, area = … }, or an array of stations; "
+        "without it only bodies have mass",
     )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
@@ -229,6 +234,11 @@ class Link(Part):
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _section_of_profile(cls, data: Any) -> Any:
+        return profiled(data)
 
     @model_validator(mode="after")
     def _section_along_a_length(self) -> Self:
@@ -250,6 +260,11 @@ class Link(Part):
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
         for direction in self.modes.measured:
+            if isinstance(self.section, Stations):
+                what = (
+                    "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
+                )
+                raise refuse(what, at=("modes", "frequencies", direction))
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
 
@@ -308,7 +323,7 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
     return modes.model_copy(update=update)
 
 
-def refuse_both(section: Section | None, name: str, direction: str) -> None:
+def refuse_both(section: AnySection | None, name: str, direction: str) -> None:
     """Refuse a section that states the stiffness `name` of a direction whose frequencies are stated."""
     if getattr(section, name, None) is not None:
         spelling = " and ".join(map(quoted, PRODUCTS[name]))
@@ -317,12 +332,13 @@ def refuse_both(section: Section | None, name: str, direction: str) -> None:
         raise refuse(what, at=("modes", "frequencies", direction))
 
 
-def require(section: Section, name: str, direction: str) -> None:
+def require(section: AnySection, name: str, direction: str) -> None:
     """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
-    value = getattr(section, name)
+    value = section.least(name)
     if value:
         return
     wrong = "is missing" if value is None else "is zero"
+    wrong += " at a station" if value is not None and section.places else ""
     other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
     what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
     raise refuse(what, at=("section", name))

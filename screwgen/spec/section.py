@@ -19,8 +19,8 @@ SPIN = ("density", "Iy", "Iz")  # rhoIp = density (Iy + Iz), where it is not sta
 MATERIAL = ("density", "area", "E", "Iy", "Iz", "G", "J")  # the keys of the material spelling
 
 
-class Section(Part):
-    """Line properties of a uniform section; y and z are its principal axes. None: structurally zero.
+class LineProperties(Part):
+    """Line properties of one cross-section; y and z are its principal axes. None: structurally zero.
 
     Also accepted: `density` (kg/m³), `area` (m²), `E` and `G` (Pa), `Iy`, `Iz` and `J` (m⁴). They are turned
     into line properties at once, so that both spellings give equal sections. What is said in both is refused.
@@ -61,6 +61,21 @@ class Section(Part):
         if set(stated) <= set(cls.model_fields):  # an unknown key is reported before what it leads to
             refuse_idle(material)
         return stated | from_material(material, stated)
+
+
+class Section(LineProperties):
+    """The section of a uniform rod; see `LineProperties`."""
+
+    places: ClassVar[tuple[float, ...]] = ()
+    between: ClassVar = "linear"
+
+    def states(self, name: str) -> bool:
+        """Whether a line property is stated."""
+        return getattr(self, name) is not None
+
+    def least(self, name: str) -> float | None:
+        """The smallest value of a line property along the rod; None where it is not stated."""
+        return getattr(self, name)
 
 
 def from_material(material: dict[str, float], stated: dict[str, Any]) -> dict[str, float]:

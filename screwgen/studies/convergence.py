@@ -17,7 +17,7 @@ from ..bases import products
 from ..errors import SingularError
 from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
 from ..spec.values import MAX_MODES
-from .modes import locked_from, posture, stiffness, vibrations, without_rigid_motion
+from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -54,12 +54,13 @@ def convergence(
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
     M = rich.numpy(values).mass_matrix(_space(model, rich, ()) @ posture(model, q))
-    k, first = stiffness(rich, values), locked_from(model, joints)
+    K, first = stiffness_matrix(rich, values), locked_from(model, joints)
 
     def frequencies(directions: Collection[str]) -> np.ndarray:
         basis = _space(model, rich, directions)[:, first:]
         try:
-            rest, springs, _ = without_rigid_motion(basis.T @ M @ basis, k @ basis**2)
+            left, k = _springs(model, basis, K)
+            rest, springs, _ = without_rigid_motion(left.T @ M @ left, k)
             return vibrations(rest, springs)[0]
         except np.linalg.LinAlgError:
             what = "one more mode per direction: the mass matrix is singular to rounding"
@@ -69,6 +70,14 @@ def convergence(
     change = lambda directions: frequencies(directions)[: len(now)] / now - 1  # noqa: E731
     more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
     return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
+
+
+def _springs(model: Model, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The ``basis`` with its columns combined such that the stiffness is diagonal, and that diagonal."""
+    if not model.chain.coupled:
+        return basis, np.diag(K) @ basis**2
+    change, k = uncoupled(basis.T @ K @ basis)
+    return basis @ change, k
 
 
 def enriched(robot: Robot) -> Robot:
@@ -84,7 +93,7 @@ def _modes(link: Link) -> Modes:
 
 def _more(link: Link, direction: str) -> bool:
     """Whether a link can have one more mode in a direction."""
-    stated = link.section and all(getattr(link.section, name) for name in NEEDS[direction])
+    stated = link.section and all(link.section.least(name) for name in NEEDS[direction])
     room = direction not in link.modes.measured and getattr(link.modes, direction) < MAX_MODES
     return bool(link.modes.total and stated and room)
 

@@ -53,17 +53,19 @@ def mode_shapes(model: Model, q: Numbers | None = None, joints: str = "locked", 
     if first == model.nq:
         nothing = Watch([link.name for link in model.robot.links]).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing)
-    M, k = model.numpy(p).mass_matrix(q)[first:, first:], stiffness(model, p)[first:]
-    free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
+    M, K = (x[first:, first:] for x in (model.numpy(p).mass_matrix(q), stiffness_matrix(model, p)))
+    free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
     out = np.zeros((model.nq, len(held)))
     try:
-        M = (M + M.T) / 2
+        basis, k = uncoupled(K)
+        M = basis.T @ ((M + M.T) / 2) @ basis
         rest, springs, rigid = without_rigid_motion(M, k)
         frequencies, vectors = vibrations(rest, springs)
         out[first + held] = vectors
         if len(free):
             coupling = M[np.ix_(free, held)] @ vectors
             out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+        out[first:] = basis @ out[first:]
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, model.validity_at_rest(q, parameters=p))
@@ -95,6 +97,30 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     if failed:
         raise np.linalg.LinAlgError("the Jacobi method does not converge")
     return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
+
+
+def stiffness_matrix(model: Model, p: Numbers | None = None) -> np.ndarray:
+    """The stiffness (nq, nq) of joint springs (N·m/rad) and modes (N/m, torsion: N·m/rad)."""
+    K = np.diag(stiffness(model, p))
+    for i, key in enumerate(model.chain.keys):
+        first = model.n_joints + model.chain.eta_offset[i]
+        for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
+            K[first + a, first + b] = K[first + b, first + a] = k
+    return K
+
+
+def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Columns ``T`` (n, n) with ``T^T K T = diag(k)``, and ``k`` (n,); rows of ``K`` without a spring are zero.
+
+    ``K = L diag(k) L^T`` and ``T = L^-T``, so that small stiffnesses keep their digits beside large ones.
+    """
+    k, held = np.diag(K).copy(), np.flatnonzero(np.diag(K))
+    T = np.eye(len(K))
+    if not np.array_equal(K, np.diag(k)):
+        C = scipy.linalg.cholesky(K[np.ix_(held, held)], lower=True)
+        k[held] = np.diag(C) ** 2
+        T[np.ix_(held, held)] = scipy.linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
+    return T, k
 
 
 def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:

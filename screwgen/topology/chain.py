@@ -23,6 +23,7 @@ class Chain:
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+        self.below_offset = list(accumulate((len(k.coupled) for k in self.keys), initial=0))
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -61,10 +62,34 @@ class Chain:
         return self.nq if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
-        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link."""
+        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link.
+
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled.
+        """
         before = self.n_given - self.n_modes
         parts = {"eta": slice(*(before + e for e in self.eta_offset[i : i + 2]))}
+        if self.keys[i].coupled:
+            parts["below"] = slice(*(self.n_given + e for e in self.below_offset[i : i + 2]))
         return parts | ({"q": slice(*self.q_offset[i : i + 2])} if self.keys[i].sprung else {})
+
+    @cached_property
+    def coupled(self) -> list[tuple[int, int]]:
+        """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
+        first = [self.given(i)["eta"].start for i in range(self.n)]
+        return [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+
+    @property
+    def n_inertia(self) -> int:
+        """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
+        return self.n_given + self.below_offset[-1]
+
+    def modal_product(self, A, x):
+        """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
+        out = A[: self.n_given] * x
+        for k, (i, j) in enumerate(self.coupled, self.n_given):
+            out[i] += A[k] * x[j]
+            out[j] += A[k] * x[i]
+        return out
 
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
         """``[joint coordinates; modal coordinates]`` as one mapping per link."""

@@ -18,6 +18,8 @@ def label(parameter: Parameter) -> str:
             return f"armature_{index[0] + 1}"
         case "frequencies.axial" | "frequencies.bending_y" | "frequencies.bending_z" | "frequencies.torsion":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
+        case "section.rhoA" | "section.EA" | "section.EIy" | "section.EIz" | "section.GJ" | "section.rhoIp":
+            return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "bodies.mass":

@@ -39,9 +39,10 @@ def length(n: int | str) -> str:
     return {"NLINKS": "$$_NLINKS"}.get(n, f"$$_LENGTH($$_{n})") if isinstance(n, str) else str(n)
 
 
-def structs() -> dict[str, list[Field]]:
-    """The members of the structs that hold the robot's signals."""
-    return {name: [Field(n, s.shape, s.comment) for n, s in own.items()] for name, own in ROBOT.items()}
+def structs(coupled: bool) -> dict[str, list[Field]]:
+    """The members of the structs that hold the robot's signals; without coupled modes NINERTIA is NGIVEN."""
+    named = lambda shape: tuple("NGIVEN" if n == "NINERTIA" and not coupled else n for n in shape)  # noqa: E731
+    return {name: [Field(n, named(s.shape), s.comment) for n, s in own.items()] for name, own in ROBOT.items()}
 
 
 def fused_place(name: str, k: int) -> str:
@@ -92,6 +93,23 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
         if span.stop > span.start:
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
     return out
+
+
+def given_coordinates(chain: Chain) -> dict[str, object]:
+    """Sizes and places of the coordinates whose inertia and force an integrator gives, for the templates.
+
+    ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
+    the diagonal of the modes' matrices.
+    """
+    modes = zip(chain.eta_offset, chain.keys, strict=False)
+    coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
+    return {
+        "n_given": chain.n_given,
+        "inertia": "$$_NINERTIA" if coupled else "$$_NGIVEN",
+        "coupled": coupled,
+        "below": "; at the end the entries below the diagonal, of coupled modes" if coupled else "",
+        "below_offset": chain.below_offset[:-1],
+    }
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:

@@ -228,7 +228,7 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        return signals | {"c", "link", "base", "tip", "place", "M", "M_PLACE", "M_OFFSET", "Q_OFFSET"}
+        return signals | {"c", "link", "base", "tip", "place", "M", "M_PLACE", "M_OFFSET", "Q_OFFSET", "BELOW_OFFSET"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
@@ -267,6 +267,8 @@ class Places:
                 place = f"call->{member} + q"
             case ("r",):
                 place = f"call->{member} + e"
+            case ("b",):
+                place = f"call->{member} + BELOW_OFFSET[i]"
             case shape:
                 place = f"call->{member}" if name == "gravity" else f"call->{member} + {math.prod(shape)} * i"
         return f"call->{member} ? {place} : 0" if member != name in OPTIONAL else place

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ...spec.parameters import FIELDS, Parameter, parameters
 from ...spec.robot import Robot
+from ...spec.section import Section
 from ...topology.parameters import label
 from .code import literal
 from .fields import Field
@@ -72,7 +73,7 @@ def changing_parameter(robot: Robot) -> dict[str, str]:
     """The parameter of the README's example: a mass at the last tip, else the last link's mass per length."""
     own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
     masses = [p for p in own if p.field == "bodies.mass"]
-    p = (masses or [p for p in own if p.field == "rhoA"])[-1]
+    p = (masses or [p for p in own if p.field in ("rhoA", "section.rhoA")])[-1]
     return {"member": str(member(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
 
 
@@ -92,7 +93,7 @@ def body_count(robot: Robot) -> int:
 
 def limits(robot: Robot) -> list[str]:
     """Conditions on which a link's parameters are refused; members that no link states have none."""
-    sections = [link.section for link in robot.links]
+    sections = [link.section if isinstance(link.section, Section) else None for link in robot.links]
     stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
     return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in sections)

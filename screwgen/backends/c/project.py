@@ -27,6 +27,7 @@ from .fields import (
     columns,
     constant_fields,
     fused_place,
+    given_coordinates,
     index_type,
     node_fields,
     rows,
@@ -123,7 +124,7 @@ class CProject:
             "nq": chain.nq,
             "sprung": chain.sprung,
             "slides": chain.slides,
-            "n_given": chain.n_given,
+            **given_coordinates(chain),
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -132,7 +133,7 @@ class CProject:
             "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
-            "structs": structs(),
+            "structs": structs(bool(chain.coupled)),
             "parameters": self.parameters,
             "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
             "n_bodies": body_count(robot),
@@ -145,7 +146,7 @@ class CProject:
             "masked": self.masked,
             "check": self.check,
             "limits": limits(robot),
-            "frequencies": [f for f in self.parameters["link"] if f.name.startswith("frequencies_")],
+            "frequencies": [f for f in self.parameters["link"] if f.name.startswith(("frequencies_", "section_"))],
             "defaults": defaults(robot),
             "places": [place(p) for p in parameters(robot)],
             "prepare": self.prepare_functions,
@@ -313,8 +314,9 @@ class CProject:
         """The scratch in double precision."""
         c, states = self.chain, 1 + len(steps.registers(self.methods))
         sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nq, "NTAU": c.n_joints, "NMODES": c.n_modes, "NGIVEN": c.n_given}
+        sizes["NINERTIA"] = c.n_inertia
         total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
-        own = {name: total(fields) for name, fields in structs().items()}
+        own = {name: total(fields) for name, fields in structs(bool(c.coupled)).items()}
         chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(store_fields(self._programs))
         work = own["work"] + states * own["state"] + own["output"] + chain * (self.layout == "modular")
         dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain

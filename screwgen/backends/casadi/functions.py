@@ -161,9 +161,10 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
 def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     """What integrators need: ``modal_dynamics``, ``modal_properties``, and those of the DAE form.
 
-    ``dae_dynamics``, ``joint_rates``, ``project``.  ``m_eta`` and ``f_eta`` belong to the last ``chain.n_given`` of q.
+    ``dae_dynamics``, ``joint_rates``, ``project``.  ``f_eta`` belongs to the last ``chain.n_given`` of q, and so
+    does ``m_eta``, which ends with the entries below the diagonal where modes are coupled.
     """
-    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_given, "f_eta": chain.n_given}
+    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_inertia, "f_eta": chain.n_given}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fused.parameters(chain.robot)))}
     dynamics = expressions(fused.modal_dynamics(chain), given)

@@ -40,6 +40,7 @@ class Held:
     """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
+        self.chain = chain
         self.program, self.given = fused.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
         self.inertia, self.stiffness, self.damping = expressions(fused.modal_properties(chain), {"p": p}).values()
 
@@ -48,11 +49,11 @@ class Held:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own = slice(q.numel() - self.inertia.numel(), None)
-        K, D = self.stiffness, self.damping
+        own = slice(q.numel() - self.chain.n_given, None)
+        K, D, times = self.stiffness, self.damping, self.chain.modal_product
         felt = {
             "m_eta": self.inertia + h * D + h**2 * K,
-            "f_eta": K * (q[own, 0] + h * v[own, 0]) + D * v[own, 0],
+            "f_eta": times(K, q[own, 0] + h * v[own, 0]) + times(D, v[own, 0]),
         }
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
@@ -95,5 +96,5 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.SX.zeros(chain.nq))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[:m]) if m else ca.SX(2.0)
-    q = ca.vertcat(ca.SX.ones(m), ca.sqrt(twice / stiffness[stiffness.numel() - chain.n_modes :]))
+    q = ca.vertcat(ca.SX.ones(m), ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given]))
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))

@@ -70,7 +70,19 @@ def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
 # ------------------------------------------------------------------------------------ kinematic field
 
 
+def _stations(key: LinkClass) -> Iterator[Item]:
+    """How the properties of a section vary."""
+    if key.stations:
+        places = ", ".join(f"{place:.6g}" for place in key.stations)
+        between = "linearly" if key.between == "linear" else "by the polynomial through all values"
+        yield Paragraph(
+            rf"The section varies: its properties, such as $\rho_i A_i(\xi)$, are stated at stations, $s = {places}$, "
+            f"and interpolated {between}; an index is the number of the station."
+        )
+
+
 def _field(key: LinkClass) -> Iterator[Item]:
+    yield from _stations(key)
     if not key.modes:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
         return

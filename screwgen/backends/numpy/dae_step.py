@@ -31,6 +31,7 @@ class DaeDynamics:
     ):
         n, r = chain.n, chain.n_modes
         self.M, self.K, self.D = properties
+        self.times = chain.modal_product
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
@@ -43,7 +44,7 @@ class DaeDynamics:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         own, rate = self.own(x if start is None else start)
         inertia = self.M + h * self.D + h**2 * self.K
-        force = self.K * (own + h * rate) + self.D * rate
+        force = self.times(self.K, own + h * rate) + self.times(self.D, rate)
         return self.solve(x, tau, w_ext, inertia, force)
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -33,7 +33,7 @@ from ...topology.chain import Chain
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)
-SPRINGS = ("K", "K_q")
+SPRINGS = ("K", "K_q", "K_below")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
 
 _COMPILED: dict[int, tuple] = {}

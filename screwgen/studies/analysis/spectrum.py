@@ -172,8 +172,9 @@ class Linearised:
     def _heavier(self, h: float) -> Slopes:
         """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
         d, M = self.dynamics, self.mass_matrix
-        added = np.append(np.zeros(self.model.nq - d.n_given), h * d.D + h**2 * d.K)
-        factor = np.linalg.solve(M + np.diag(added), M)
+        added, own = np.zeros_like(M), slice(self.model.nq - d.n_given, None)
+        added[own, own] = d.times((h * d.D + h**2 * d.K)[:, None], np.eye(d.n_given))
+        factor = np.linalg.solve(M + added, M)
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
     def _derivatives(self, h: float) -> Slopes:
@@ -186,7 +187,7 @@ class Linearised:
             force, torque = force + modes, torque - self.trim[:m]
         parts = np.cumsum([nq, nq, m, d.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
-        still = [np.zeros((parts[-1], k)) for k in (6 * n, d.n_given, len(self.p))]
+        still = [np.zeros((parts[-1], k)) for k in (6 * n, self.model.chain.n_inertia, len(self.p))]
         results = (np.zeros(nq), np.zeros((n, 6)))
         place = (self.q, self.v, torque, self.w_ext, d.inertia(h), force, self.p)
         q, v, tau, f = seeds

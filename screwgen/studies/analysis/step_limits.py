@@ -161,5 +161,6 @@ def _first(values: dict[str, float], link: str, direction: str, stiffness: str) 
     """The first circular frequency of a clamped-free link, rad/s."""
     if (measured := values.get(f"{link}.frequencies.{direction}[0]")) is not None:
         return 2 * np.pi * measured
-    length, EI, rhoA = (values[f"{link}.{name}"] for name in ("length", stiffness, "rhoA"))
-    return float(1.8751**2 / length**2 * np.sqrt(EI / rhoA))
+    section = link if f"{link}.rhoA" in values else f"{link}.section[0]"  # the paper knows uniform links only
+    EI, rhoA = values[f"{section}.{stiffness}"], values[f"{section}.rhoA"]
+    return float(1.8751**2 / values[f"{link}.length"] ** 2 * np.sqrt(EI / rhoA))

@@ -1,0 +1,101 @@
+"""Integrals of mode shapes times a property that is stated at stations along the link.
+
+Between its stations a property is interpolated, linearly or by one polynomial through all of them. So it is the sum of
+its values at the stations times *weight functions* of s, and so is each of its integrals: sums of the values times the
+constants computed here, in closed form. Two stations at one place are a step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import mpmath
+from mpmath import mpf
+
+from .functions import ClosedForm, polynomial_form
+from .shapes import Shapes, rounded, working_digits
+
+LINEAR, POLYNOMIAL = "linear", "polynomial"
+Piece = tuple[mpf, mpf, tuple[tuple[int, ClosedForm], ...]]
+"""An interval of s, and the weight functions there: station and function of t in [0, 1] along the interval."""
+
+
+@dataclass(frozen=True)
+class Weights:
+    """The weight functions of stations at ``places`` s, from 0 to 1; ``between``: ``LINEAR`` or ``POLYNOMIAL``."""
+
+    places: tuple[float, ...]
+    between: str = LINEAR
+
+    def pieces(self) -> list[Piece]:
+        """The intervals with the weight functions, at the precision of the caller."""
+        s = [mpf(place) for place in self.places]
+        if self.between == POLYNOMIAL:
+            return [(mpf(0), mpf(1), tuple((a, _lagrange(s, a)) for a in range(len(s))))]
+        falling, rising = polynomial_form([mpf(1), mpf(-1)]), polynomial_form([mpf(0), mpf(1)])
+        pairs = [(a, s[a], s[a + 1]) for a in range(len(s) - 1)]
+        return [(start, end, ((a, falling), (a + 1, rising))) for a, start, end in pairs if end > start]
+
+
+@cache
+def weighted_powers(weights: Weights, power: int) -> tuple[float, ...]:
+    """The integrals of ``s^power`` times each weight function."""
+    with mpmath.workdps(working_digits(0)):
+        pieces = weights.pieces()
+        return rounded(_integrals(weights, pieces, _local(pieces, _monomial(power))))
+
+
+@cache
+def weighted_shapes(weights: Weights, shapes: Shapes, power: int) -> tuple[tuple[float, ...], ...]:
+    """The integrals of ``s^power psi_k`` times each weight function: count x stations."""
+    with mpmath.workdps(working_digits(shapes.count)):
+        pieces = weights.pieces()
+        forms = (_local(pieces, _monomial(power) * psi) for psi in shapes.functions)
+        return tuple(rounded(_integrals(weights, pieces, local)) for local in forms)
+
+
+@cache
+def weighted_products(weights: Weights, a: Shapes, b: Shapes, order: int = 0) -> tuple:
+    """The integrals of the derivatives of that order of psi_k of ``a`` and psi_l of ``b`` times each weight function.
+
+    a.count x b.count x stations.
+    """
+    with mpmath.workdps(working_digits(max(a.count, b.count))):
+        pieces = weights.pieces()
+        first, second = ([_local(pieces, psi.derivative(order)) for psi in x.functions] for x in (a, b))
+
+        def product(k: int, l: int) -> tuple[float, ...]:
+            return rounded(_integrals(weights, pieces, [f * g for f, g in zip(first[k], second[l], strict=True)]))
+
+        if a is not b:
+            return tuple(tuple(product(k, l) for l in range(b.count)) for k in range(a.count))
+        lower = [[product(k, l) for l in range(k + 1)] for k in range(a.count)]
+        return tuple(tuple(lower[max(k, l)][min(k, l)] for l in range(b.count)) for k in range(a.count))
+
+
+def _local(pieces: list[Piece], form: ClosedForm) -> list[ClosedForm]:
+    """A function of s in every interval, as a function of t in [0, 1] along it."""
+    return [form.within(start, end) for start, end, _ in pieces]
+
+
+def _integrals(weights: Weights, pieces: list[Piece], local: list[ClosedForm]) -> list[mpf]:
+    """The integrals of a function, given in every interval, times each weight function."""
+    out = [mpf(0)] * len(weights.places)
+    for (start, end, functions), form in zip(pieces, local, strict=True):
+        for station, function in functions:
+            out[station] += (end - start) * (function * form).integral()
+    return out
+
+
+def _monomial(power: int) -> ClosedForm:
+    return polynomial_form([mpf(0)] * power + [mpf(1)])
+
+
+def _lagrange(places: list[mpf], a: int) -> ClosedForm:
+    """The polynomial that is 1 at the place of station ``a`` and 0 at all others."""
+    out = polynomial_form([mpf(1)])
+    for b, place in enumerate(places):
+        if b != a:
+            out = out * polynomial_form([-place, mpf(1)]).scaled(1 / (places[a] - place))
+    return out

@@ -1,0 +1,184 @@
+"""Shapes of cross-sections: tubes, rods and boxes of one material, uniform or tapered, as line properties."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any, Self
+
+from pydantic import Field, PlainValidator, model_validator
+
+from ..bases.weighted import POLYNOMIAL
+from .part import Part
+from .ranges import within
+from .section import Section
+from .stations import Station, Stations, checked
+from .values import array, refuse, shown
+
+PLACES = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Stations of a tapered profile: the areas are quadratic in s, the second moments of area quartic."""
+
+
+def dimension(value: Any) -> tuple[float, float]:
+    """A dimension at base and tip: one number, or two."""
+    if not isinstance(value, list | tuple):
+        both = within("dimension")(value)
+        return both, both
+    ends = array(value, "a number, or two: at the base and at the tip")
+    if len(ends) != 2:
+        raise refuse(f"is {shown(value)}; it must be a number, or two: at the base and at the tip")
+    base, tip = (within("dimension")(end, at=(k,)) for k, end in enumerate(ends))
+    return base, tip
+
+
+Dimension = Annotated[tuple[float, float], PlainValidator(dimension)]
+
+
+class Shape(Part):
+    """A cross-section whose dimensions are linear in s; y and z are its axes of symmetry."""
+
+    def at(self, s: float) -> dict[str, float]:
+        """The dimensions (m) at s."""
+        ends = ((name, getattr(self, name)) for name in type(self).model_fields)
+        return {name: (1 - s) * both[0] + s * both[1] for name, both in ends if both is not None}
+
+    @property
+    def tapered(self) -> bool:
+        """Whether a dimension differs from base to tip."""
+        return self.at(0.0) != self.at(1.0)
+
+    def moments(self, s: float) -> tuple[float, float, float, float]:
+        """Area (m²), second moments of area about y and z, and torsion constant (m⁴) at s."""
+        raise NotImplementedError
+
+
+class Rod(Shape):
+    """A solid round bar."""
+
+    diameter: Dimension = Field(description="the diameter, m; or [at the base, at the tip]")
+
+    def moments(self, s: float) -> tuple[float, float, float, float]:
+        return ring(self.at(s)["diameter"], 0.0)
+
+
+class Tube(Shape):
+    """A round tube."""
+
+    outer: Dimension = Field(description="the outer diameter, m; or [at the base, at the tip]")
+    wall: Dimension = Field(description="the thickness of the wall, m; or [at the base, at the tip]")
+
+    def moments(self, s: float) -> tuple[float, float, float, float]:
+        d = self.at(s)
+        return ring(d["outer"], d["outer"] - 2 * d["wall"])
+
+    @model_validator(mode="after")
+    def _hollow(self) -> Self:
+        refuse_thick(self.wall, self.outer, "outer diameter")
+        return self
+
+
+class Box(Shape):
+    """A rectangle, `height` along z and `breadth` along y; with a `wall` it is hollow."""
+
+    height: Dimension = Field(description="the size along z, m; or [at the base, at the tip]")
+    breadth: Dimension = Field(description="the size along y, m; or [at the base, at the tip]")
+    wall: Dimension | None = Field(None, description="the thickness of the walls, m; without it the box is solid")
+
+    def moments(self, s: float) -> tuple[float, float, float, float]:
+        d = self.at(s)
+        h, b, t = d["height"], d["breadth"], d.get("wall")
+        if t is None:
+            return b * h, b * h**3 / 12, h * b**3 / 12, solid_torsion(max(h, b), min(h, b))
+        x, y = h - 2 * t, b - 2 * t
+        bredt = 2 * t * ((h - t) * (b - t)) ** 2 / (h + b - 2 * t)
+        return b * h - x * y, (b * h**3 - y * x**3) / 12, (h * b**3 - x * y**3) / 12, bredt
+
+    @model_validator(mode="after")
+    def _hollow(self) -> Self:
+        if self.wall is not None:
+            for name in ("height", "breadth"):
+                refuse_thick(self.wall, getattr(self, name), name)
+        return self
+
+
+def refuse_thick(wall: Sequence[float], size: Sequence[float], what: str) -> None:
+    """Refuse walls that meet."""
+    for k in range(2):
+        if 2 * wall[k] >= size[k]:
+            end = ("base", "tip")[k]
+            raise refuse(
+                f"is {wall[k]} at the {end}; it must be below half of the {what}, {size[k] / 2:g}", at=("wall",)
+            )
+
+
+def ring(outer: float, inner: float) -> tuple[float, float, float, float]:
+    """The moments of a circular ring."""
+    I = math.pi * (outer**4 - inner**4) / 64
+    return math.pi * (outer**2 - inner**2) / 4, I, I, 2 * I
+
+
+def solid_torsion(long: float, short: float) -> float:
+    """The torsion constant of a solid rectangle, by Saint-Venant's series."""
+    series = math.fsum(math.tanh(n * math.pi * long / (2 * short)) / n**5 for n in range(1, 60, 2))
+    return long * short**3 * (1 / 3 - 64 / math.pi**5 * (short / long) * series)
+
+
+SHAPES: dict[str, Callable] = {"tube": Tube, "rod": Rod, "box": Box}
+
+
+class Profile(Part):
+    """Shape and material of a link's cross-section: one of `tube`, `rod` and `box`; `E`, `density`, `nu` or `G`.
+
+    It is turned into line properties at once: `rhoA`, `EA`, `EIy`, `EIz`, `rhoIp`, and `GJ` where `nu` or `G` is
+    stated. Dimensions of two values taper linearly from base to tip. The properties of a tapered shape are polynomials
+    of s up to the fourth degree, so five stations state them exactly; only the torsion constant of a box is a
+    quotient, which the polynomial through its five values approximates.
+    """
+
+    tube: Tube | None = Field(None, description="a round tube, as { outer = 0.1, wall = 0.004 }")
+    rod: Rod | None = Field(None, description="a solid round bar, as { diameter = 0.02 }")
+    box: Box | None = Field(None, description="a rectangle, as { height = 0.1, breadth = 0.05, wall = 0.003 }")
+    E: Annotated[float, PlainValidator(within("E"))] = Field(description="Young's modulus, Pa")
+    density: Annotated[float, PlainValidator(within("density"))] = Field(description="density, kg/m³")
+    nu: Annotated[float, PlainValidator(within("nu"))] | None = Field(
+        None, description="Poisson's ratio; with it G = E / (2 (1 + nu))"
+    )
+    G: Annotated[float, PlainValidator(within("G"))] | None = Field(None, description="shear modulus, Pa")
+
+    @property
+    def shape(self) -> Shape:
+        """The one that is stated."""
+        return next(shape for name in SHAPES if (shape := getattr(self, name)) is not None)
+
+    @model_validator(mode="after")
+    def _one_shape(self) -> Self:
+        stated = [name for name in SHAPES if getattr(self, name) is not None]
+        if len(stated) != 1:
+            raise refuse(f"states {' and '.join(stated) or 'no shape'}; state one of tube, rod and box")
+        if self.nu is not None and self.G is not None:
+            raise refuse("is stated beside nu; either gives the shear modulus, leave one of them out", at=("G",))
+        return self
+
+    def section(self) -> Section | Stations:
+        """The line properties, at five stations where the shape is tapered."""
+        if not self.shape.tapered:
+            return Section(**self.line(0.0))
+        return Stations(stations=tuple(Station(at=s, **self.line(s)) for s in PLACES), between=POLYNOMIAL)
+
+    def line(self, s: float) -> dict[str, float]:
+        """The line properties at s."""
+        area, Iy, Iz, J = self.shape.moments(s)
+        line = {"rhoA": self.density * area, "EA": self.E * area, "EIy": self.E * Iy, "EIz": self.E * Iz}
+        shear = self.E / (2 * (1 + self.nu)) if self.nu is not None else self.G
+        return line | ({} if shear is None else {"GJ": shear * J}) | {"rhoIp": self.density * (Iy + Iz)}
+
+
+def profiled(data: Any) -> Any:
+    """A link's table with the `section` that its `profile` amounts to."""
+    if not (isinstance(data, dict) and "profile" in data):
+        return data
+    if data["profile"] is None:
+        return {key: value for key, value in data.items() if key != "profile"}
+    if data.get("section") is not None:
+        raise refuse("is stated beside section; either gives the section, leave one of them out", at=("profile",))
+    given = data["profile"]
+    section = given.section() if isinstance(given, Profile) else checked(Profile, given, ("profile",)).section()
+    return {key: value for key, value in data.items() if key != "profile"} | {"section": section}

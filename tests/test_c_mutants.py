@@ -33,6 +33,7 @@ EQUIVALENT = {
     "a part of the angle below its rounding error, within that error's square": ("real.c", r"\brest\b"),
     "the angle from which the series are replaced by reduction; they hold a little further": ("real.c", r"0\.785"),
     "K and D of joints without springs and dampers are not read": ("parameters.c", r"c->[KD]\[k\] = 0;"),
+    "one per cent of a term of the fourth order in the step, below the tolerance": ("se3.h", r"REAL\(1\.0\) / 12"),
     "joint coordinates before the projection, whose two corrections find them from the poses": (
         "dae.c",
         r"->q\[k\] = ",

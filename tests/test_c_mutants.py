@@ -21,7 +21,7 @@ BOOM = {
     "section": SECTION,
     "modes": {"bending_y": 1, "torsion": 1},
     "damping": {"ratio": 0.03},
-    "joint": {"axes": [[1.0, 2.0, 2.0]], "damping": [0.1], "stiffness": [3.0]},
+    "joint": {"axes": [[1.0, 2.0, 3.0]], "damping": [0.1], "stiffness": [3.0]},
 }
 JIB = {"name": "jib", "joint": {"axes": [Screw((0.48, 0.6, 0.64), travel=0.1)]}, "bodies": [BODY]}
 ROBOT = arm(BOOM, JIB, gravity=(0.5, -1.0, -9.7)) | {"name": "robot"}

@@ -137,7 +137,7 @@ def _renamed(file: str, function: str, text: str, start: int, end: int) -> Itera
         return
     for (at, name), other in zip(known, [*names[1:2], *names], strict=False):
         for m in re.compile(rf"(?<![\w.>]){name}\b(?! =)").finditer(text, max(at, start), end):
-            if all(at < m.start() for at, n in known if n == other):
+            if all(re.search(r"[,;]", text[at : m.start()]) for at, n in known if n == other):
                 yield Mutant(file, function, "name", m.start(), m.end(), other)
 
 

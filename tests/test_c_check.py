@@ -96,6 +96,8 @@ WRONG = {
     "weights of Runge-Kutta, DAE": ("arm_dae.c", "third = dt / 3, sixth = dt / 6;", "third = dt / 6, sixth = dt / 3;"),
     "half a way": ("arm_step.c", r"leap\(state, dt, half,", "leap(state, dt, 0,"),
     "half a way, DAE": ("arm_dae.c", r"leap\(state, dt, half, 0,", "leap(state, dt, dt, 0,"),
+    "half a step in its middle evaluation": ("arm_step.c", r"leap\(state, half, half,", "leap(state, half, dt,"),
+    "the same, DAE": ("arm_dae.c", r"leap\(state, half, half, half,", "leap(state, half, dt, half,"),
     "a step too long": ("arm_step.c", r"leap\(state, dt, dt,", "leap(state, 2 * dt, dt,"),
 }
 

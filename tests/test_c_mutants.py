@@ -21,7 +21,7 @@ BOOM = {
     "section": SECTION,
     "modes": {"bending_y": 1, "torsion": 1},
     "damping": {"ratio": 0.03},
-    "joint": {"axes": [[1.0, 2.0, 2.0]], "damping": [0.1], "stiffness": [3.0]},
+    "joint": {"axes": [[1.0, 2.0, 3.0]], "damping": [0.1], "stiffness": [3.0]},
 }
 JIB = {"name": "jib", "joint": {"axes": [Screw((0.48, 0.6, 0.64), travel=0.1)]}, "bodies": [BODY]}
 ROBOT = arm(BOOM, JIB, gravity=(0.5, -1.0, -9.7)) | {"name": "robot"}
@@ -33,6 +33,7 @@ EQUIVALENT = {
     "a part of the angle below its rounding error, within that error's square": ("real.c", r"\brest\b"),
     "the angle from which the series are replaced by reduction; they hold a little further": ("real.c", r"0\.785"),
     "K and D of joints without springs and dampers are not read": ("parameters.c", r"c->[KD]\[k\] = 0;"),
+    "one per cent of a term of the fourth order in the step, below the tolerance": ("se3.h", r"REAL\(1\.0\) / 12"),
     "joint coordinates before the projection, whose two corrections find them from the poses": (
         "dae.c",
         r"->q\[k\] = ",

@@ -126,7 +126,7 @@ def test_a_step_is_heuns(way):
 
 
 def test_the_generated_folder_checks_it(tmp_path):
-    """The folder's own check measures its order too: it fails where a weight of the step is changed."""
+    """The folder's own check takes a step of it, too: it fails where a length in that step is changed."""
     files = model().write(tmp_path, targets=("c",), methods=(HEUN,), batch=True)
     folder, source = tmp_path / "c", tmp_path / "c" / "swing_step.c"
     assert "swing_step_batch_heun" in (folder / "swing_batch.h").read_text() and "c/check.c" in files

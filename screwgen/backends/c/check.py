@@ -36,9 +36,10 @@ def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
 
 
 def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str, object]:
-    """The :class:`Sums` of the last case as C literals, and the factor ``haste`` of its rates."""
+    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step."""
     found = reference_sums.sums(chain, cases[-1], methods)._asdict()
-    return {name: _literals(value) for name, value in found.items()} | {"haste": literal(reference_sums.HASTE)}
+    found |= {"haste": reference_sums.HASTE, "defect": reference_sums.DEFECT}
+    return {name: _literals(value) for name, value in found.items()}
 
 
 def _literals(value: Any) -> Any:

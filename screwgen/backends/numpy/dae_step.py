@@ -7,6 +7,7 @@ from the same block elimination as the joint form's.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -126,7 +127,7 @@ class HeldDae:
         """Find the rates of the next stage."""
         there, u = self.moved(stage)
         start = self.x if stage.implicit else None
-        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, stage.implicit), start)
+        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, Fraction(stage.implicit)), start)
         turn, reach = algebra_rate(u, self.d.twists(there)), times(self.h, stage.reach)
         self.found.append(Evaluated(rates, vdot, turn, reach))
 

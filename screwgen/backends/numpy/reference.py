@@ -57,7 +57,8 @@ def _rounding_error(chain: Chain, case: Case, bits: int) -> float:
     m = chain.n_joints
     parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
-    parts.append(tuple([x for i, x in enumerate(w) if i % 6 < 3] for w in (wrench, case["wrench"])))
+    moments = [i for i in range(len(wrench)) if i % 6 < 3]
+    parts.append(([wrench[i] for i in moments], [case["wrench"][i] for i in moments]))
     errors = [_deviation(x, reference) for x, reference in parts]
     return math.inf if any(map(math.isnan, errors)) else max(errors)
 

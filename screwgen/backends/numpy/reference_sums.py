@@ -43,6 +43,9 @@ FULL_TURN = 6.28
 HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
 
+DEFECT = 0.01
+"""What is added to poses and twists of the DAE form before its step, so that the projection has something to do."""
+
 
 class Sums(NamedTuple):
     """Weighted sums of results at a case, inputs held.
@@ -86,8 +89,8 @@ class _Soft:
         first = self.chain.nq - self.chain.n_given
         inertia = self.M + h * (self.D + h * self.K)
         self.functions.given = (inertia.tolist(), self._force(q[first:], v[first:], h).tolist())
-        at = [x.tolist() for x in there or (q, v)]
-        return np.array(self.functions.forward_dynamics(*at, self.tau, self.w_ext)[0])
+        at_q, at_v = there or (q, v)
+        return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
 
     def _force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
         return self.K * (x + h * rate) + self.D * rate
@@ -98,7 +101,7 @@ class _Soft:
 
         def solve(x, tau, w_ext, inertia, force):
             f.given = (inertia.tolist(), force.tolist())
-            return [np.array(y) for y in f.rates(x.tolist(), tau, w_ext)]
+            return [np.array(y) for y in f.rates(x.tolist(), tau.tolist(), w_ext.tolist())]
 
         def project(x):
             return (np.array(f.project(x.tolist())),)
@@ -111,17 +114,19 @@ class _Soft:
 
 def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
     """The sums of a case, with a step of every method."""
-    with mpmath.workdps(fused.DIGITS):
+    with mpmath.workdps(fused.DIGITS), np.errstate(all="ignore"):
         soft = _Soft(chain, case)
         q, v = np.array(case["q"]), HASTE * np.array(case["v"])
         dt, f = _length(soft, q, v), soft.functions
         dae, start = soft.dae(), np.array(f.place(q.tolist(), v.tolist()))
-        joint, ends = [], []
+        start[dae.pose] += DEFECT
+        start[dae.twist] += DEFECT
+        joint, ends, held = [], [], (np.array(soft.tau), np.array(soft.w_ext))
         for method in methods:
             joint.append(
                 [weighted_sum(part) for x in method.step(soft, q, v, dt) for part in np.split(x, [chain.n_joints])]
             )
-            ends.append(_sums(dae, dae.project(HeldDae(dae, start, soft.tau, soft.w_ext, dt).step(method))))
+            ends.append(_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(method))))
         f.given = None
         return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case))
 

@@ -8,7 +8,7 @@ READY = $(VENV)/.ready
 BENCH = .venv-bench
 MINIMA = .venv-minima
 WORKERS ?= 2
-QUIET = -q -p no:cacheprovider -p no:unraisableexception
+QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources.
 export PYTHONPYCACHEPREFIX = $(CURDIR)/$(VENV)/pycache
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.

@@ -38,6 +38,7 @@ enum {
     ELLA_NMODES = 14, /* modal coordinates */
     ELLA_NQ = 17, /* coordinates: joints, then modes, both link by link */
     ELLA_NV = 17, /* their rates */
+    ELLA_NGIVEN = 14, /* coordinates with an inertia, spring and damper of their own, the last ones: the modes */
     ELLA_NX = 57, /* states of the DAE form */
     ELLA_NZ = 38, /* unknowns of the DAE form, rows of M_sys */
     ELLA_NNZ = 446, /* structural nonzeros of M_sys */
@@ -120,9 +121,9 @@ typedef struct {
 typedef struct {
     ella_real gravity[3]; /* m/s^2: acceleration of free fall, inertial frame */
     ella_link_constants links[ELLA_NLINKS];
-    ella_real M_eta[ELLA_LENGTH(ELLA_NMODES)]; /* kg (torsion: kg*m^2): inertia of each mode */
-    ella_real K[ELLA_LENGTH(ELLA_NMODES)]; /* N/m (torsion: N*m/rad): stiffness of each mode */
-    ella_real D[ELLA_LENGTH(ELLA_NMODES)]; /* N*s/m (torsion: N*m*s/rad): damping of each mode */
+    ella_real M_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* kg (torsion: kg*m^2): inertia of each mode */
+    ella_real K[ELLA_LENGTH(ELLA_NGIVEN)]; /* N/m (torsion: N*m/rad): stiffness of each mode */
+    ella_real D[ELLA_LENGTH(ELLA_NGIVEN)]; /* N*s/m (torsion: N*m*s/rad): damping of each mode */
 } ella_constants;
 
 /* Prepare the constants, once per change of a parameter; they are invalid unless the result is ELLA_OK. */
@@ -151,38 +152,39 @@ ella_status ella_prepare(const ella_parameters *p, ella_constants *c);
  * joint coordinates in rad, modal ones in m (torsion: rad).
  */
 typedef struct {
-    ella_real q[ELLA_LENGTH(ELLA_NQ)];
-    ella_real v[ELLA_LENGTH(ELLA_NV)];
+    ella_real q[ELLA_LENGTH(ELLA_NQ)]; /* rad, m: coordinates */
+    ella_real v[ELLA_LENGTH(ELLA_NV)]; /* rad/s, m/s: their rates */
 } ella_state;
 
 typedef struct {
     ella_real tau[ELLA_LENGTH(ELLA_NTAU)]; /* N*m: torque about each joint axis, in the order of q */
-    ella_real w_ext[ELLA_NLINKS][6]; /* N*m, N: [tau; F] on each tip section, tip-frame components */
+    ella_real w_ext[ELLA_NLINKS][6]; /* N*m, N: [tau; F] on each tip section, in the tip frame */
 } ella_input;
 
 typedef struct {
     ella_real vdot[ELLA_LENGTH(ELLA_NV)]; /* rad/s^2, m/s^2: rate of v */
     ella_real wrench[ELLA_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
-    ella_real tip_rotation[3][3]; /* last tip frame to the inertial frame */
-    ella_real tip_position[3]; /* m: last tip point, inertial frame */
+    ella_real tip_rotation[3][3]; /* rotation of the last tip frame, in the inertial frame */
+    ella_real tip_position[3]; /* m: last tip point, in the inertial frame */
 } ella_output;
 
 /* Poses of all links and tips, and twists of the tips. */
 typedef struct {
-    ella_real rotation[ELLA_NLINKS][3][3]; /* F_i to the inertial frame */
-    ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, inertial frame */
-    ella_real tip_rotation[ELLA_NLINKS][3][3]; /* tip frame of each link to the inertial frame */
-    ella_real tip_position[ELLA_NLINKS][3]; /* m: tip point of each link, inertial frame */
-    ella_real tip_twist[ELLA_NLINKS][6]; /* rad/s, m/s: [omega; v] of tip section and tip point, inertial frame */
+    ella_real rotation[ELLA_NLINKS][3][3]; /* rotation of F_i, in the inertial frame */
+    ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, in the inertial frame */
+    ella_real tip_rotation[ELLA_NLINKS][3][3]; /* rotation of the tip frame of each link, in the inertial frame */
+    ella_real tip_position[ELLA_NLINKS][3]; /* m: tip point of each link, in the inertial frame */
+    /* rad/s, m/s: [omega; v] of tip section and tip point, in the inertial frame */
+    ella_real tip_twist[ELLA_NLINKS][6];
 } ella_motion;
 
 /* DAE form: poses, twists and modal coordinates are the state; the joint coordinates are redundant. */
 typedef struct {
-    ella_real quaternion[ELLA_NLINKS][4]; /* (w, x, y, z): F_i to the inertial frame */
-    ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, inertial frame */
-    ella_real eta[ELLA_LENGTH(ELLA_NMODES)]; /* modal coordinates */
-    ella_real twist[ELLA_NLINKS][6]; /* rad/s, m/s: [omega; v] in F_i */
-    ella_real etadot[ELLA_LENGTH(ELLA_NMODES)]; /* modal rates */
+    ella_real quaternion[ELLA_NLINKS][4]; /* rotation of F_i, (w, x, y, z), in the inertial frame */
+    ella_real position[ELLA_NLINKS][3]; /* m: origin of F_i, in the inertial frame */
+    ella_real eta[ELLA_LENGTH(ELLA_NMODES)]; /* m (torsion: rad): modal coordinates */
+    ella_real twist[ELLA_NLINKS][6]; /* rad/s, m/s: [omega; v], in F_i */
+    ella_real etadot[ELLA_LENGTH(ELLA_NMODES)]; /* m/s (torsion: rad/s): modal rates */
     ella_real q[ELLA_LENGTH(ELLA_NTAU)]; /* rad: joint coordinates */
 } ella_dae_state;
 
@@ -199,7 +201,7 @@ typedef struct {
     ella_real R_m[9]; /* rotation of the tip frame before projection, row by row, in the inertial frame */
     ella_real X[36]; /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
     /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
-    ella_real alpha_0[6];
+    ella_real acc_0[6];
     ella_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
     ella_real delta[6];
@@ -221,7 +223,7 @@ typedef struct {
     ella_real R_P[9]; /* rotation of F_i, in the parent's F_i */
     ella_real R_T[9]; /* rotation of the tip frame, in F_i */
     ella_real S[2]; /* -, m: motion subspace of the joint at the origin of F_i, in F_i */
-    ella_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
+    ella_real acc_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
     ella_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     ella_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
     ella_real h_T[3]; /* N*m, N: bias force of the bodies at the tip, in the tip frame */
@@ -246,9 +248,10 @@ typedef struct {
 /* Scratch of the joint form; only fault is valid after a call, and motion for ella_validity. */
 typedef struct {
     int fault; /* after ELLA_SINGULAR: the link whose joint cannot be solved for, from 0 */
-    ella_real m_eta[ELLA_LENGTH(ELLA_NMODES)];
-    ella_real f_eta[ELLA_LENGTH(ELLA_NMODES)];
-    /* rad/s, rad/s, m/s^2, N, in F_i: angular velocity y, z; acceleration and force along x */
+    /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
+    ella_real m_eta[ELLA_LENGTH(ELLA_NGIVEN)];
+    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: their stress and damping */
+    /* rad/s, rad/s, m/s^2, N: angular velocity about y and z, axial motion and force, in F_i */
     ella_real motion[ELLA_NLINKS][4];
     ella_state stage, next;
     ella_output output;
@@ -257,11 +260,15 @@ typedef struct {
 /* Scratch of the DAE form. */
 typedef struct {
     int fault; /* as in ella_work */
-    ella_real m_eta[ELLA_LENGTH(ELLA_NMODES)];
-    ella_real f_eta[ELLA_LENGTH(ELLA_NMODES)];
-    ella_real qdot[ELLA_LENGTH(ELLA_NTAU)], qddot[ELLA_LENGTH(ELLA_NTAU)];
-    ella_real etaddot[ELLA_LENGTH(ELLA_NMODES)];
-    ella_real alpha[ELLA_NLINKS][6], Vdot[ELLA_NLINKS][6], wrench[ELLA_NLINKS][6];
+    /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
+    ella_real m_eta[ELLA_LENGTH(ELLA_NGIVEN)];
+    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: their stress and damping */
+    ella_real qdot[ELLA_LENGTH(ELLA_NTAU)]; /* rad/s: joint rates */
+    ella_real qddot[ELLA_LENGTH(ELLA_NTAU)]; /* rad/s^2: joint accelerations */
+    ella_real etaddot[ELLA_LENGTH(ELLA_NMODES)]; /* m/s^2 (torsion: rad/s^2): modal accelerations */
+    ella_real alpha[ELLA_NLINKS][6]; /* rad/s^2, m/s^2: acceleration of F_i, in F_i */
+    ella_real Vdot[ELLA_NLINKS][6]; /* rad/s^2, m/s^2: rate of the twist, in F_i */
+    ella_real wrench[ELLA_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
     ella_dae_state stage, next;
     ella_real stage_turn[ELLA_NLINKS][6], next_turn[ELLA_NLINKS][6]; /* vectors u of pose exp(u) */
     ella_chain chain;
@@ -276,7 +283,7 @@ ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *sta
 /* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
  * and
  * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
- * frequency. A link without bending modes has zeros.
+ * frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
  */
 enum {
     ELLA_DEFLECTION, /* transverse deflection of the tip over the length */
@@ -322,8 +329,7 @@ ella_status ella_gravity(const ella_constants *c, const ella_state *state, const
     ella_chain *chain, ella_real force[], ella_state *rest);
 
 /* Poses of all links and tips, twists of all tips. */
-ella_status ella_kinematics(const ella_constants *c, const ella_state *state, ella_chain *chain,
-    ella_motion *motion);
+ella_status ella_kinematics(const ella_constants *c, const ella_state *state, ella_chain *chain, ella_motion *motion);
 
 /* The Jacobian J: J v is the twist of the last tip; motion as above. Costs NV + 1 kinematics. */
 ella_status ella_tip_jacobian(const ella_constants *c, const ella_state *state, ella_chain *chain,
@@ -344,16 +350,16 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
  * per
  * step, and stiff control laws need short steps.
  */
-ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work);
-ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work);
-ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work);
-ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work);
-ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work);
+ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work);
+ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work);
+ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work);
+ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work);
+ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work);
 
 /* ----------------------------------------------------------------------------------------- DAE form */
 

@@ -2,13 +2,22 @@
 #include "ella_links.h"
 #include "ella_se3.h"
 
-static void modal_terms(const ella_constants *c, const ella_dae_state *s, ella_real dt, ella_dae_work *work)
+/* Inertia and force of n coordinates x, implicit over dt; `first` is the first of their columns. */
+static void own_terms(const ella_constants *c, int first, int n, const ella_real *x, const ella_real *xdot,
+    ella_real dt,
+    ella_dae_work *work)
 {
     int k;
-    for (k = 0; k < ELLA_NMODES; ++k) {
-        work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
-        work->f_eta[k] = c->K[k] * (s->eta[k] + dt * s->etadot[k]) + c->D[k] * s->etadot[k];
+    for (k = 0; k < n; ++k) {
+        const ella_real K = c->K[first + k], D = c->D[first + k];
+        work->m_eta[first + k] = c->M_eta[first + k] + dt * (D + dt * K);
+        work->f_eta[first + k] = K * (x[k] + dt * xdot[k]) + D * xdot[k];
     }
+}
+
+static void modal_terms(const ella_constants *c, const ella_dae_state *s, ella_real dt, ella_dae_work *work)
+{
+    own_terms(c, ELLA_NGIVEN - ELLA_NMODES, ELLA_NMODES, s->eta, s->etadot, dt, work);
 }
 
 static ella_call call_of(const ella_constants *c, const ella_dae_state *s, const ella_input *u, ella_dae_work *work)
@@ -20,8 +29,8 @@ static ella_call call_of(const ella_constants *c, const ella_dae_state *s, const
     call.etadot = s->etadot;
     call.quaternion = &s->quaternion[0][0];
     call.twist = &s->twist[0][0];
-    call.m_eta = work->m_eta;
-    call.f_eta = work->f_eta;
+    call.m_eta = work->m_eta + (ELLA_NGIVEN - ELLA_NMODES);
+    call.f_eta = work->f_eta + (ELLA_NGIVEN - ELLA_NMODES);
     call.new_qdot = work->qdot;
     call.qdot = work->qdot;
     if (u) {
@@ -42,7 +51,7 @@ static int finite_state(const ella_dae_state *s)
 static int moderate_state(const ella_dae_state *s, const ella_dae_work *work)
 {
     return ella_moderate(&s->twist[0][0], 6 * ELLA_NLINKS) && ella_moderate(s->eta, ELLA_NMODES)
-        && ella_moderate(s->etadot, ELLA_NMODES) && ella_finite(work->m_eta, ELLA_NMODES);
+        && ella_moderate(s->etadot, ELLA_NMODES) && ella_finite(work->m_eta + (ELLA_NGIVEN - ELLA_NMODES), ELLA_NMODES);
 }
 
 static int finite_input(const ella_dae_state *s, const ella_input *u)
@@ -56,12 +65,12 @@ static ella_status accelerate(const ella_constants *c, const ella_dae_state *s, 
 {
     ella_status status;
     ella_call call = call_of(c, s, u, work);
-    call.qddot = work->qddot;
-    call.etaddot = work->etaddot;
-    call.wrench = &work->wrench[0][0];
+    call.new_qddot = work->qddot;
+    call.new_etaddot = work->etaddot;
+    call.new_wrench = &work->wrench[0][0];
+    call.new_alpha = &work->alpha[0][0];
     call.alpha = &work->alpha[0][0];
-    call.given_alpha = &work->alpha[0][0];
-    call.Vdot = &work->Vdot[0][0];
+    call.new_Vdot = &work->Vdot[0][0];
     if (!finite_input(s, u)) {
         return ELLA_NONFINITE;
     }

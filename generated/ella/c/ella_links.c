@@ -61,14 +61,12 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     qdot[0] = qdot_1;
 
     /* acceleration of the parent's tip in F_i axes */
-    const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
-        - minus_R_rel_zx * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_rel_yy * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3]
-        + R_rel_zy * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
+    const ella_real acc_0_a_x = R_rel_xx * base->acc_0[3] + R_rel_yx * base->acc_0[4] - minus_R_rel_zx * base->acc_0[5];
+    link->acc_0[3] = acc_0_a_x;
+    const ella_real acc_0_a_y = R_rel_yy * base->acc_0[4] - minus_R_rel_xy * base->acc_0[3] + R_rel_zy * base->acc_0[5];
+    link->acc_0[4] = acc_0_a_y;
+    const ella_real acc_0_a_z = R_rel_xz * base->acc_0[3] + R_rel_zz * base->acc_0[5];
+    link->acc_0[5] = acc_0_a_z;
 
     /* omega_J: angular velocity of the link relative to its parent's tip */
     const ella_real omega_J_x = R_rel_yx * qdot_1;
@@ -79,20 +77,20 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     /* alpha: angular acceleration while no joint accelerates (accconst4) */
     const ella_real t3 = qdot_1 * twist[2];
     const ella_real alpha_x = t3 * R_rel_yy;
-    link->alpha_0[0] = alpha_x;
+    link->acc_0[0] = alpha_x;
     const ella_real minus_alpha_y = t3 * R_rel_yx;
-    link->alpha_0[1] = -minus_alpha_y;
+    link->acc_0[1] = -minus_alpha_y;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
     link->r_T[0] = r_T_y;
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
     link->r_T[1] = r_T_z;
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -105,20 +103,20 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
 
     /* c2: Stumpff function of order 2 */
     const ella_real t7 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t7;
+    const ella_real c2 = ELLA_REAL(0.5) - x * t7;
 
     /* c3: Stumpff function of order 3 */
     const ella_real t8 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t8;
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * t8;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -134,14 +132,14 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
     const ella_real omega_s_z = thetadot_z + c2 * t10 + c3 * t14;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+    const ella_real xdot = eta[6] * ELLA_REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t7 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t7 - c3 * ELLA_REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t8 * REAL(1.5) - t7 * REAL(0.5));
+    const ella_real c3dot = xdot * (t8 * ELLA_REAL(1.5) - t7 * ELLA_REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
     const ella_real alpha_s_x = c2dot * t9 + c3 * (thetadot_y * t10 - thetadot_z * t11) + c3dot * t12;
@@ -158,22 +156,22 @@ ELLA_PART ella_status dae_kinematics_upper_arm(const ella_link_constants *restri
 
     /* alpha_t: angular acceleration of the tip section (accconst1b) */
     const ella_real alpha_t_x = alpha_s_x + alpha_x + omega_s_z * omega_J_y - omega_s_y * twist[2];
-    tip->alpha_0[0] = alpha_t_x;
+    tip->acc_0[0] = alpha_t_x;
     const ella_real alpha_t_y = alpha_s_y - minus_alpha_y + omega_s_x * twist[2] - omega_s_z * omega_J_x;
-    tip->alpha_0[1] = alpha_t_y;
+    tip->acc_0[1] = alpha_t_y;
     const ella_real alpha_t_z = alpha_s_z + omega_s_y * omega_J_x - omega_s_x * omega_J_y;
-    tip->alpha_0[2] = alpha_t_z;
+    tip->acc_0[2] = alpha_t_z;
 
     /* a_t: acceleration of the tip point (accconst1b) */
     const ella_real t15 = udot_T_z * 2 + omega_J_x * r_T_y - c->length * omega_J_y;
     const ella_real t16 = udot_T_y * 2 + c->length * twist[2] - omega_J_x * r_T_z;
-    const ella_real a_t_x = alpha_0_4 - minus_alpha_y * r_T_z + omega_J_y * t15 - twist[2] * t16;
-    tip->alpha_0[3] = a_t_x;
+    const ella_real a_t_x = acc_0_a_x - minus_alpha_y * r_T_z + omega_J_y * t15 - twist[2] * t16;
+    tip->acc_0[3] = a_t_x;
     const ella_real t17 = omega_J_y * r_T_z - twist[2] * r_T_y;
-    const ella_real a_t_y = alpha_0_5 + twist[2] * t17 - alpha_x * r_T_z - omega_J_x * t15;
-    tip->alpha_0[4] = a_t_y;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t16 + minus_alpha_y * c->length - omega_J_y * t17;
-    tip->alpha_0[5] = a_t_z;
+    const ella_real a_t_y = acc_0_a_y + twist[2] * t17 - alpha_x * r_T_z - omega_J_x * t15;
+    tip->acc_0[4] = a_t_y;
+    const ella_real a_t_z = acc_0_a_z + alpha_x * r_T_y + omega_J_x * t16 + minus_alpha_y * c->length - omega_J_y * t17;
+    tip->acc_0[5] = a_t_z;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -260,61 +258,61 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
-    link->R_P[0] = R_P_11;
-    const ella_real R_P_12 = base->R_T[1] * R_rel_xx - base->R_T[0] * minus_R_rel_xy;
-    link->R_P[1] = R_P_12;
-    const ella_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * minus_R_rel_xy;
-    link->R_P[3] = R_P_21;
-    const ella_real R_P_22 = base->R_T[4] * R_rel_xx - base->R_T[3] * minus_R_rel_xy;
-    link->R_P[4] = R_P_22;
-    const ella_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * minus_R_rel_xy;
-    link->R_P[6] = R_P_31;
-    const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
-    link->R_P[7] = R_P_32;
-    const ella_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
-    link->omega[0] = omega_R_1;
-    const ella_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    link->omega[1] = omega_R_2;
-    const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
+    const ella_real R_P_xx = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx;
+    link->R_P[0] = R_P_xx;
+    const ella_real R_P_xy = base->R_T[1] * R_rel_xx - base->R_T[0] * R_rel_yx;
+    link->R_P[1] = R_P_xy;
+    const ella_real R_P_yx = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx;
+    link->R_P[3] = R_P_yx;
+    const ella_real R_P_yy = base->R_T[4] * R_rel_xx - base->R_T[3] * R_rel_yx;
+    link->R_P[4] = R_P_yy;
+    const ella_real R_P_zx = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx;
+    link->R_P[6] = R_P_zx;
+    const ella_real R_P_zy = base->R_T[7] * R_rel_xx - base->R_T[6] * R_rel_yx;
+    link->R_P[7] = R_P_zy;
+    const ella_real omega_R_x = R_P_xx * base->omega[0] + R_P_yx * base->omega[1] + R_P_zx * base->omega[2];
+    link->omega[0] = omega_R_x;
+    const ella_real omega_R_y = R_P_xy * base->omega[0] + R_P_yy * base->omega[1] + R_P_zy * base->omega[2];
+    link->omega[1] = omega_R_y;
+    const ella_real omega_R_z = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
         + base->R_T[8] * base->omega[2];
 
-    const ella_real qdot_1 = twist[2] - omega_R_3;
+    const ella_real qdot_1 = twist[2] - omega_R_z;
     qdot[0] = qdot_1;
 
     /* acceleration of the parent's tip in F_i axes */
-    const ella_real t1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
-    const ella_real t2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
-    const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
-        + base->R_T[8] * base->alpha_0[2];
-    link->alpha_0[2] = alpha_0_3;
-    const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
-    link->alpha_0[3] = alpha_0_4;
-    const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
-    link->alpha_0[4] = alpha_0_5;
-    const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
-        + base->R_T[8] * base->alpha_0[5];
-    link->alpha_0[5] = alpha_0_6;
+    const ella_real t1 = R_P_xx * base->acc_0[0] + R_P_yx * base->acc_0[1] + R_P_zx * base->acc_0[2];
+    const ella_real t2 = R_P_xy * base->acc_0[0] + R_P_yy * base->acc_0[1] + R_P_zy * base->acc_0[2];
+    const ella_real acc_0_alpha_z = base->R_T[2] * base->acc_0[0] + base->R_T[5] * base->acc_0[1]
+        + base->R_T[8] * base->acc_0[2];
+    link->acc_0[2] = acc_0_alpha_z;
+    const ella_real acc_0_a_x = R_P_xx * base->acc_0[3] + R_P_yx * base->acc_0[4] + R_P_zx * base->acc_0[5];
+    link->acc_0[3] = acc_0_a_x;
+    const ella_real acc_0_a_y = R_P_xy * base->acc_0[3] + R_P_yy * base->acc_0[4] + R_P_zy * base->acc_0[5];
+    link->acc_0[4] = acc_0_a_y;
+    const ella_real acc_0_a_z = base->R_T[2] * base->acc_0[3] + base->R_T[5] * base->acc_0[4]
+        + base->R_T[8] * base->acc_0[5];
+    link->acc_0[5] = acc_0_a_z;
 
     /* alpha: angular acceleration while no joint accelerates (accconst4) */
-    const ella_real alpha_x = t1 + omega_R_2 * qdot_1;
-    link->alpha_0[0] = alpha_x;
-    const ella_real alpha_y = t2 - omega_R_1 * qdot_1;
-    link->alpha_0[1] = alpha_y;
+    const ella_real alpha_x = t1 + omega_R_y * qdot_1;
+    link->acc_0[0] = alpha_x;
+    const ella_real alpha_y = t2 - omega_R_x * qdot_1;
+    link->acc_0[1] = alpha_y;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
     link->r_T[0] = r_T_y;
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
     link->r_T[1] = r_T_z;
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -326,27 +324,27 @@ ELLA_PART ella_status dae_kinematics_forearm(const ella_link_constants *restrict
     const ella_real x = minus_theta_hat2_33 + t5;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* c3: Stumpff function of order 3 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* a_t: acceleration of the tip point (accconst1b) */
-    const ella_real t6 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * omega_R_2;
-    const ella_real t7 = udot_T_y * 2 + c->length * twist[2] - omega_R_1 * r_T_z;
-    const ella_real a_t_x = alpha_0_4 + alpha_y * r_T_z + omega_R_2 * t6 - alpha_0_3 * r_T_y - twist[2] * t7;
-    tip->alpha_0[3] = a_t_x;
-    const ella_real t8 = omega_R_2 * r_T_z - twist[2] * r_T_y;
-    const ella_real a_t_y = alpha_0_5 + alpha_0_3 * c->length + twist[2] * t8 - alpha_x * r_T_z - omega_R_1 * t6;
-    tip->alpha_0[4] = a_t_y;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_R_1 * t7 - alpha_y * c->length - omega_R_2 * t8;
-    tip->alpha_0[5] = a_t_z;
+    const ella_real t6 = udot_T_z * 2 + omega_R_x * r_T_y - c->length * omega_R_y;
+    const ella_real t7 = udot_T_y * 2 + c->length * twist[2] - omega_R_x * r_T_z;
+    const ella_real a_t_x = acc_0_a_x + alpha_y * r_T_z + omega_R_y * t6 - acc_0_alpha_z * r_T_y - twist[2] * t7;
+    tip->acc_0[3] = a_t_x;
+    const ella_real t8 = omega_R_y * r_T_z - twist[2] * r_T_y;
+    const ella_real a_t_y = acc_0_a_y + acc_0_alpha_z * c->length + twist[2] * t8 - alpha_x * r_T_z - omega_R_x * t6;
+    tip->acc_0[4] = a_t_y;
+    const ella_real a_t_z = acc_0_a_z + alpha_x * r_T_y + omega_R_x * t7 - alpha_y * c->length - omega_R_y * t8;
+    tip->acc_0[5] = a_t_z;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -466,13 +464,13 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real minus_Omega_xx = t1 + t2;
     const ella_real Omega_xy = link->omega[0] * link->omega[1];
     const ella_real t3 = link->omega[0] * link->omega[2];
-    const ella_real Omega_xz = link->alpha_0[1] + t3;
+    const ella_real Omega_xz = link->acc_0[1] + t3;
     const ella_real t4 = link->omega[0] * link->omega[0];
     const ella_real minus_Omega_yy = t4 + t2;
     const ella_real t5 = link->omega[1] * link->omega[2];
-    const ella_real Omega_yz = t5 - link->alpha_0[0];
-    const ella_real Omega_zx = t3 - link->alpha_0[1];
-    const ella_real Omega_zy = link->alpha_0[0] + t5;
+    const ella_real Omega_yz = t5 - link->acc_0[0];
+    const ella_real Omega_zx = t3 - link->acc_0[1];
+    const ella_real Omega_zy = link->acc_0[0] + t5;
     const ella_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
@@ -484,71 +482,74 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
-    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0];
+    const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const ella_real h_c_f_x = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const ella_real minus_h_c_f_y = Sdot_z * link->omega[0];
+    const ella_real h_c_f_z = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+    const ella_real t6 = h_c_tau_x + c->I_s * link->acc_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
+    const ella_real H_star_tau_x = t6 + S_y * link->acc_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->acc_0[4];
+    const ella_real t7 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->acc_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
-        - c->S_0_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t8 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
+    const ella_real H_star_tau_y = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->acc_0[5];
+    const ella_real t9 = h_c_tau_z + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->acc_0[4];
+    const ella_real H_star_tau_z = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->acc_0[3] - t8 * link->omega[1];
+    const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->acc_0[3] * c->mu;
+    const ella_real H_star_f_y = Omega_xy * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->acc_0[4] * c->mu;
+    const ella_real H_star_f_z = h_c_f_z + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->acc_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
+    const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+    const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+    const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
-        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
     const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3
-        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
     const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
-        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
     const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
-        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
     const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
-        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
+        + link->acc_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->acc_0[0] * c->sigma_t_7;
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
     const ella_real Lambda_T_44 = tip->Lambda[15] + c->body0_mass;
     const ella_real Lambda_T_55 = tip->Lambda[18] + c->body0_mass;
     const ella_real Lambda_T_66 = tip->Lambda[20] + c->body0_mass;
-    const ella_real p_T_1 = tip->p[0] - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
-    const ella_real p_T_2 = tip->p[1] - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
-    const ella_real p_T_3 = tip->p[2] - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
-    const ella_real p_T_4 = tip->p[3] + c->body0_mass * tip->alpha_0[3]
+    const ella_real p_T_tau_x = tip->p[0]
+        - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
+    const ella_real p_T_tau_y = tip->p[1]
+        - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
+    const ella_real p_T_tau_z = tip->p[2]
+        - (link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2]);
+    const ella_real p_T_f_x = tip->p[3] + c->body0_mass * tip->acc_0[3]
         - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real p_T_5 = tip->p[4] + c->body0_mass * tip->alpha_0[4]
+    const ella_real p_T_f_y = tip->p[4] + c->body0_mass * tip->acc_0[4]
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
-    const ella_real p_T_6 = tip->p[5] + c->body0_mass * tip->alpha_0[5]
+    const ella_real p_T_f_z = tip->p[5] + c->body0_mass * tip->acc_0[5]
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
@@ -558,21 +559,21 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real Theta_14 = link->J_l[1] * c->Psi_c_y4;
     const ella_real Theta_15 = link->J_l[1] * c->Psi_c_y5;
     const ella_real Theta_16 = link->J_l[1] * c->Psi_c_y6;
-    const ella_real Theta_17 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real Theta_17 = link->J_l[0] * ELLA_REAL(1.7320508075688772);
     const ella_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
     const ella_real Theta_22 = link->J_l[5] * c->Psi_c_z2;
     const ella_real Theta_23 = link->J_l[5] * c->Psi_c_z3;
     const ella_real Theta_24 = link->J_l[4] * c->Psi_c_y4;
     const ella_real Theta_25 = link->J_l[4] * c->Psi_c_y5;
     const ella_real Theta_26 = link->J_l[4] * c->Psi_c_y6;
-    const ella_real Theta_27 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real Theta_27 = link->J_l[3] * ELLA_REAL(1.7320508075688772);
     const ella_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
     const ella_real Theta_32 = link->J_l[8] * c->Psi_c_z2;
     const ella_real Theta_33 = link->J_l[8] * c->Psi_c_z3;
     const ella_real Theta_34 = link->J_l[7] * c->Psi_c_y4;
     const ella_real Theta_35 = link->J_l[7] * c->Psi_c_y5;
     const ella_real Theta_36 = link->J_l[7] * c->Psi_c_y6;
-    const ella_real Theta_37 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real Theta_37 = link->J_l[6] * ELLA_REAL(1.7320508075688772);
     const ella_real t10 = link->r_T[1] * tip->Lambda[16];
     const ella_real t11 = link->r_T[0] * tip->Lambda[17];
     const ella_real t12 = c->length * tip->Lambda[19];
@@ -609,86 +610,86 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real M_loaded_33 = I_zz + t24;
     const ella_real M_loaded_34 = t17 - S_y;
     const ella_real M_loaded_35 = c->S_0_x + t18;
-    const ella_real h_loaded_1 = h_V_1 + (p_T_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5));
-    const ella_real h_loaded_2 = h_V_2 + (p_T_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6));
-    const ella_real h_loaded_3 = h_V_3 + (p_T_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4));
-    const ella_real h_loaded_4 = h_V_4 + p_T_4;
-    const ella_real h_loaded_5 = h_V_5 + p_T_5;
-    const ella_real h_loaded_6 = h_V_6 + p_T_6;
+    const ella_real h_loaded_tau_x = h_V_tau_x + (p_T_tau_x + (link->r_T[0] * p_T_f_z - link->r_T[1] * p_T_f_y));
+    const ella_real h_loaded_tau_y = h_V_tau_y + (p_T_tau_y + (link->r_T[1] * p_T_f_x - c->length * p_T_f_z));
+    const ella_real h_loaded_tau_z = h_V_tau_z + (p_T_tau_z + (c->length * p_T_f_y - link->r_T[0] * p_T_f_x));
+    const ella_real h_loaded_f_x = h_V_f_x + p_T_f_x;
+    const ella_real h_loaded_f_y = h_V_f_y + p_T_f_y;
+    const ella_real h_loaded_f_z = h_V_f_z + p_T_f_z;
     const ella_real t25 = tip->Lambda[0] * Theta_11 + tip->Lambda[1] * Theta_21 + tip->Lambda[2] * Theta_31
-        + tip->Lambda[4] * REAL(2.0011941703010714);
+        + tip->Lambda[4] * ELLA_REAL(2.0011941703010714);
     const ella_real t26 = tip->Lambda[0] * Theta_12 + tip->Lambda[1] * Theta_22 + tip->Lambda[2] * Theta_32
-        + tip->Lambda[4] * REAL(2.0700807911885764);
+        + tip->Lambda[4] * ELLA_REAL(2.0700807911885764);
     const ella_real t27 = tip->Lambda[0] * Theta_13 + tip->Lambda[1] * Theta_23 + tip->Lambda[2] * Theta_33
-        + tip->Lambda[4] * REAL(3.5651069283690613);
+        + tip->Lambda[4] * ELLA_REAL(3.5651069283690613);
     const ella_real t28 = tip->Lambda[0] * Theta_14 + tip->Lambda[1] * Theta_24 + tip->Lambda[2] * Theta_34
-        + tip->Lambda[5] * REAL(2.0011941703010714);
+        + tip->Lambda[5] * ELLA_REAL(2.0011941703010714);
     const ella_real t29 = tip->Lambda[0] * Theta_15 + tip->Lambda[1] * Theta_25 + tip->Lambda[2] * Theta_35
-        + tip->Lambda[5] * REAL(2.0700807911885764);
+        + tip->Lambda[5] * ELLA_REAL(2.0700807911885764);
     const ella_real t30 = tip->Lambda[0] * Theta_16 + tip->Lambda[1] * Theta_26 + tip->Lambda[2] * Theta_36
-        + tip->Lambda[5] * REAL(3.5651069283690613);
+        + tip->Lambda[5] * ELLA_REAL(3.5651069283690613);
     const ella_real t31 = tip->Lambda[0] * Theta_17 + tip->Lambda[1] * Theta_27 + tip->Lambda[2] * Theta_37;
     const ella_real t32 = tip->Lambda[1] * Theta_11 + tip->Lambda[6] * Theta_21 + tip->Lambda[7] * Theta_31
-        + tip->Lambda[9] * REAL(2.0011941703010714);
+        + tip->Lambda[9] * ELLA_REAL(2.0011941703010714);
     const ella_real t33 = tip->Lambda[1] * Theta_12 + tip->Lambda[6] * Theta_22 + tip->Lambda[7] * Theta_32
-        + tip->Lambda[9] * REAL(2.0700807911885764);
+        + tip->Lambda[9] * ELLA_REAL(2.0700807911885764);
     const ella_real t34 = tip->Lambda[1] * Theta_13 + tip->Lambda[6] * Theta_23 + tip->Lambda[7] * Theta_33
-        + tip->Lambda[9] * REAL(3.5651069283690613);
+        + tip->Lambda[9] * ELLA_REAL(3.5651069283690613);
     const ella_real t35 = tip->Lambda[1] * Theta_14 + tip->Lambda[6] * Theta_24 + tip->Lambda[7] * Theta_34
-        + tip->Lambda[10] * REAL(2.0011941703010714);
+        + tip->Lambda[10] * ELLA_REAL(2.0011941703010714);
     const ella_real t36 = tip->Lambda[1] * Theta_15 + tip->Lambda[6] * Theta_25 + tip->Lambda[7] * Theta_35
-        + tip->Lambda[10] * REAL(2.0700807911885764);
+        + tip->Lambda[10] * ELLA_REAL(2.0700807911885764);
     const ella_real t37 = tip->Lambda[1] * Theta_16 + tip->Lambda[6] * Theta_26 + tip->Lambda[7] * Theta_36
-        + tip->Lambda[10] * REAL(3.5651069283690613);
+        + tip->Lambda[10] * ELLA_REAL(3.5651069283690613);
     const ella_real t38 = tip->Lambda[1] * Theta_17 + tip->Lambda[6] * Theta_27 + tip->Lambda[7] * Theta_37;
     const ella_real t39 = tip->Lambda[2] * Theta_11 + tip->Lambda[7] * Theta_21 + tip->Lambda[11] * Theta_31
-        + tip->Lambda[13] * REAL(2.0011941703010714);
+        + tip->Lambda[13] * ELLA_REAL(2.0011941703010714);
     const ella_real t40 = tip->Lambda[2] * Theta_12 + tip->Lambda[7] * Theta_22 + tip->Lambda[11] * Theta_32
-        + tip->Lambda[13] * REAL(2.0700807911885764);
+        + tip->Lambda[13] * ELLA_REAL(2.0700807911885764);
     const ella_real t41 = tip->Lambda[2] * Theta_13 + tip->Lambda[7] * Theta_23 + tip->Lambda[11] * Theta_33
-        + tip->Lambda[13] * REAL(3.5651069283690613);
+        + tip->Lambda[13] * ELLA_REAL(3.5651069283690613);
     const ella_real t42 = tip->Lambda[2] * Theta_14 + tip->Lambda[7] * Theta_24 + tip->Lambda[11] * Theta_34
-        + tip->Lambda[14] * REAL(2.0011941703010714);
+        + tip->Lambda[14] * ELLA_REAL(2.0011941703010714);
     const ella_real t43 = tip->Lambda[2] * Theta_15 + tip->Lambda[7] * Theta_25 + tip->Lambda[11] * Theta_35
-        + tip->Lambda[14] * REAL(2.0700807911885764);
+        + tip->Lambda[14] * ELLA_REAL(2.0700807911885764);
     const ella_real t44 = tip->Lambda[2] * Theta_16 + tip->Lambda[7] * Theta_26 + tip->Lambda[11] * Theta_36
-        + tip->Lambda[14] * REAL(3.5651069283690613);
+        + tip->Lambda[14] * ELLA_REAL(3.5651069283690613);
     const ella_real t45 = tip->Lambda[2] * Theta_17 + tip->Lambda[7] * Theta_27 + tip->Lambda[11] * Theta_37;
     const ella_real C_41 = tip->Lambda[3] * Theta_11 + tip->Lambda[8] * Theta_21 + tip->Lambda[12] * Theta_31
-        + tip->Lambda[16] * REAL(2.0011941703010714);
+        + tip->Lambda[16] * ELLA_REAL(2.0011941703010714);
     const ella_real C_42 = tip->Lambda[3] * Theta_12 + tip->Lambda[8] * Theta_22 + tip->Lambda[12] * Theta_32
-        + tip->Lambda[16] * REAL(2.0700807911885764);
+        + tip->Lambda[16] * ELLA_REAL(2.0700807911885764);
     const ella_real C_43 = tip->Lambda[3] * Theta_13 + tip->Lambda[8] * Theta_23 + tip->Lambda[12] * Theta_33
-        + tip->Lambda[16] * REAL(3.5651069283690613);
+        + tip->Lambda[16] * ELLA_REAL(3.5651069283690613);
     const ella_real C_44 = tip->Lambda[3] * Theta_14 + tip->Lambda[8] * Theta_24 + tip->Lambda[12] * Theta_34
-        + tip->Lambda[17] * REAL(2.0011941703010714);
+        + tip->Lambda[17] * ELLA_REAL(2.0011941703010714);
     const ella_real C_45 = tip->Lambda[3] * Theta_15 + tip->Lambda[8] * Theta_25 + tip->Lambda[12] * Theta_35
-        + tip->Lambda[17] * REAL(2.0700807911885764);
+        + tip->Lambda[17] * ELLA_REAL(2.0700807911885764);
     const ella_real C_46 = tip->Lambda[3] * Theta_16 + tip->Lambda[8] * Theta_26 + tip->Lambda[12] * Theta_36
-        + tip->Lambda[17] * REAL(3.5651069283690613);
+        + tip->Lambda[17] * ELLA_REAL(3.5651069283690613);
     const ella_real C_47 = tip->Lambda[3] * Theta_17 + tip->Lambda[8] * Theta_27 + tip->Lambda[12] * Theta_37;
     const ella_real t46 = tip->Lambda[4] * Theta_11 + tip->Lambda[9] * Theta_21 + tip->Lambda[13] * Theta_31
-        + Lambda_T_55 * REAL(2.0011941703010714);
+        + Lambda_T_55 * ELLA_REAL(2.0011941703010714);
     const ella_real t47 = tip->Lambda[4] * Theta_12 + tip->Lambda[9] * Theta_22 + tip->Lambda[13] * Theta_32
-        + Lambda_T_55 * REAL(2.0700807911885764);
+        + Lambda_T_55 * ELLA_REAL(2.0700807911885764);
     const ella_real t48 = tip->Lambda[4] * Theta_13 + tip->Lambda[9] * Theta_23 + tip->Lambda[13] * Theta_33
-        + Lambda_T_55 * REAL(3.5651069283690613);
-    const ella_real t49 = tip->Lambda[19] * REAL(2.0011941703010714);
+        + Lambda_T_55 * ELLA_REAL(3.5651069283690613);
+    const ella_real t49 = tip->Lambda[19] * ELLA_REAL(2.0011941703010714);
     const ella_real C_54 = tip->Lambda[4] * Theta_14 + tip->Lambda[9] * Theta_24 + tip->Lambda[13] * Theta_34 + t49;
-    const ella_real t50 = tip->Lambda[19] * REAL(2.0700807911885764);
+    const ella_real t50 = tip->Lambda[19] * ELLA_REAL(2.0700807911885764);
     const ella_real C_55 = tip->Lambda[4] * Theta_15 + tip->Lambda[9] * Theta_25 + tip->Lambda[13] * Theta_35 + t50;
-    const ella_real t51 = tip->Lambda[19] * REAL(3.5651069283690613);
+    const ella_real t51 = tip->Lambda[19] * ELLA_REAL(3.5651069283690613);
     const ella_real C_56 = tip->Lambda[4] * Theta_16 + tip->Lambda[9] * Theta_26 + tip->Lambda[13] * Theta_36 + t51;
     const ella_real C_57 = tip->Lambda[4] * Theta_17 + tip->Lambda[9] * Theta_27 + tip->Lambda[13] * Theta_37;
     const ella_real C_61 = tip->Lambda[5] * Theta_11 + tip->Lambda[10] * Theta_21 + tip->Lambda[14] * Theta_31 + t49;
     const ella_real C_62 = tip->Lambda[5] * Theta_12 + tip->Lambda[10] * Theta_22 + tip->Lambda[14] * Theta_32 + t50;
     const ella_real C_63 = tip->Lambda[5] * Theta_13 + tip->Lambda[10] * Theta_23 + tip->Lambda[14] * Theta_33 + t51;
     const ella_real t52 = tip->Lambda[5] * Theta_14 + tip->Lambda[10] * Theta_24 + tip->Lambda[14] * Theta_34
-        + Lambda_T_66 * REAL(2.0011941703010714);
+        + Lambda_T_66 * ELLA_REAL(2.0011941703010714);
     const ella_real t53 = tip->Lambda[5] * Theta_15 + tip->Lambda[10] * Theta_25 + tip->Lambda[14] * Theta_35
-        + Lambda_T_66 * REAL(2.0700807911885764);
+        + Lambda_T_66 * ELLA_REAL(2.0700807911885764);
     const ella_real t54 = tip->Lambda[5] * Theta_16 + tip->Lambda[10] * Theta_26 + tip->Lambda[14] * Theta_36
-        + Lambda_T_66 * REAL(3.5651069283690613);
+        + Lambda_T_66 * ELLA_REAL(3.5651069283690613);
     const ella_real C_67 = tip->Lambda[5] * Theta_17 + tip->Lambda[10] * Theta_27 + tip->Lambda[14] * Theta_37;
     const ella_real C_21 = t32 + (link->r_T[1] * C_41 - c->length * C_61);
     const ella_real C_22 = t33 + (link->r_T[1] * C_42 - c->length * C_62);
@@ -718,74 +719,80 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real C_65 = c->sigma_y2 + t53;
     const ella_real C_66 = c->sigma_y3 + t54;
     const ella_real modal_inertia_11 = Theta_11 * t25 + Theta_21 * t32 + Theta_31 * t39
-        + t46 * REAL(2.0011941703010714) + m_eta[0];
+        + t46 * ELLA_REAL(2.0011941703010714) + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
     const ella_real modal_inertia_12 = Theta_11 * t26 + Theta_21 * t33 + Theta_31 * t40
-        + t47 * REAL(2.0011941703010714);
+        + t47 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_13 = Theta_11 * t27 + Theta_21 * t34 + Theta_31 * t41
-        + t48 * REAL(2.0011941703010714);
+        + t48 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_14 = Theta_11 * t28 + Theta_21 * t35 + Theta_31 * t42
-        + C_54 * REAL(2.0011941703010714);
+        + C_54 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_15 = Theta_11 * t29 + Theta_21 * t36 + Theta_31 * t43
-        + C_55 * REAL(2.0011941703010714);
+        + C_55 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_16 = Theta_11 * t30 + Theta_21 * t37 + Theta_31 * t44
-        + C_56 * REAL(2.0011941703010714);
+        + C_56 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_17 = Theta_11 * t31 + Theta_21 * t38 + Theta_31 * t45
-        + C_57 * REAL(2.0011941703010714);
+        + C_57 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_22 = Theta_12 * t26 + Theta_22 * t33 + Theta_32 * t40
-        + t47 * REAL(2.0700807911885764) + m_eta[1];
+        + t47 * ELLA_REAL(2.0700807911885764) + m_eta[1];
     const ella_real modal_inertia_23 = Theta_12 * t27 + Theta_22 * t34 + Theta_32 * t41
-        + t48 * REAL(2.0700807911885764);
+        + t48 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_24 = Theta_12 * t28 + Theta_22 * t35 + Theta_32 * t42
-        + C_54 * REAL(2.0700807911885764);
+        + C_54 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_25 = Theta_12 * t29 + Theta_22 * t36 + Theta_32 * t43
-        + C_55 * REAL(2.0700807911885764);
+        + C_55 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_26 = Theta_12 * t30 + Theta_22 * t37 + Theta_32 * t44
-        + C_56 * REAL(2.0700807911885764);
+        + C_56 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_27 = Theta_12 * t31 + Theta_22 * t38 + Theta_32 * t45
-        + C_57 * REAL(2.0700807911885764);
+        + C_57 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_33 = Theta_13 * t27 + Theta_23 * t34 + Theta_33 * t41
-        + t48 * REAL(3.5651069283690613) + m_eta[2];
+        + t48 * ELLA_REAL(3.5651069283690613) + m_eta[2];
     const ella_real modal_inertia_34 = Theta_13 * t28 + Theta_23 * t35 + Theta_33 * t42
-        + C_54 * REAL(3.5651069283690613);
+        + C_54 * ELLA_REAL(3.5651069283690613);
     const ella_real modal_inertia_35 = Theta_13 * t29 + Theta_23 * t36 + Theta_33 * t43
-        + C_55 * REAL(3.5651069283690613);
+        + C_55 * ELLA_REAL(3.5651069283690613);
     const ella_real modal_inertia_36 = Theta_13 * t30 + Theta_23 * t37 + Theta_33 * t44
-        + C_56 * REAL(3.5651069283690613);
+        + C_56 * ELLA_REAL(3.5651069283690613);
     const ella_real modal_inertia_37 = Theta_13 * t31 + Theta_23 * t38 + Theta_33 * t45
-        + C_57 * REAL(3.5651069283690613);
+        + C_57 * ELLA_REAL(3.5651069283690613);
     const ella_real modal_inertia_44 = Theta_14 * t28 + Theta_24 * t35 + Theta_34 * t42
-        + t52 * REAL(2.0011941703010714) + m_eta[3];
+        + t52 * ELLA_REAL(2.0011941703010714) + m_eta[3];
     const ella_real modal_inertia_45 = Theta_14 * t29 + Theta_24 * t36 + Theta_34 * t43
-        + t53 * REAL(2.0011941703010714);
+        + t53 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_46 = Theta_14 * t30 + Theta_24 * t37 + Theta_34 * t44
-        + t54 * REAL(2.0011941703010714);
+        + t54 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_47 = Theta_14 * t31 + Theta_24 * t38 + Theta_34 * t45
-        + C_67 * REAL(2.0011941703010714);
+        + C_67 * ELLA_REAL(2.0011941703010714);
     const ella_real modal_inertia_55 = Theta_15 * t29 + Theta_25 * t36 + Theta_35 * t43
-        + t53 * REAL(2.0700807911885764) + m_eta[4];
+        + t53 * ELLA_REAL(2.0700807911885764) + m_eta[4];
     const ella_real modal_inertia_56 = Theta_15 * t30 + Theta_25 * t37 + Theta_35 * t44
-        + t54 * REAL(2.0700807911885764);
+        + t54 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_57 = Theta_15 * t31 + Theta_25 * t38 + Theta_35 * t45
-        + C_67 * REAL(2.0700807911885764);
+        + C_67 * ELLA_REAL(2.0700807911885764);
     const ella_real modal_inertia_66 = Theta_16 * t30 + Theta_26 * t37 + Theta_36 * t44
-        + t54 * REAL(3.5651069283690613) + m_eta[5];
+        + t54 * ELLA_REAL(3.5651069283690613) + m_eta[5];
     const ella_real modal_inertia_67 = Theta_16 * t31 + Theta_26 * t38 + Theta_36 * t45
-        + C_67 * REAL(3.5651069283690613);
+        + C_67 * ELLA_REAL(3.5651069283690613);
     const ella_real modal_inertia_77 = Theta_17 * t31 + Theta_27 * t38 + Theta_37 * t45 + m_eta[6];
-    const ella_real h_phi_1 = h_eta_1 + f_eta[0]
-        + (Theta_11 * p_T_1 + Theta_21 * p_T_2 + Theta_31 * p_T_3 + p_T_5 * REAL(2.0011941703010714));
-    const ella_real h_phi_2 = h_eta_2 + f_eta[1]
-        + (Theta_12 * p_T_1 + Theta_22 * p_T_2 + Theta_32 * p_T_3 + p_T_5 * REAL(2.0700807911885764));
-    const ella_real h_phi_3 = h_eta_3 + f_eta[2]
-        + (Theta_13 * p_T_1 + Theta_23 * p_T_2 + Theta_33 * p_T_3 + p_T_5 * REAL(3.5651069283690613));
-    const ella_real h_phi_4 = h_eta_4 + f_eta[3]
-        + (Theta_14 * p_T_1 + Theta_24 * p_T_2 + Theta_34 * p_T_3 + p_T_6 * REAL(2.0011941703010714));
-    const ella_real h_phi_5 = h_eta_5 + f_eta[4]
-        + (Theta_15 * p_T_1 + Theta_25 * p_T_2 + Theta_35 * p_T_3 + p_T_6 * REAL(2.0700807911885764));
-    const ella_real h_phi_6 = h_eta_6 + f_eta[5]
-        + (Theta_16 * p_T_1 + Theta_26 * p_T_2 + Theta_36 * p_T_3 + p_T_6 * REAL(3.5651069283690613));
-    const ella_real h_phi_7 = h_eta_7 + f_eta[6] + (Theta_17 * p_T_1 + Theta_27 * p_T_2 + Theta_37 * p_T_3);
+    const ella_real t55 = Theta_11 * p_T_tau_x + Theta_21 * p_T_tau_y + Theta_31 * p_T_tau_z
+        + p_T_f_y * ELLA_REAL(2.0011941703010714);
+    const ella_real t56 = Theta_12 * p_T_tau_x + Theta_22 * p_T_tau_y + Theta_32 * p_T_tau_z
+        + p_T_f_y * ELLA_REAL(2.0700807911885764);
+    const ella_real t57 = Theta_13 * p_T_tau_x + Theta_23 * p_T_tau_y + Theta_33 * p_T_tau_z
+        + p_T_f_y * ELLA_REAL(3.5651069283690613);
+    const ella_real t58 = Theta_14 * p_T_tau_x + Theta_24 * p_T_tau_y + Theta_34 * p_T_tau_z
+        + p_T_f_z * ELLA_REAL(2.0011941703010714);
+    const ella_real t59 = Theta_15 * p_T_tau_x + Theta_25 * p_T_tau_y + Theta_35 * p_T_tau_z
+        + p_T_f_z * ELLA_REAL(2.0700807911885764);
+    const ella_real t60 = Theta_16 * p_T_tau_x + Theta_26 * p_T_tau_y + Theta_36 * p_T_tau_z
+        + p_T_f_z * ELLA_REAL(3.5651069283690613);
+    const ella_real h_phi_1 = h_eta_1 + f_eta[0] + t55;
+    const ella_real h_phi_2 = h_eta_2 + f_eta[1] + t56;
+    const ella_real h_phi_3 = h_eta_3 + f_eta[2] + t57;
+    const ella_real h_phi_4 = h_eta_4 + f_eta[3] + t58;
+    const ella_real h_phi_5 = h_eta_5 + f_eta[4] + t59;
+    const ella_real h_phi_6 = h_eta_6 + f_eta[5] + t60;
+    const ella_real h_phi_7 = h_eta_7 + f_eta[6] + (Theta_17 * p_T_tau_x + Theta_27 * p_T_tau_y + Theta_37 * p_T_tau_z);
     const ella_real modes_inverse_1 = 1 / modal_inertia_11;
     const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
     link->modes_L[0] = modes_L_21;
@@ -799,138 +806,138 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     link->modes_L[10] = modes_L_61;
     const ella_real modes_L_71 = modal_inertia_17 * modes_inverse_1;
     link->modes_L[15] = modes_L_71;
-    const ella_real t55 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
-    if (!(t55 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_2 = 1 / t55;
-    const ella_real t56 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
-    const ella_real modes_L_32 = t56 * modes_inverse_2;
-    link->modes_L[2] = modes_L_32;
-    const ella_real t57 = modal_inertia_24 - modal_inertia_12 * modes_L_41;
-    const ella_real modes_L_42 = t57 * modes_inverse_2;
-    link->modes_L[4] = modes_L_42;
-    const ella_real t58 = modal_inertia_25 - modal_inertia_12 * modes_L_51;
-    const ella_real modes_L_52 = t58 * modes_inverse_2;
-    link->modes_L[7] = modes_L_52;
-    const ella_real t59 = modal_inertia_26 - modal_inertia_12 * modes_L_61;
-    const ella_real modes_L_62 = t59 * modes_inverse_2;
-    link->modes_L[11] = modes_L_62;
-    const ella_real t60 = modal_inertia_27 - modal_inertia_12 * modes_L_71;
-    const ella_real modes_L_72 = t60 * modes_inverse_2;
-    link->modes_L[16] = modes_L_72;
-    const ella_real t61 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t56 * modes_L_32);
+    const ella_real t61 = modal_inertia_22 - modal_inertia_12 * modes_L_21;
     if (!(t61 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_3 = 1 / t61;
-    const ella_real t62 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t56 * modes_L_42);
-    const ella_real modes_L_43 = t62 * modes_inverse_3;
+    const ella_real modes_inverse_2 = 1 / t61;
+    const ella_real t62 = modal_inertia_23 - modal_inertia_12 * modes_L_31;
+    const ella_real modes_L_32 = t62 * modes_inverse_2;
+    link->modes_L[2] = modes_L_32;
+    const ella_real t63 = modal_inertia_24 - modal_inertia_12 * modes_L_41;
+    const ella_real modes_L_42 = t63 * modes_inverse_2;
+    link->modes_L[4] = modes_L_42;
+    const ella_real t64 = modal_inertia_25 - modal_inertia_12 * modes_L_51;
+    const ella_real modes_L_52 = t64 * modes_inverse_2;
+    link->modes_L[7] = modes_L_52;
+    const ella_real t65 = modal_inertia_26 - modal_inertia_12 * modes_L_61;
+    const ella_real modes_L_62 = t65 * modes_inverse_2;
+    link->modes_L[11] = modes_L_62;
+    const ella_real t66 = modal_inertia_27 - modal_inertia_12 * modes_L_71;
+    const ella_real modes_L_72 = t66 * modes_inverse_2;
+    link->modes_L[16] = modes_L_72;
+    const ella_real t67 = modal_inertia_33 - (modal_inertia_13 * modes_L_31 + t62 * modes_L_32);
+    if (!(t67 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_3 = 1 / t67;
+    const ella_real t68 = modal_inertia_34 - (modal_inertia_13 * modes_L_41 + t62 * modes_L_42);
+    const ella_real modes_L_43 = t68 * modes_inverse_3;
     link->modes_L[5] = modes_L_43;
-    const ella_real t63 = modal_inertia_35 - (modal_inertia_13 * modes_L_51 + t56 * modes_L_52);
-    const ella_real modes_L_53 = t63 * modes_inverse_3;
+    const ella_real t69 = modal_inertia_35 - (modal_inertia_13 * modes_L_51 + t62 * modes_L_52);
+    const ella_real modes_L_53 = t69 * modes_inverse_3;
     link->modes_L[8] = modes_L_53;
-    const ella_real t64 = modal_inertia_36 - (modal_inertia_13 * modes_L_61 + t56 * modes_L_62);
-    const ella_real modes_L_63 = t64 * modes_inverse_3;
+    const ella_real t70 = modal_inertia_36 - (modal_inertia_13 * modes_L_61 + t62 * modes_L_62);
+    const ella_real modes_L_63 = t70 * modes_inverse_3;
     link->modes_L[12] = modes_L_63;
-    const ella_real t65 = modal_inertia_37 - (modal_inertia_13 * modes_L_71 + t56 * modes_L_72);
-    const ella_real modes_L_73 = t65 * modes_inverse_3;
+    const ella_real t71 = modal_inertia_37 - (modal_inertia_13 * modes_L_71 + t62 * modes_L_72);
+    const ella_real modes_L_73 = t71 * modes_inverse_3;
     link->modes_L[17] = modes_L_73;
-    const ella_real t66 = modal_inertia_44 - (modal_inertia_14 * modes_L_41 + t57 * modes_L_42 + t62 * modes_L_43);
-    if (!(t66 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_4 = 1 / t66;
-    const ella_real t67 = modal_inertia_45 - (modal_inertia_14 * modes_L_51 + t57 * modes_L_52 + t62 * modes_L_53);
-    const ella_real modes_L_54 = t67 * modes_inverse_4;
+    const ella_real t72 = modal_inertia_44 - (modal_inertia_14 * modes_L_41 + t63 * modes_L_42 + t68 * modes_L_43);
+    if (!(t72 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_4 = 1 / t72;
+    const ella_real t73 = modal_inertia_45 - (modal_inertia_14 * modes_L_51 + t63 * modes_L_52 + t68 * modes_L_53);
+    const ella_real modes_L_54 = t73 * modes_inverse_4;
     link->modes_L[9] = modes_L_54;
-    const ella_real t68 = modal_inertia_46 - (modal_inertia_14 * modes_L_61 + t57 * modes_L_62 + t62 * modes_L_63);
-    const ella_real modes_L_64 = t68 * modes_inverse_4;
+    const ella_real t74 = modal_inertia_46 - (modal_inertia_14 * modes_L_61 + t63 * modes_L_62 + t68 * modes_L_63);
+    const ella_real modes_L_64 = t74 * modes_inverse_4;
     link->modes_L[13] = modes_L_64;
-    const ella_real t69 = modal_inertia_47 - (modal_inertia_14 * modes_L_71 + t57 * modes_L_72 + t62 * modes_L_73);
-    const ella_real modes_L_74 = t69 * modes_inverse_4;
+    const ella_real t75 = modal_inertia_47 - (modal_inertia_14 * modes_L_71 + t63 * modes_L_72 + t68 * modes_L_73);
+    const ella_real modes_L_74 = t75 * modes_inverse_4;
     link->modes_L[18] = modes_L_74;
-    const ella_real t70 = modal_inertia_55
-        - (modal_inertia_15 * modes_L_51 + t58 * modes_L_52 + t63 * modes_L_53 + t67 * modes_L_54);
-    if (!(t70 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_5 = 1 / t70;
-    const ella_real t71 = modal_inertia_56
-        - (modal_inertia_15 * modes_L_61 + t58 * modes_L_62 + t63 * modes_L_63 + t67 * modes_L_64);
-    const ella_real modes_L_65 = t71 * modes_inverse_5;
+    const ella_real t76 = modal_inertia_55
+        - (modal_inertia_15 * modes_L_51 + t64 * modes_L_52 + t69 * modes_L_53 + t73 * modes_L_54);
+    if (!(t76 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_5 = 1 / t76;
+    const ella_real t77 = modal_inertia_56
+        - (modal_inertia_15 * modes_L_61 + t64 * modes_L_62 + t69 * modes_L_63 + t73 * modes_L_64);
+    const ella_real modes_L_65 = t77 * modes_inverse_5;
     link->modes_L[14] = modes_L_65;
-    const ella_real t72 = modal_inertia_57
-        - (modal_inertia_15 * modes_L_71 + t58 * modes_L_72 + t63 * modes_L_73 + t67 * modes_L_74);
-    const ella_real modes_L_75 = t72 * modes_inverse_5;
+    const ella_real t78 = modal_inertia_57
+        - (modal_inertia_15 * modes_L_71 + t64 * modes_L_72 + t69 * modes_L_73 + t73 * modes_L_74);
+    const ella_real modes_L_75 = t78 * modes_inverse_5;
     link->modes_L[19] = modes_L_75;
-    const ella_real t73 = modal_inertia_16 * modes_L_61 + t59 * modes_L_62 + t64 * modes_L_63 + t68 * modes_L_64
-        + t71 * modes_L_65;
-    const ella_real t74 = modal_inertia_66 - t73;
-    if (!(t74 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_6 = 1 / t74;
-    const ella_real t75 = modal_inertia_16 * modes_L_71 + t59 * modes_L_72 + t64 * modes_L_73 + t68 * modes_L_74
-        + t71 * modes_L_75;
-    const ella_real t76 = modal_inertia_67 - t75;
-    const ella_real modes_L_76 = t76 * modes_inverse_6;
+    const ella_real t79 = modal_inertia_16 * modes_L_61 + t65 * modes_L_62 + t70 * modes_L_63 + t74 * modes_L_64
+        + t77 * modes_L_65;
+    const ella_real t80 = modal_inertia_66 - t79;
+    if (!(t80 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_6 = 1 / t80;
+    const ella_real t81 = modal_inertia_16 * modes_L_71 + t65 * modes_L_72 + t70 * modes_L_73 + t74 * modes_L_74
+        + t77 * modes_L_75;
+    const ella_real t82 = modal_inertia_67 - t81;
+    const ella_real modes_L_76 = t82 * modes_inverse_6;
     link->modes_L[20] = modes_L_76;
-    const ella_real t77 = modal_inertia_17 * modes_L_71 + t60 * modes_L_72 + t65 * modes_L_73 + t69 * modes_L_74
-        + t72 * modes_L_75;
-    const ella_real t78 = modal_inertia_77 - (t77 + t76 * modes_L_76);
-    if (!(t78 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modes_inverse_7 = 1 / t78;
-    const ella_real t79 = C_12 - modes_L_21 * C_11;
-    const ella_real t80 = C_22 - modes_L_21 * C_21;
-    const ella_real t81 = C_32 - modes_L_21 * C_31;
-    const ella_real t82 = C_42 - modes_L_21 * C_41;
-    const ella_real t83 = C_52 - modes_L_21 * C_51;
-    const ella_real t84 = C_62 - modes_L_21 * C_61;
-    const ella_real t85 = C_13 - modes_L_31 * C_11 - modes_L_32 * t79;
-    const ella_real t86 = C_23 - modes_L_31 * C_21 - modes_L_32 * t80;
-    const ella_real t87 = C_33 - modes_L_31 * C_31 - modes_L_32 * t81;
-    const ella_real t88 = C_43 - modes_L_31 * C_41 - modes_L_32 * t82;
-    const ella_real t89 = C_53 - modes_L_31 * C_51 - modes_L_32 * t83;
-    const ella_real t90 = C_63 - modes_L_31 * C_61 - modes_L_32 * t84;
-    const ella_real t91 = C_14 - modes_L_41 * C_11 - modes_L_42 * t79 - modes_L_43 * t85;
-    const ella_real t92 = C_24 - modes_L_41 * C_21 - modes_L_42 * t80 - modes_L_43 * t86;
-    const ella_real t93 = C_34 - modes_L_41 * C_31 - modes_L_42 * t81 - modes_L_43 * t87;
-    const ella_real t94 = C_44 - modes_L_41 * C_41 - modes_L_42 * t82 - modes_L_43 * t88;
-    const ella_real t95 = C_54 - modes_L_41 * C_51 - modes_L_42 * t83 - modes_L_43 * t89;
-    const ella_real t96 = C_64 - modes_L_41 * C_61 - modes_L_42 * t84 - modes_L_43 * t90;
-    const ella_real t97 = C_15 - modes_L_51 * C_11 - modes_L_52 * t79 - modes_L_53 * t85 - modes_L_54 * t91;
-    const ella_real t98 = C_25 - modes_L_51 * C_21 - modes_L_52 * t80 - modes_L_53 * t86 - modes_L_54 * t92;
-    const ella_real t99 = C_35 - modes_L_51 * C_31 - modes_L_52 * t81 - modes_L_53 * t87 - modes_L_54 * t93;
-    const ella_real t100 = C_45 - modes_L_51 * C_41 - modes_L_52 * t82 - modes_L_53 * t88 - modes_L_54 * t94;
-    const ella_real t101 = C_55 - modes_L_51 * C_51 - modes_L_52 * t83 - modes_L_53 * t89 - modes_L_54 * t95;
-    const ella_real t102 = C_65 - modes_L_51 * C_61 - modes_L_52 * t84 - modes_L_53 * t90 - modes_L_54 * t96;
-    const ella_real t103 = C_16 - modes_L_61 * C_11 - modes_L_62 * t79 - modes_L_63 * t85 - modes_L_64 * t91
-        - modes_L_65 * t97;
-    const ella_real t104 = C_26 - modes_L_61 * C_21 - modes_L_62 * t80 - modes_L_63 * t86 - modes_L_64 * t92
-        - modes_L_65 * t98;
-    const ella_real t105 = C_36 - modes_L_61 * C_31 - modes_L_62 * t81 - modes_L_63 * t87 - modes_L_64 * t93
-        - modes_L_65 * t99;
-    const ella_real t106 = C_46 - modes_L_61 * C_41 - modes_L_62 * t82 - modes_L_63 * t88 - modes_L_64 * t94
-        - modes_L_65 * t100;
-    const ella_real t107 = C_56 - modes_L_61 * C_51 - modes_L_62 * t83 - modes_L_63 * t89 - modes_L_64 * t95
-        - modes_L_65 * t101;
-    const ella_real t108 = C_66 - modes_L_61 * C_61 - modes_L_62 * t84 - modes_L_63 * t90 - modes_L_64 * t96
-        - modes_L_65 * t102;
-    const ella_real t109 = C_17 - modes_L_71 * C_11 - modes_L_72 * t79 - modes_L_73 * t85 - modes_L_74 * t91
-        - modes_L_75 * t97;
-    const ella_real t110 = C_27 - modes_L_71 * C_21 - modes_L_72 * t80 - modes_L_73 * t86 - modes_L_74 * t92
-        - modes_L_75 * t98;
-    const ella_real t111 = C_37 - modes_L_71 * C_31 - modes_L_72 * t81 - modes_L_73 * t87 - modes_L_74 * t93
-        - modes_L_75 * t99;
-    const ella_real t112 = C_47 - modes_L_71 * C_41 - modes_L_72 * t82 - modes_L_73 * t88 - modes_L_74 * t94
-        - modes_L_75 * t100;
-    const ella_real t113 = C_57 - modes_L_71 * C_51 - modes_L_72 * t83 - modes_L_73 * t89 - modes_L_74 * t95
-        - modes_L_75 * t101;
-    const ella_real t114 = C_67 - modes_L_71 * C_61 - modes_L_72 * t84 - modes_L_73 * t90 - modes_L_74 * t96
-        - modes_L_75 * t102;
-    const ella_real t115 = t109 - modes_L_76 * t103;
-    const ella_real t116 = t110 - modes_L_76 * t104;
-    const ella_real t117 = t111 - modes_L_76 * t105;
-    const ella_real t118 = h_phi_2 - modes_L_21 * h_phi_1;
-    const ella_real t119 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t118;
-    const ella_real t120 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t118 - modes_L_43 * t119;
-    const ella_real t121 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t118 - modes_L_53 * t119 - modes_L_54 * t120;
-    const ella_real t122 = h_phi_6 - modes_L_61 * h_phi_1 - modes_L_62 * t118 - modes_L_63 * t119 - modes_L_64 * t120
-        - modes_L_65 * t121;
-    const ella_real t123 = h_phi_7 - modes_L_71 * h_phi_1 - modes_L_72 * t118 - modes_L_73 * t119 - modes_L_74 * t120
-        - modes_L_75 * t121;
-    const ella_real t124 = t123 - modes_L_76 * t122;
+    const ella_real t83 = modal_inertia_17 * modes_L_71 + t66 * modes_L_72 + t71 * modes_L_73 + t75 * modes_L_74
+        + t78 * modes_L_75;
+    const ella_real t84 = modal_inertia_77 - (t83 + t82 * modes_L_76);
+    if (!(t84 > 0)) { return ELLA_SINGULAR; }
+    const ella_real modes_inverse_7 = 1 / t84;
+    const ella_real t85 = C_12 - modes_L_21 * C_11;
+    const ella_real t86 = C_22 - modes_L_21 * C_21;
+    const ella_real t87 = C_32 - modes_L_21 * C_31;
+    const ella_real t88 = C_42 - modes_L_21 * C_41;
+    const ella_real t89 = C_52 - modes_L_21 * C_51;
+    const ella_real t90 = C_62 - modes_L_21 * C_61;
+    const ella_real t91 = C_13 - modes_L_31 * C_11 - modes_L_32 * t85;
+    const ella_real t92 = C_23 - modes_L_31 * C_21 - modes_L_32 * t86;
+    const ella_real t93 = C_33 - modes_L_31 * C_31 - modes_L_32 * t87;
+    const ella_real t94 = C_43 - modes_L_31 * C_41 - modes_L_32 * t88;
+    const ella_real t95 = C_53 - modes_L_31 * C_51 - modes_L_32 * t89;
+    const ella_real t96 = C_63 - modes_L_31 * C_61 - modes_L_32 * t90;
+    const ella_real t97 = C_14 - modes_L_41 * C_11 - modes_L_42 * t85 - modes_L_43 * t91;
+    const ella_real t98 = C_24 - modes_L_41 * C_21 - modes_L_42 * t86 - modes_L_43 * t92;
+    const ella_real t99 = C_34 - modes_L_41 * C_31 - modes_L_42 * t87 - modes_L_43 * t93;
+    const ella_real t100 = C_44 - modes_L_41 * C_41 - modes_L_42 * t88 - modes_L_43 * t94;
+    const ella_real t101 = C_54 - modes_L_41 * C_51 - modes_L_42 * t89 - modes_L_43 * t95;
+    const ella_real t102 = C_64 - modes_L_41 * C_61 - modes_L_42 * t90 - modes_L_43 * t96;
+    const ella_real t103 = C_15 - modes_L_51 * C_11 - modes_L_52 * t85 - modes_L_53 * t91 - modes_L_54 * t97;
+    const ella_real t104 = C_25 - modes_L_51 * C_21 - modes_L_52 * t86 - modes_L_53 * t92 - modes_L_54 * t98;
+    const ella_real t105 = C_35 - modes_L_51 * C_31 - modes_L_52 * t87 - modes_L_53 * t93 - modes_L_54 * t99;
+    const ella_real t106 = C_45 - modes_L_51 * C_41 - modes_L_52 * t88 - modes_L_53 * t94 - modes_L_54 * t100;
+    const ella_real t107 = C_55 - modes_L_51 * C_51 - modes_L_52 * t89 - modes_L_53 * t95 - modes_L_54 * t101;
+    const ella_real t108 = C_65 - modes_L_51 * C_61 - modes_L_52 * t90 - modes_L_53 * t96 - modes_L_54 * t102;
+    const ella_real t109 = C_16 - modes_L_61 * C_11 - modes_L_62 * t85 - modes_L_63 * t91 - modes_L_64 * t97
+        - modes_L_65 * t103;
+    const ella_real t110 = C_26 - modes_L_61 * C_21 - modes_L_62 * t86 - modes_L_63 * t92 - modes_L_64 * t98
+        - modes_L_65 * t104;
+    const ella_real t111 = C_36 - modes_L_61 * C_31 - modes_L_62 * t87 - modes_L_63 * t93 - modes_L_64 * t99
+        - modes_L_65 * t105;
+    const ella_real t112 = C_46 - modes_L_61 * C_41 - modes_L_62 * t88 - modes_L_63 * t94 - modes_L_64 * t100
+        - modes_L_65 * t106;
+    const ella_real t113 = C_56 - modes_L_61 * C_51 - modes_L_62 * t89 - modes_L_63 * t95 - modes_L_64 * t101
+        - modes_L_65 * t107;
+    const ella_real t114 = C_66 - modes_L_61 * C_61 - modes_L_62 * t90 - modes_L_63 * t96 - modes_L_64 * t102
+        - modes_L_65 * t108;
+    const ella_real t115 = C_17 - modes_L_71 * C_11 - modes_L_72 * t85 - modes_L_73 * t91 - modes_L_74 * t97
+        - modes_L_75 * t103;
+    const ella_real t116 = C_27 - modes_L_71 * C_21 - modes_L_72 * t86 - modes_L_73 * t92 - modes_L_74 * t98
+        - modes_L_75 * t104;
+    const ella_real t117 = C_37 - modes_L_71 * C_31 - modes_L_72 * t87 - modes_L_73 * t93 - modes_L_74 * t99
+        - modes_L_75 * t105;
+    const ella_real t118 = C_47 - modes_L_71 * C_41 - modes_L_72 * t88 - modes_L_73 * t94 - modes_L_74 * t100
+        - modes_L_75 * t106;
+    const ella_real t119 = C_57 - modes_L_71 * C_51 - modes_L_72 * t89 - modes_L_73 * t95 - modes_L_74 * t101
+        - modes_L_75 * t107;
+    const ella_real t120 = C_67 - modes_L_71 * C_61 - modes_L_72 * t90 - modes_L_73 * t96 - modes_L_74 * t102
+        - modes_L_75 * t108;
+    const ella_real t121 = t115 - modes_L_76 * t109;
+    const ella_real t122 = t116 - modes_L_76 * t110;
+    const ella_real t123 = t117 - modes_L_76 * t111;
+    const ella_real t124 = h_phi_2 - modes_L_21 * h_phi_1;
+    const ella_real t125 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t124;
+    const ella_real t126 = h_phi_4 - modes_L_41 * h_phi_1 - modes_L_42 * t124 - modes_L_43 * t125;
+    const ella_real t127 = h_phi_5 - modes_L_51 * h_phi_1 - modes_L_52 * t124 - modes_L_53 * t125 - modes_L_54 * t126;
+    const ella_real t128 = h_phi_6 - modes_L_61 * h_phi_1 - modes_L_62 * t124 - modes_L_63 * t125 - modes_L_64 * t126
+        - modes_L_65 * t127;
+    const ella_real t129 = h_phi_7 - modes_L_71 * h_phi_1 - modes_L_72 * t124 - modes_L_73 * t125 - modes_L_74 * t126
+        - modes_L_75 * t127;
+    const ella_real t130 = t129 - modes_L_76 * t128;
     const ella_real modes_W_11 = C_11 * modes_inverse_1;
     link->modes_W[0] = modes_W_11;
     const ella_real modes_W_12 = C_21 * modes_inverse_1;
@@ -940,137 +947,137 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real modes_W_14 = C_41 * modes_inverse_1;
     const ella_real modes_W_15 = C_51 * modes_inverse_1;
     const ella_real modes_W_16 = C_61 * modes_inverse_1;
-    const ella_real modes_W_21 = t79 * modes_inverse_2;
+    const ella_real modes_W_21 = t85 * modes_inverse_2;
     link->modes_W[6] = modes_W_21;
-    const ella_real modes_W_22 = t80 * modes_inverse_2;
+    const ella_real modes_W_22 = t86 * modes_inverse_2;
     link->modes_W[7] = modes_W_22;
-    const ella_real modes_W_23 = t81 * modes_inverse_2;
+    const ella_real modes_W_23 = t87 * modes_inverse_2;
     link->modes_W[8] = modes_W_23;
-    const ella_real modes_W_24 = t82 * modes_inverse_2;
-    const ella_real modes_W_25 = t83 * modes_inverse_2;
-    const ella_real modes_W_26 = t84 * modes_inverse_2;
-    const ella_real modes_W_31 = t85 * modes_inverse_3;
+    const ella_real modes_W_24 = t88 * modes_inverse_2;
+    const ella_real modes_W_25 = t89 * modes_inverse_2;
+    const ella_real modes_W_26 = t90 * modes_inverse_2;
+    const ella_real modes_W_31 = t91 * modes_inverse_3;
     link->modes_W[12] = modes_W_31;
-    const ella_real modes_W_32 = t86 * modes_inverse_3;
+    const ella_real modes_W_32 = t92 * modes_inverse_3;
     link->modes_W[13] = modes_W_32;
-    const ella_real modes_W_33 = t87 * modes_inverse_3;
+    const ella_real modes_W_33 = t93 * modes_inverse_3;
     link->modes_W[14] = modes_W_33;
-    const ella_real modes_W_34 = t88 * modes_inverse_3;
-    const ella_real modes_W_35 = t89 * modes_inverse_3;
-    const ella_real modes_W_36 = t90 * modes_inverse_3;
-    const ella_real modes_W_41 = t91 * modes_inverse_4;
+    const ella_real modes_W_34 = t94 * modes_inverse_3;
+    const ella_real modes_W_35 = t95 * modes_inverse_3;
+    const ella_real modes_W_36 = t96 * modes_inverse_3;
+    const ella_real modes_W_41 = t97 * modes_inverse_4;
     link->modes_W[18] = modes_W_41;
-    const ella_real modes_W_42 = t92 * modes_inverse_4;
+    const ella_real modes_W_42 = t98 * modes_inverse_4;
     link->modes_W[19] = modes_W_42;
-    const ella_real modes_W_43 = t93 * modes_inverse_4;
+    const ella_real modes_W_43 = t99 * modes_inverse_4;
     link->modes_W[20] = modes_W_43;
-    const ella_real modes_W_44 = t94 * modes_inverse_4;
-    const ella_real modes_W_45 = t95 * modes_inverse_4;
-    const ella_real modes_W_46 = t96 * modes_inverse_4;
-    const ella_real modes_W_51 = t97 * modes_inverse_5;
+    const ella_real modes_W_44 = t100 * modes_inverse_4;
+    const ella_real modes_W_45 = t101 * modes_inverse_4;
+    const ella_real modes_W_46 = t102 * modes_inverse_4;
+    const ella_real modes_W_51 = t103 * modes_inverse_5;
     link->modes_W[24] = modes_W_51;
-    const ella_real modes_W_52 = t98 * modes_inverse_5;
+    const ella_real modes_W_52 = t104 * modes_inverse_5;
     link->modes_W[25] = modes_W_52;
-    const ella_real modes_W_53 = t99 * modes_inverse_5;
+    const ella_real modes_W_53 = t105 * modes_inverse_5;
     link->modes_W[26] = modes_W_53;
-    const ella_real modes_W_54 = t100 * modes_inverse_5;
-    const ella_real modes_W_55 = t101 * modes_inverse_5;
-    const ella_real modes_W_56 = t102 * modes_inverse_5;
-    const ella_real modes_W_61 = t103 * modes_inverse_6;
+    const ella_real modes_W_54 = t106 * modes_inverse_5;
+    const ella_real modes_W_55 = t107 * modes_inverse_5;
+    const ella_real modes_W_56 = t108 * modes_inverse_5;
+    const ella_real modes_W_61 = t109 * modes_inverse_6;
     link->modes_W[30] = modes_W_61;
-    const ella_real modes_W_62 = t104 * modes_inverse_6;
+    const ella_real modes_W_62 = t110 * modes_inverse_6;
     link->modes_W[31] = modes_W_62;
-    const ella_real modes_W_63 = t105 * modes_inverse_6;
+    const ella_real modes_W_63 = t111 * modes_inverse_6;
     link->modes_W[32] = modes_W_63;
-    const ella_real modes_W_64 = t106 * modes_inverse_6;
-    const ella_real modes_W_65 = t107 * modes_inverse_6;
-    const ella_real modes_W_66 = t108 * modes_inverse_6;
-    const ella_real modes_W_71 = t115 * modes_inverse_7;
+    const ella_real modes_W_64 = t112 * modes_inverse_6;
+    const ella_real modes_W_65 = t113 * modes_inverse_6;
+    const ella_real modes_W_66 = t114 * modes_inverse_6;
+    const ella_real modes_W_71 = t121 * modes_inverse_7;
     link->modes_W[36] = modes_W_71;
-    const ella_real modes_W_72 = t116 * modes_inverse_7;
+    const ella_real modes_W_72 = t122 * modes_inverse_7;
     link->modes_W[37] = modes_W_72;
-    const ella_real modes_W_73 = t117 * modes_inverse_7;
+    const ella_real modes_W_73 = t123 * modes_inverse_7;
     link->modes_W[38] = modes_W_73;
-    const ella_real modes_W_74 = (t112 - modes_L_76 * t106) * modes_inverse_7;
-    const ella_real modes_W_75 = (t113 - modes_L_76 * t107) * modes_inverse_7;
-    const ella_real modes_W_76 = (t114 - modes_L_76 * t108) * modes_inverse_7;
+    const ella_real modes_W_74 = (t118 - modes_L_76 * t112) * modes_inverse_7;
+    const ella_real modes_W_75 = (t119 - modes_L_76 * t113) * modes_inverse_7;
+    const ella_real modes_W_76 = (t120 - modes_L_76 * t114) * modes_inverse_7;
     const ella_real modes_w_1 = h_phi_1 * modes_inverse_1;
     link->modes_w[0] = modes_w_1;
-    const ella_real modes_w_2 = t118 * modes_inverse_2;
+    const ella_real modes_w_2 = t124 * modes_inverse_2;
     link->modes_w[1] = modes_w_2;
-    const ella_real modes_w_3 = t119 * modes_inverse_3;
+    const ella_real modes_w_3 = t125 * modes_inverse_3;
     link->modes_w[2] = modes_w_3;
-    const ella_real modes_w_4 = t120 * modes_inverse_4;
+    const ella_real modes_w_4 = t126 * modes_inverse_4;
     link->modes_w[3] = modes_w_4;
-    const ella_real modes_w_5 = t121 * modes_inverse_5;
+    const ella_real modes_w_5 = t127 * modes_inverse_5;
     link->modes_w[4] = modes_w_5;
-    const ella_real modes_w_6 = t122 * modes_inverse_6;
+    const ella_real modes_w_6 = t128 * modes_inverse_6;
     link->modes_w[5] = modes_w_6;
-    const ella_real modes_w_7 = t124 * modes_inverse_7;
+    const ella_real modes_w_7 = t130 * modes_inverse_7;
     link->modes_w[6] = modes_w_7;
-    const ella_real t125 = C_11 * modes_W_11 + t79 * modes_W_21 + t85 * modes_W_31 + t91 * modes_W_41
-        + t97 * modes_W_51 + t103 * modes_W_61;
-    const ella_real M_i_11 = M_loaded_11 - (t125 + t115 * modes_W_71);
-    const ella_real t126 = C_11 * modes_W_12 + t79 * modes_W_22 + t85 * modes_W_32 + t91 * modes_W_42
-        + t97 * modes_W_52 + t103 * modes_W_62;
-    const ella_real M_i_12 = M_loaded_12 - (t126 + t115 * modes_W_72);
-    const ella_real t127 = C_11 * modes_W_13 + t79 * modes_W_23 + t85 * modes_W_33 + t91 * modes_W_43
-        + t97 * modes_W_53 + t103 * modes_W_63;
-    const ella_real M_i_13 = M_loaded_13 - (t127 + t115 * modes_W_73);
-    const ella_real t128 = C_11 * modes_W_14 + t79 * modes_W_24 + t85 * modes_W_34 + t91 * modes_W_44
-        + t97 * modes_W_54 + t103 * modes_W_64;
-    const ella_real M_i_14 = M_loaded_14 - (t128 + t115 * modes_W_74);
-    const ella_real t129 = C_11 * modes_W_15 + t79 * modes_W_25 + t85 * modes_W_35 + t91 * modes_W_45
-        + t97 * modes_W_55 + t103 * modes_W_65;
-    const ella_real M_i_15 = M_loaded_15 - (t129 + t115 * modes_W_75);
-    const ella_real t130 = C_11 * modes_W_16 + t79 * modes_W_26 + t85 * modes_W_36 + t91 * modes_W_46
-        + t97 * modes_W_56 + t103 * modes_W_66;
-    const ella_real M_i_16 = M_loaded_16 - (t130 + t115 * modes_W_76);
-    const ella_real t131 = C_21 * modes_W_12 + t80 * modes_W_22 + t86 * modes_W_32 + t92 * modes_W_42
-        + t98 * modes_W_52 + t104 * modes_W_62;
-    const ella_real M_i_22 = M_loaded_22 - (t131 + t116 * modes_W_72);
-    const ella_real t132 = C_21 * modes_W_13 + t80 * modes_W_23 + t86 * modes_W_33 + t92 * modes_W_43
-        + t98 * modes_W_53 + t104 * modes_W_63;
-    const ella_real M_i_23 = M_loaded_23 - (t132 + t116 * modes_W_73);
-    const ella_real t133 = C_21 * modes_W_14 + t80 * modes_W_24 + t86 * modes_W_34 + t92 * modes_W_44
-        + t98 * modes_W_54 + t104 * modes_W_64;
-    const ella_real M_i_24 = M_loaded_24 - (t133 + t116 * modes_W_74);
-    const ella_real t134 = C_21 * modes_W_15 + t80 * modes_W_25 + t86 * modes_W_35 + t92 * modes_W_45
-        + t98 * modes_W_55 + t104 * modes_W_65;
-    const ella_real M_i_25 = M_loaded_25 - (t134 + t116 * modes_W_75);
-    const ella_real t135 = C_21 * modes_W_16 + t80 * modes_W_26 + t86 * modes_W_36 + t92 * modes_W_46
-        + t98 * modes_W_56 + t104 * modes_W_66;
-    const ella_real M_i_26 = M_loaded_26 - (t135 + t116 * modes_W_76);
-    const ella_real t136 = C_31 * modes_W_13 + t81 * modes_W_23 + t87 * modes_W_33 + t93 * modes_W_43
-        + t99 * modes_W_53 + t105 * modes_W_63;
-    const ella_real M_i_33 = M_loaded_33 - (t136 + t117 * modes_W_73);
-    const ella_real t137 = C_31 * modes_W_14 + t81 * modes_W_24 + t87 * modes_W_34 + t93 * modes_W_44
-        + t99 * modes_W_54 + t105 * modes_W_64;
-    const ella_real M_i_34 = M_loaded_34 - (t137 + t117 * modes_W_74);
-    const ella_real t138 = C_31 * modes_W_15 + t81 * modes_W_25 + t87 * modes_W_35 + t93 * modes_W_45
-        + t99 * modes_W_55 + t105 * modes_W_65;
-    const ella_real M_i_35 = M_loaded_35 - (t138 + t117 * modes_W_75);
-    const ella_real t139 = C_31 * modes_W_16 + t81 * modes_W_26 + t87 * modes_W_36 + t93 * modes_W_46
-        + t99 * modes_W_56 + t105 * modes_W_66;
-    const ella_real M_i_36 = M_loaded_36 - (t139 + t117 * modes_W_76);
-    const ella_real t140 = modes_W_11 * h_phi_1 + modes_W_21 * t118 + modes_W_31 * t119 + modes_W_41 * t120
-        + modes_W_51 * t121;
-    const ella_real t141 = modes_W_12 * h_phi_1 + modes_W_22 * t118 + modes_W_32 * t119 + modes_W_42 * t120
-        + modes_W_52 * t121;
-    const ella_real t142 = modes_W_13 * h_phi_1 + modes_W_23 * t118 + modes_W_33 * t119 + modes_W_43 * t120
-        + modes_W_53 * t121;
-    const ella_real t143 = modes_W_14 * h_phi_1 + modes_W_24 * t118 + modes_W_34 * t119 + modes_W_44 * t120
-        + modes_W_54 * t121;
-    const ella_real t144 = modes_W_15 * h_phi_1 + modes_W_25 * t118 + modes_W_35 * t119 + modes_W_45 * t120
-        + modes_W_55 * t121;
-    const ella_real t145 = modes_W_16 * h_phi_1 + modes_W_26 * t118 + modes_W_36 * t119 + modes_W_46 * t120
-        + modes_W_56 * t121;
-    const ella_real h_i_1 = h_loaded_1 - (t140 + modes_W_61 * t122 + modes_W_71 * t124);
-    const ella_real h_i_2 = h_loaded_2 - (t141 + modes_W_62 * t122 + modes_W_72 * t124);
-    const ella_real h_i_3 = h_loaded_3 - (t142 + modes_W_63 * t122 + modes_W_73 * t124);
-    const ella_real h_i_4 = h_loaded_4 - (t143 + modes_W_64 * t122 + modes_W_74 * t124);
-    const ella_real h_i_5 = h_loaded_5 - (t144 + modes_W_65 * t122 + modes_W_75 * t124);
-    const ella_real h_i_6 = h_loaded_6 - (t145 + modes_W_66 * t122 + modes_W_76 * t124);
+    const ella_real t131 = C_11 * modes_W_11 + t85 * modes_W_21 + t91 * modes_W_31 + t97 * modes_W_41
+        + t103 * modes_W_51 + t109 * modes_W_61;
+    const ella_real M_i_11 = M_loaded_11 - (t131 + t121 * modes_W_71);
+    const ella_real t132 = C_11 * modes_W_12 + t85 * modes_W_22 + t91 * modes_W_32 + t97 * modes_W_42
+        + t103 * modes_W_52 + t109 * modes_W_62;
+    const ella_real M_i_12 = M_loaded_12 - (t132 + t121 * modes_W_72);
+    const ella_real t133 = C_11 * modes_W_13 + t85 * modes_W_23 + t91 * modes_W_33 + t97 * modes_W_43
+        + t103 * modes_W_53 + t109 * modes_W_63;
+    const ella_real M_i_13 = M_loaded_13 - (t133 + t121 * modes_W_73);
+    const ella_real t134 = C_11 * modes_W_14 + t85 * modes_W_24 + t91 * modes_W_34 + t97 * modes_W_44
+        + t103 * modes_W_54 + t109 * modes_W_64;
+    const ella_real M_i_14 = M_loaded_14 - (t134 + t121 * modes_W_74);
+    const ella_real t135 = C_11 * modes_W_15 + t85 * modes_W_25 + t91 * modes_W_35 + t97 * modes_W_45
+        + t103 * modes_W_55 + t109 * modes_W_65;
+    const ella_real M_i_15 = M_loaded_15 - (t135 + t121 * modes_W_75);
+    const ella_real t136 = C_11 * modes_W_16 + t85 * modes_W_26 + t91 * modes_W_36 + t97 * modes_W_46
+        + t103 * modes_W_56 + t109 * modes_W_66;
+    const ella_real M_i_16 = M_loaded_16 - (t136 + t121 * modes_W_76);
+    const ella_real t137 = C_21 * modes_W_12 + t86 * modes_W_22 + t92 * modes_W_32 + t98 * modes_W_42
+        + t104 * modes_W_52 + t110 * modes_W_62;
+    const ella_real M_i_22 = M_loaded_22 - (t137 + t122 * modes_W_72);
+    const ella_real t138 = C_21 * modes_W_13 + t86 * modes_W_23 + t92 * modes_W_33 + t98 * modes_W_43
+        + t104 * modes_W_53 + t110 * modes_W_63;
+    const ella_real M_i_23 = M_loaded_23 - (t138 + t122 * modes_W_73);
+    const ella_real t139 = C_21 * modes_W_14 + t86 * modes_W_24 + t92 * modes_W_34 + t98 * modes_W_44
+        + t104 * modes_W_54 + t110 * modes_W_64;
+    const ella_real M_i_24 = M_loaded_24 - (t139 + t122 * modes_W_74);
+    const ella_real t140 = C_21 * modes_W_15 + t86 * modes_W_25 + t92 * modes_W_35 + t98 * modes_W_45
+        + t104 * modes_W_55 + t110 * modes_W_65;
+    const ella_real M_i_25 = M_loaded_25 - (t140 + t122 * modes_W_75);
+    const ella_real t141 = C_21 * modes_W_16 + t86 * modes_W_26 + t92 * modes_W_36 + t98 * modes_W_46
+        + t104 * modes_W_56 + t110 * modes_W_66;
+    const ella_real M_i_26 = M_loaded_26 - (t141 + t122 * modes_W_76);
+    const ella_real t142 = C_31 * modes_W_13 + t87 * modes_W_23 + t93 * modes_W_33 + t99 * modes_W_43
+        + t105 * modes_W_53 + t111 * modes_W_63;
+    const ella_real M_i_33 = M_loaded_33 - (t142 + t123 * modes_W_73);
+    const ella_real t143 = C_31 * modes_W_14 + t87 * modes_W_24 + t93 * modes_W_34 + t99 * modes_W_44
+        + t105 * modes_W_54 + t111 * modes_W_64;
+    const ella_real M_i_34 = M_loaded_34 - (t143 + t123 * modes_W_74);
+    const ella_real t144 = C_31 * modes_W_15 + t87 * modes_W_25 + t93 * modes_W_35 + t99 * modes_W_45
+        + t105 * modes_W_55 + t111 * modes_W_65;
+    const ella_real M_i_35 = M_loaded_35 - (t144 + t123 * modes_W_75);
+    const ella_real t145 = C_31 * modes_W_16 + t87 * modes_W_26 + t93 * modes_W_36 + t99 * modes_W_46
+        + t105 * modes_W_56 + t111 * modes_W_66;
+    const ella_real M_i_36 = M_loaded_36 - (t145 + t123 * modes_W_76);
+    const ella_real t146 = modes_W_11 * h_phi_1 + modes_W_21 * t124 + modes_W_31 * t125 + modes_W_41 * t126
+        + modes_W_51 * t127;
+    const ella_real t147 = modes_W_12 * h_phi_1 + modes_W_22 * t124 + modes_W_32 * t125 + modes_W_42 * t126
+        + modes_W_52 * t127;
+    const ella_real t148 = modes_W_13 * h_phi_1 + modes_W_23 * t124 + modes_W_33 * t125 + modes_W_43 * t126
+        + modes_W_53 * t127;
+    const ella_real t149 = modes_W_14 * h_phi_1 + modes_W_24 * t124 + modes_W_34 * t125 + modes_W_44 * t126
+        + modes_W_54 * t127;
+    const ella_real t150 = modes_W_15 * h_phi_1 + modes_W_25 * t124 + modes_W_35 * t125 + modes_W_45 * t126
+        + modes_W_55 * t127;
+    const ella_real t151 = modes_W_16 * h_phi_1 + modes_W_26 * t124 + modes_W_36 * t125 + modes_W_46 * t126
+        + modes_W_56 * t127;
+    const ella_real h_i_tau_x = h_loaded_tau_x - (t146 + modes_W_61 * t128 + modes_W_71 * t130);
+    const ella_real h_i_tau_y = h_loaded_tau_y - (t147 + modes_W_62 * t128 + modes_W_72 * t130);
+    const ella_real h_i_tau_z = h_loaded_tau_z - (t148 + modes_W_63 * t128 + modes_W_73 * t130);
+    const ella_real h_i_f_x = h_loaded_f_x - (t149 + modes_W_64 * t128 + modes_W_74 * t130);
+    const ella_real h_i_f_y = h_loaded_f_y - (t150 + modes_W_65 * t128 + modes_W_75 * t130);
+    const ella_real h_i_f_z = h_loaded_f_z - (t151 + modes_W_66 * t128 + modes_W_76 * t130);
 
     /* joint: its accelerations eliminated from its rows (43) */
     const ella_real U_11 = M_i_11 * link->S[0] + M_i_12 * link->S[1];
@@ -1080,32 +1087,32 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real U_51 = M_i_15 * link->S[0] + M_i_25 * link->S[1];
     const ella_real U_61 = M_i_16 * link->S[0] + M_i_26 * link->S[1];
     const ella_real joint_inertia_11 = link->S[0] * U_11 + link->S[1] * U_21;
-    const ella_real t146 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
-    if (!(joint_inertia_11 - t146 > 0)) { return ELLA_SINGULAR; }
+    const ella_real t152 = ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33);
+    if (!(joint_inertia_11 - t152 > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_1 = 1 / joint_inertia_11;
     const ella_real joint_L_21 = U_31 * joint_inverse_1;
     link->joint_L[0] = joint_L_21;
-    const ella_real t147 = M_i_33 - U_31 * joint_L_21;
-    if (!(t147 - t146 > 0)) { return ELLA_SINGULAR; }
-    const ella_real joint_inverse_2 = 1 / t147;
-    const ella_real t148 = tau[0] - (link->S[0] * h_i_1 + link->S[1] * h_i_2);
-    const ella_real t149 = tau[1] - h_i_3 - joint_L_21 * t148;
-    const ella_real joint_w_1 = t148 * joint_inverse_1;
+    const ella_real t153 = M_i_33 - U_31 * joint_L_21;
+    if (!(t153 - t152 > 0)) { return ELLA_SINGULAR; }
+    const ella_real joint_inverse_2 = 1 / t153;
+    const ella_real t154 = tau[0] - (link->S[0] * h_i_tau_x + link->S[1] * h_i_tau_y);
+    const ella_real t155 = tau[1] - h_i_tau_z - joint_L_21 * t154;
+    const ella_real joint_w_1 = t154 * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
-    const ella_real joint_w_2 = t149 * joint_inverse_2;
+    const ella_real joint_w_2 = t155 * joint_inverse_2;
     link->joint_w[1] = joint_w_2;
-    const ella_real p_i_1 = h_i_1 + (U_11 * joint_w_1 + (M_i_13 - joint_L_21 * U_11) * joint_w_2);
-    link->p_i[0] = p_i_1;
-    const ella_real p_i_2 = h_i_2 + (U_21 * joint_w_1 + (M_i_23 - joint_L_21 * U_21) * joint_w_2);
-    link->p_i[1] = p_i_2;
-    const ella_real p_i_3 = h_i_3 + (U_31 * joint_w_1 + t149);
-    link->p_i[2] = p_i_3;
-    const ella_real p_i_4 = h_i_4 + (U_41 * joint_w_1 + (M_i_34 - joint_L_21 * U_41) * joint_w_2);
-    link->p_i[3] = p_i_4;
-    const ella_real p_i_5 = h_i_5 + (U_51 * joint_w_1 + (M_i_35 - joint_L_21 * U_51) * joint_w_2);
-    link->p_i[4] = p_i_5;
-    const ella_real p_i_6 = h_i_6 + (U_61 * joint_w_1 + (M_i_36 - joint_L_21 * U_61) * joint_w_2);
-    link->p_i[5] = p_i_6;
+    const ella_real p_i_tau_x = h_i_tau_x + (U_11 * joint_w_1 + (M_i_13 - joint_L_21 * U_11) * joint_w_2);
+    link->p_i[0] = p_i_tau_x;
+    const ella_real p_i_tau_y = h_i_tau_y + (U_21 * joint_w_1 + (M_i_23 - joint_L_21 * U_21) * joint_w_2);
+    link->p_i[1] = p_i_tau_y;
+    const ella_real p_i_tau_z = h_i_tau_z + (U_31 * joint_w_1 + t155);
+    link->p_i[2] = p_i_tau_z;
+    const ella_real p_i_f_x = h_i_f_x + (U_41 * joint_w_1 + (M_i_34 - joint_L_21 * U_41) * joint_w_2);
+    link->p_i[3] = p_i_f_x;
+    const ella_real p_i_f_y = h_i_f_y + (U_51 * joint_w_1 + (M_i_35 - joint_L_21 * U_51) * joint_w_2);
+    link->p_i[4] = p_i_f_y;
+    const ella_real p_i_f_z = h_i_f_z + (U_61 * joint_w_1 + (M_i_36 - joint_L_21 * U_61) * joint_w_2);
+    link->p_i[5] = p_i_f_z;
     return ELLA_OK;
 }
 
@@ -1156,16 +1163,16 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t2 = link->omega[2] * link->omega[2];
     const ella_real minus_Omega_xx = t1 + t2;
     const ella_real t3 = link->omega[0] * link->omega[1];
-    const ella_real Omega_xy = t3 - link->alpha_0[2];
+    const ella_real Omega_xy = t3 - link->acc_0[2];
     const ella_real t4 = link->omega[0] * link->omega[2];
-    const ella_real Omega_xz = link->alpha_0[1] + t4;
-    const ella_real Omega_yx = link->alpha_0[2] + t3;
+    const ella_real Omega_xz = link->acc_0[1] + t4;
+    const ella_real Omega_yx = link->acc_0[2] + t3;
     const ella_real t5 = link->omega[0] * link->omega[0];
     const ella_real minus_Omega_yy = t5 + t2;
     const ella_real t6 = link->omega[1] * link->omega[2];
-    const ella_real Omega_yz = t6 - link->alpha_0[0];
-    const ella_real Omega_zx = t4 - link->alpha_0[1];
-    const ella_real Omega_zy = link->alpha_0[0] + t6;
+    const ella_real Omega_yz = t6 - link->acc_0[0];
+    const ella_real Omega_zx = t4 - link->acc_0[1];
+    const ella_real Omega_zy = link->acc_0[0] + t6;
     const ella_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
@@ -1177,68 +1184,68 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
-    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0];
+    const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const ella_real h_c_f_x = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const ella_real minus_h_c_f_y = Sdot_z * link->omega[0];
+    const ella_real h_c_f_z = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+    const ella_real t7 = h_c_tau_x + c->I_s * link->acc_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
+    const ella_real H_star_tau_x = t7 + S_y * link->acc_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->acc_0[4];
+    const ella_real t8 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->acc_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
-        - c->S_0_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t9 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
+    const ella_real H_star_tau_y = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->acc_0[5];
+    const ella_real t10 = h_c_tau_z + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->acc_0[4];
+    const ella_real H_star_tau_z = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->acc_0[3] - t9 * link->omega[1];
+    const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->acc_0[3] * c->mu;
+    const ella_real H_star_f_y = Omega_yx * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->acc_0[4] * c->mu;
+    const ella_real H_star_f_z = h_c_f_z + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->acc_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
+    const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+    const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+    const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
-        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
     const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_yx * c->chi_3
-        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
     const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
-        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
     const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
-        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
     const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
-        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
+        + link->acc_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->acc_0[0] * c->sigma_t_7;
 
     /* tip load: the next link, bodies and external wrench, at the tip point in F_i axes (46) */
-    const ella_real minus_p_T_1 = link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
-    const ella_real minus_p_T_2 = link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2];
-    const ella_real minus_p_T_3 = link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2];
-    const ella_real p_T_4 = c->body0_mass * tip->alpha_0[3]
+    const ella_real minus_p_T_tau_x = link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
+    const ella_real minus_p_T_tau_y = link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2];
+    const ella_real minus_p_T_tau_z = link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2];
+    const ella_real p_T_f_x = c->body0_mass * tip->acc_0[3]
         - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real p_T_5 = c->body0_mass * tip->alpha_0[4]
+    const ella_real p_T_f_y = c->body0_mass * tip->acc_0[4]
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
-    const ella_real p_T_6 = c->body0_mass * tip->alpha_0[5]
+    const ella_real p_T_f_z = c->body0_mass * tip->acc_0[5]
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
 
     /* modes: the tip load folded in, modal accelerations eliminated (83) */
@@ -1248,84 +1255,84 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real Theta_14 = link->J_l[1] * c->Psi_c_y4;
     const ella_real Theta_15 = link->J_l[1] * c->Psi_c_y5;
     const ella_real Theta_16 = link->J_l[1] * c->Psi_c_y6;
-    const ella_real Theta_17 = link->J_l[0] * REAL(1.7320508075688772);
+    const ella_real Theta_17 = link->J_l[0] * ELLA_REAL(1.7320508075688772);
     const ella_real Theta_21 = link->J_l[5] * c->Psi_c_z1;
     const ella_real Theta_22 = link->J_l[5] * c->Psi_c_z2;
     const ella_real Theta_23 = link->J_l[5] * c->Psi_c_z3;
     const ella_real Theta_24 = link->J_l[4] * c->Psi_c_y4;
     const ella_real Theta_25 = link->J_l[4] * c->Psi_c_y5;
     const ella_real Theta_26 = link->J_l[4] * c->Psi_c_y6;
-    const ella_real Theta_27 = link->J_l[3] * REAL(1.7320508075688772);
+    const ella_real Theta_27 = link->J_l[3] * ELLA_REAL(1.7320508075688772);
     const ella_real Theta_31 = link->J_l[8] * c->Psi_c_z1;
     const ella_real Theta_32 = link->J_l[8] * c->Psi_c_z2;
     const ella_real Theta_33 = link->J_l[8] * c->Psi_c_z3;
     const ella_real Theta_34 = link->J_l[7] * c->Psi_c_y4;
     const ella_real Theta_35 = link->J_l[7] * c->Psi_c_y5;
     const ella_real Theta_36 = link->J_l[7] * c->Psi_c_y6;
-    const ella_real Theta_37 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real Theta_37 = link->J_l[6] * ELLA_REAL(1.7320508075688772);
     const ella_real t11 = link->r_T[1] * c->body0_mass;
     const ella_real t12 = link->r_T[0] * c->body0_mass;
-    const ella_real t13 = c->length * c->body0_mass;
+    const ella_real t13 = -(c->length * c->body0_mass);
     const ella_real t14 = link->r_T[1] * t11;
     const ella_real t15 = link->r_T[0] * t12;
-    const ella_real t16 = c->length * t13;
+    const ella_real t16 = -(c->length * t13);
     const ella_real M_loaded_11 = I_xx + (t15 + t14);
-    const ella_real minus_M_loaded_12 = link->r_T[0] * t13 + J_xy;
-    const ella_real minus_M_loaded_13 = link->r_T[1] * t13 + J_xz;
-    const ella_real minus_M_loaded_15 = t11 + S_z;
+    const ella_real minus_M_loaded_12 = -(link->r_T[0] * t13) + J_xy;
+    const ella_real M_loaded_13 = link->r_T[1] * t13 - J_xz;
+    const ella_real M_loaded_24 = t11 + S_z;
     const ella_real M_loaded_16 = S_y + t12;
     const ella_real M_loaded_22 = I_yy + (t14 + t16);
     const ella_real minus_M_loaded_23 = link->r_T[1] * t12 + J_yz;
-    const ella_real minus_M_loaded_26 = t13 + c->S_0_x;
+    const ella_real M_loaded_35 = c->S_0_x - t13;
     const ella_real M_loaded_33 = I_zz + (t16 + t15);
     const ella_real M_loaded_44 = c->mu + c->body0_mass;
-    const ella_real h_loaded_1 = h_V_1 + (link->r_T[0] * p_T_6 - link->r_T[1] * p_T_5 - minus_p_T_1);
-    const ella_real h_loaded_2 = h_V_2 + (link->r_T[1] * p_T_4 - c->length * p_T_6 - minus_p_T_2);
-    const ella_real h_loaded_3 = h_V_3 + (c->length * p_T_5 - link->r_T[0] * p_T_4 - minus_p_T_3);
-    const ella_real h_loaded_4 = h_V_4 + p_T_4;
-    const ella_real h_loaded_5 = h_V_5 + p_T_5;
-    const ella_real h_loaded_6 = h_V_6 + p_T_6;
-    const ella_real t17 = c->body0_mass * REAL(2.0011941703010714);
-    const ella_real t18 = c->body0_mass * REAL(2.0700807911885764);
-    const ella_real t19 = c->body0_mass * REAL(3.5651069283690613);
+    const ella_real h_loaded_tau_x = h_V_tau_x + (link->r_T[0] * p_T_f_z - link->r_T[1] * p_T_f_y - minus_p_T_tau_x);
+    const ella_real h_loaded_tau_y = h_V_tau_y + (link->r_T[1] * p_T_f_x - c->length * p_T_f_z - minus_p_T_tau_y);
+    const ella_real h_loaded_tau_z = h_V_tau_z + (c->length * p_T_f_y - link->r_T[0] * p_T_f_x - minus_p_T_tau_z);
+    const ella_real h_loaded_f_x = h_V_f_x + p_T_f_x;
+    const ella_real h_loaded_f_y = h_V_f_y + p_T_f_y;
+    const ella_real h_loaded_f_z = h_V_f_z + p_T_f_z;
+    const ella_real t17 = c->body0_mass * ELLA_REAL(2.0011941703010714);
+    const ella_real t18 = c->body0_mass * ELLA_REAL(2.0700807911885764);
+    const ella_real t19 = c->body0_mass * ELLA_REAL(3.5651069283690613);
     const ella_real minus_C_11 = link->r_T[1] * t17 + L_z1;
     const ella_real minus_C_12 = link->r_T[1] * t18 + L_z2;
     const ella_real minus_C_13 = link->r_T[1] * t19 + L_z3;
     const ella_real C_14 = L_y1 + link->r_T[0] * t17;
     const ella_real C_15 = L_y2 + link->r_T[0] * t18;
     const ella_real C_16 = L_y3 + link->r_T[0] * t19;
-    const ella_real minus_C_24 = c->length * t17 + c->chi_1;
-    const ella_real minus_C_25 = c->length * t18 + c->chi_2;
-    const ella_real minus_C_26 = c->length * t19 + c->chi_3;
+    const ella_real C_31 = c->length * t17 + c->chi_1;
+    const ella_real C_32 = c->length * t18 + c->chi_2;
+    const ella_real C_33 = c->length * t19 + c->chi_3;
     const ella_real C_51 = c->sigma_y1 + t17;
     const ella_real C_52 = c->sigma_y2 + t18;
     const ella_real C_53 = c->sigma_y3 + t19;
-    const ella_real t20 = c->body0_mass * REAL(4.0047781072469935);
+    const ella_real t20 = c->body0_mass * ELLA_REAL(4.0047781072469935);
     const ella_real modal_inertia_11 = t20 + m_eta[0];
     if (!(modal_inertia_11 > 0)) { return ELLA_SINGULAR; }
-    const ella_real modal_inertia_12 = c->body0_mass * REAL(4.142633611378808);
-    const ella_real modal_inertia_13 = c->body0_mass * REAL(7.134471201552125);
-    const ella_real t21 = c->body0_mass * REAL(4.2852344820479225);
+    const ella_real modal_inertia_12 = c->body0_mass * ELLA_REAL(4.142633611378808);
+    const ella_real modal_inertia_13 = c->body0_mass * ELLA_REAL(7.134471201552125);
+    const ella_real t21 = c->body0_mass * ELLA_REAL(4.2852344820479225);
     const ella_real modal_inertia_22 = t21 + m_eta[1];
-    const ella_real modal_inertia_23 = c->body0_mass * REAL(7.380059370950102);
-    const ella_real t22 = c->body0_mass * REAL(12.709987410705082);
+    const ella_real modal_inertia_23 = c->body0_mass * ELLA_REAL(7.380059370950102);
+    const ella_real t22 = c->body0_mass * ELLA_REAL(12.709987410705082);
     const ella_real modal_inertia_33 = t22 + m_eta[2];
     const ella_real modal_inertia_44 = t20 + m_eta[3];
     if (!(modal_inertia_44 > 0)) { return ELLA_SINGULAR; }
     const ella_real modal_inertia_55 = t21 + m_eta[4];
     const ella_real modal_inertia_66 = t22 + m_eta[5];
-    const ella_real t23 = p_T_5 * REAL(2.0011941703010714)
-        - (Theta_11 * minus_p_T_1 + Theta_21 * minus_p_T_2 + Theta_31 * minus_p_T_3);
-    const ella_real t24 = p_T_5 * REAL(2.0700807911885764)
-        - (Theta_12 * minus_p_T_1 + Theta_22 * minus_p_T_2 + Theta_32 * minus_p_T_3);
-    const ella_real t25 = p_T_5 * REAL(3.5651069283690613)
-        - (Theta_13 * minus_p_T_1 + Theta_23 * minus_p_T_2 + Theta_33 * minus_p_T_3);
-    const ella_real t26 = p_T_6 * REAL(2.0011941703010714)
-        - (Theta_14 * minus_p_T_1 + Theta_24 * minus_p_T_2 + Theta_34 * minus_p_T_3);
-    const ella_real t27 = p_T_6 * REAL(2.0700807911885764)
-        - (Theta_15 * minus_p_T_1 + Theta_25 * minus_p_T_2 + Theta_35 * minus_p_T_3);
-    const ella_real t28 = p_T_6 * REAL(3.5651069283690613)
-        - (Theta_16 * minus_p_T_1 + Theta_26 * minus_p_T_2 + Theta_36 * minus_p_T_3);
+    const ella_real t23 = p_T_f_y * ELLA_REAL(2.0011941703010714)
+        - (Theta_11 * minus_p_T_tau_x + Theta_21 * minus_p_T_tau_y + Theta_31 * minus_p_T_tau_z);
+    const ella_real t24 = p_T_f_y * ELLA_REAL(2.0700807911885764)
+        - (Theta_12 * minus_p_T_tau_x + Theta_22 * minus_p_T_tau_y + Theta_32 * minus_p_T_tau_z);
+    const ella_real t25 = p_T_f_y * ELLA_REAL(3.5651069283690613)
+        - (Theta_13 * minus_p_T_tau_x + Theta_23 * minus_p_T_tau_y + Theta_33 * minus_p_T_tau_z);
+    const ella_real t26 = p_T_f_z * ELLA_REAL(2.0011941703010714)
+        - (Theta_14 * minus_p_T_tau_x + Theta_24 * minus_p_T_tau_y + Theta_34 * minus_p_T_tau_z);
+    const ella_real t27 = p_T_f_z * ELLA_REAL(2.0700807911885764)
+        - (Theta_15 * minus_p_T_tau_x + Theta_25 * minus_p_T_tau_y + Theta_35 * minus_p_T_tau_z);
+    const ella_real t28 = p_T_f_z * ELLA_REAL(3.5651069283690613)
+        - (Theta_16 * minus_p_T_tau_x + Theta_26 * minus_p_T_tau_y + Theta_36 * minus_p_T_tau_z);
     const ella_real h_phi_1 = h_eta_1 + f_eta[0] + t23;
     const ella_real h_phi_2 = h_eta_2 + f_eta[1] + t24;
     const ella_real h_phi_3 = h_eta_3 + f_eta[2] + t25;
@@ -1333,7 +1340,7 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real h_phi_5 = h_eta_5 + f_eta[4] + t27;
     const ella_real h_phi_6 = h_eta_6 + f_eta[5] + t28;
     const ella_real h_phi_7 = h_eta_7 + f_eta[6]
-        - (Theta_17 * minus_p_T_1 + Theta_27 * minus_p_T_2 + Theta_37 * minus_p_T_3);
+        - (Theta_17 * minus_p_T_tau_x + Theta_27 * minus_p_T_tau_y + Theta_37 * minus_p_T_tau_z);
     const ella_real modes_inverse_1 = 1 / modal_inertia_11;
     const ella_real modes_L_21 = modal_inertia_12 * modes_inverse_1;
     link->modes_L[0] = modes_L_21;
@@ -1364,16 +1371,16 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real modes_inverse_6 = 1 / t34;
     const ella_real modes_inverse_7 = 1 / m_eta[6];
     const ella_real t35 = modes_L_21 * minus_C_11 - minus_C_12;
-    const ella_real t36 = minus_C_25 - modes_L_21 * minus_C_24;
+    const ella_real t36 = C_32 - modes_L_21 * C_31;
     const ella_real t37 = C_52 - modes_L_21 * C_51;
     const ella_real t38 = modes_L_31 * minus_C_11 - minus_C_13 - modes_L_32 * t35;
-    const ella_real t39 = minus_C_26 - modes_L_31 * minus_C_24 - modes_L_32 * t36;
+    const ella_real t39 = C_33 - modes_L_31 * C_31 - modes_L_32 * t36;
     const ella_real t40 = C_53 - modes_L_31 * C_51 - modes_L_32 * t37;
     const ella_real t41 = C_15 - modes_L_54 * C_14;
-    const ella_real t42 = modes_L_54 * minus_C_24 - minus_C_25;
+    const ella_real t42 = modes_L_54 * C_31 - C_32;
     const ella_real t43 = C_52 - modes_L_54 * C_51;
     const ella_real t44 = C_16 - modes_L_64 * C_14 - modes_L_65 * t41;
-    const ella_real t45 = modes_L_64 * minus_C_24 - minus_C_26 - modes_L_65 * t42;
+    const ella_real t45 = modes_L_64 * C_31 - C_33 - modes_L_65 * t42;
     const ella_real t46 = C_53 - modes_L_64 * C_51 - modes_L_65 * t43;
     const ella_real t47 = h_phi_2 - modes_L_21 * h_phi_1;
     const ella_real t48 = h_phi_3 - modes_L_31 * h_phi_1 - modes_L_32 * t47;
@@ -1381,7 +1388,7 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t50 = h_phi_6 - modes_L_64 * h_phi_4 - modes_L_65 * t49;
     const ella_real minus_modes_W_11 = minus_C_11 * modes_inverse_1;
     link->modes_W[0] = -minus_modes_W_11;
-    const ella_real modes_W_13 = minus_C_24 * modes_inverse_1;
+    const ella_real modes_W_13 = C_31 * modes_inverse_1;
     link->modes_W[2] = modes_W_13;
     const ella_real modes_W_15 = C_51 * modes_inverse_1;
     link->modes_W[4] = modes_W_15;
@@ -1399,7 +1406,7 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     link->modes_W[16] = modes_W_35;
     const ella_real modes_W_41 = C_14 * modes_inverse_4;
     link->modes_W[18] = modes_W_41;
-    const ella_real minus_modes_W_42 = minus_C_24 * modes_inverse_4;
+    const ella_real minus_modes_W_42 = C_31 * modes_inverse_4;
     link->modes_W[19] = -minus_modes_W_42;
     const ella_real modes_W_46 = C_51 * modes_inverse_4;
     link->modes_W[23] = modes_W_46;
@@ -1434,52 +1441,52 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real t51 = minus_C_11 * minus_modes_W_11 + t35 * modes_W_21 + t38 * modes_W_31 + C_14 * modes_W_41
         + t41 * modes_W_51;
     const ella_real M_i_11 = M_loaded_11 - (t51 + t44 * modes_W_61 + c->sigma_t_7 * modes_W_71);
-    const ella_real minus_M_i_12 = minus_M_loaded_12 + (t41 * modes_W_52 - C_14 * minus_modes_W_42 + t44 * modes_W_62);
-    const ella_real minus_M_i_13 = minus_M_loaded_13 + (t35 * modes_W_23 - minus_C_11 * modes_W_13 + t38 * modes_W_33);
-    const ella_real minus_M_i_15 = minus_M_loaded_15 + (t35 * modes_W_25 - minus_C_11 * modes_W_15 + t38 * modes_W_35);
+    const ella_real M_i_12 = C_14 * minus_modes_W_42 - t41 * modes_W_52 - t44 * modes_W_62 - minus_M_loaded_12;
+    const ella_real M_i_13 = M_loaded_13 - (t35 * modes_W_23 - minus_C_11 * modes_W_13 + t38 * modes_W_33);
+    const ella_real M_i_15 = minus_C_11 * modes_W_15 - t35 * modes_W_25 - t38 * modes_W_35 - M_loaded_24;
     const ella_real M_i_16 = M_loaded_16 - (C_14 * modes_W_46 + t41 * modes_W_56 + t44 * modes_W_66);
     link->Lambda_i[4] = M_i_16;
-    const ella_real M_i_22 = M_loaded_22 - (minus_C_24 * minus_modes_W_42 + t42 * modes_W_52 + t45 * modes_W_62);
-    const ella_real minus_M_i_26 = minus_M_loaded_26 + (t42 * modes_W_56 - minus_C_24 * modes_W_46 + t45 * modes_W_66);
-    link->Lambda_i[8] = -minus_M_i_26;
-    const ella_real M_i_33 = M_loaded_33 - (minus_C_24 * modes_W_13 + t36 * modes_W_23 + t39 * modes_W_33);
-    const ella_real M_i_35 = minus_M_loaded_26 - (minus_C_24 * modes_W_15 + t36 * modes_W_25 + t39 * modes_W_35);
+    const ella_real M_i_22 = M_loaded_22 - (C_31 * minus_modes_W_42 + t42 * modes_W_52 + t45 * modes_W_62);
+    const ella_real M_i_26 = -(t42 * modes_W_56 - C_31 * modes_W_46 + t45 * modes_W_66) - M_loaded_35;
+    link->Lambda_i[8] = M_i_26;
+    const ella_real M_i_33 = M_loaded_33 - (C_31 * modes_W_13 + t36 * modes_W_23 + t39 * modes_W_33);
+    const ella_real M_i_35 = M_loaded_35 - (C_31 * modes_W_15 + t36 * modes_W_25 + t39 * modes_W_35);
     const ella_real M_i_55 = M_loaded_44 - (C_51 * modes_W_15 + t37 * modes_W_25 + t40 * modes_W_35);
     const ella_real M_i_66 = M_loaded_44 - (C_51 * modes_W_46 + t43 * modes_W_56 + t46 * modes_W_66);
     link->Lambda_i[14] = M_i_66;
     const ella_real t52 = modes_W_21 * t47 - minus_modes_W_11 * h_phi_1 + modes_W_31 * t48 + modes_W_41 * h_phi_4
         + modes_W_51 * t49;
-    const ella_real h_i_1 = h_loaded_1 - (t52 + modes_W_61 * t50 + modes_W_71 * h_phi_7);
-    const ella_real h_i_2 = h_loaded_2 - (modes_W_52 * t49 - minus_modes_W_42 * h_phi_4 + modes_W_62 * t50);
-    const ella_real h_i_3 = h_loaded_3 - (modes_W_13 * h_phi_1 + modes_W_23 * t47 + modes_W_33 * t48);
-    const ella_real h_i_5 = h_loaded_5 - (modes_W_15 * h_phi_1 + modes_W_25 * t47 + modes_W_35 * t48);
-    const ella_real h_i_6 = h_loaded_6 - (modes_W_46 * h_phi_4 + modes_W_56 * t49 + modes_W_66 * t50);
-    link->p_i[5] = h_i_6;
+    const ella_real h_i_tau_x = h_loaded_tau_x - (t52 + modes_W_61 * t50 + modes_W_71 * h_phi_7);
+    const ella_real h_i_tau_y = h_loaded_tau_y - (modes_W_52 * t49 - minus_modes_W_42 * h_phi_4 + modes_W_62 * t50);
+    const ella_real h_i_tau_z = h_loaded_tau_z - (modes_W_13 * h_phi_1 + modes_W_23 * t47 + modes_W_33 * t48);
+    const ella_real h_i_f_y = h_loaded_f_y - (modes_W_15 * h_phi_1 + modes_W_25 * t47 + modes_W_35 * t48);
+    const ella_real h_i_f_z = h_loaded_f_z - (modes_W_46 * h_phi_4 + modes_W_56 * t49 + modes_W_66 * t50);
+    link->p_i[5] = h_i_f_z;
 
     /* joint: its accelerations eliminated from its rows (43) */
     if (!(M_i_33 - ELLA_REAL_EPSILON * 8 * (M_i_11 + M_i_22 + M_i_33) > 0)) { return ELLA_SINGULAR; }
     const ella_real joint_inverse_1 = 1 / M_i_33;
-    const ella_real minus_joint_W_11 = minus_M_i_13 * joint_inverse_1;
-    link->joint_W[0] = -minus_joint_W_11;
+    const ella_real joint_W_11 = M_i_13 * joint_inverse_1;
+    link->joint_W[0] = joint_W_11;
     const ella_real minus_joint_W_12 = minus_M_loaded_23 * joint_inverse_1;
     link->joint_W[1] = -minus_joint_W_12;
     const ella_real minus_joint_W_14 = M_loaded_16 * joint_inverse_1;
     link->joint_W[2] = -minus_joint_W_14;
     const ella_real joint_W_15 = M_i_35 * joint_inverse_1;
     link->joint_W[3] = joint_W_15;
-    const ella_real joint_w_1 = (tau[0] - h_i_3) * joint_inverse_1;
+    const ella_real joint_w_1 = (tau[0] - h_i_tau_z) * joint_inverse_1;
     link->joint_w[0] = joint_w_1;
-    const ella_real Lambda_i_11 = M_i_11 - minus_M_i_13 * minus_joint_W_11;
+    const ella_real Lambda_i_11 = M_i_11 - M_i_13 * joint_W_11;
     link->Lambda_i[0] = Lambda_i_11;
-    const ella_real minus_Lambda_i_12 = minus_M_i_12 + minus_M_i_13 * minus_joint_W_12;
-    link->Lambda_i[1] = -minus_Lambda_i_12;
-    const ella_real minus_Lambda_i_14 = minus_M_i_13 * minus_joint_W_14;
-    link->Lambda_i[2] = -minus_Lambda_i_14;
-    const ella_real Lambda_i_15 = minus_M_i_13 * joint_W_15 - minus_M_i_15;
+    const ella_real Lambda_i_12 = M_i_12 + M_i_13 * minus_joint_W_12;
+    link->Lambda_i[1] = Lambda_i_12;
+    const ella_real Lambda_i_14 = M_i_13 * minus_joint_W_14;
+    link->Lambda_i[2] = Lambda_i_14;
+    const ella_real Lambda_i_15 = M_i_15 - M_i_13 * joint_W_15;
     link->Lambda_i[3] = Lambda_i_15;
     const ella_real Lambda_i_22 = M_i_22 - minus_M_loaded_23 * minus_joint_W_12;
     link->Lambda_i[5] = Lambda_i_22;
-    const ella_real Lambda_i_24 = minus_M_loaded_15 - minus_M_loaded_23 * minus_joint_W_14;
+    const ella_real Lambda_i_24 = M_loaded_24 - minus_M_loaded_23 * minus_joint_W_14;
     link->Lambda_i[6] = Lambda_i_24;
     const ella_real Lambda_i_25 = minus_M_loaded_23 * joint_W_15;
     link->Lambda_i[7] = Lambda_i_25;
@@ -1489,22 +1496,22 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     link->Lambda_i[10] = Lambda_i_45;
     const ella_real Lambda_i_55 = M_i_55 - M_i_35 * joint_W_15;
     link->Lambda_i[12] = Lambda_i_55;
-    const ella_real p_i_1 = h_i_1 - minus_M_i_13 * joint_w_1;
-    link->p_i[0] = p_i_1;
-    const ella_real p_i_2 = h_i_2 - minus_M_loaded_23 * joint_w_1;
-    link->p_i[1] = p_i_2;
-    const ella_real p_i_4 = h_loaded_4 - M_loaded_16 * joint_w_1;
-    link->p_i[3] = p_i_4;
-    const ella_real p_i_5 = h_i_5 + M_i_35 * joint_w_1;
-    link->p_i[4] = p_i_5;
+    const ella_real p_i_tau_x = h_i_tau_x + M_i_13 * joint_w_1;
+    link->p_i[0] = p_i_tau_x;
+    const ella_real p_i_tau_y = h_i_tau_y - minus_M_loaded_23 * joint_w_1;
+    link->p_i[1] = p_i_tau_y;
+    const ella_real p_i_f_x = h_loaded_f_x - M_loaded_16 * joint_w_1;
+    link->p_i[3] = p_i_f_x;
+    const ella_real p_i_f_y = h_i_f_y + M_i_35 * joint_w_1;
+    link->p_i[4] = p_i_f_y;
 
     /* handed up: inertia and bias that the joint shows to the parent's tip (49) */
-    const ella_real t53 = Lambda_i_11 * link->R_P[3] - minus_Lambda_i_12 * link->R_P[4];
-    const ella_real t54 = Lambda_i_11 * link->R_P[6] - minus_Lambda_i_12 * link->R_P[7];
-    const ella_real t55 = Lambda_i_22 * link->R_P[4] - minus_Lambda_i_12 * link->R_P[3];
-    const ella_real t56 = Lambda_i_22 * link->R_P[7] - minus_Lambda_i_12 * link->R_P[6];
-    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] - minus_Lambda_i_12 * link->R_P[1])
-        + link->R_P[1] * (Lambda_i_22 * link->R_P[1] - minus_Lambda_i_12 * link->R_P[0]);
+    const ella_real t53 = Lambda_i_11 * link->R_P[3] + Lambda_i_12 * link->R_P[4];
+    const ella_real t54 = Lambda_i_11 * link->R_P[6] + Lambda_i_12 * link->R_P[7];
+    const ella_real t55 = Lambda_i_22 * link->R_P[4] + Lambda_i_12 * link->R_P[3];
+    const ella_real t56 = Lambda_i_22 * link->R_P[7] + Lambda_i_12 * link->R_P[6];
+    const ella_real Lambda_1 = link->R_P[0] * (Lambda_i_11 * link->R_P[0] + Lambda_i_12 * link->R_P[1])
+        + link->R_P[1] * (Lambda_i_22 * link->R_P[1] + Lambda_i_12 * link->R_P[0]);
     base->Lambda[0] = Lambda_1;
     const ella_real Lambda_2 = link->R_P[0] * t53 + link->R_P[1] * t55;
     base->Lambda[1] = Lambda_2;
@@ -1516,12 +1523,12 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     base->Lambda[7] = Lambda_8;
     const ella_real Lambda_12 = link->R_P[6] * t54 + link->R_P[7] * t56;
     base->Lambda[11] = Lambda_12;
-    const ella_real t57 = Lambda_i_15 * link->R_P[1] - minus_Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
-    const ella_real t58 = Lambda_i_15 * link->R_P[4] - minus_Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
-    const ella_real t59 = Lambda_i_15 * link->R_P[7] - minus_Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
-    const ella_real t60 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1] - minus_M_i_26 * link->R_P[2];
-    const ella_real t61 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4] - minus_M_i_26 * link->R_P[5];
-    const ella_real t62 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7] - minus_M_i_26 * link->R_P[8];
+    const ella_real t57 = Lambda_i_15 * link->R_P[1] + Lambda_i_14 * link->R_P[0] + M_i_16 * link->R_P[2];
+    const ella_real t58 = Lambda_i_15 * link->R_P[4] + Lambda_i_14 * link->R_P[3] + M_i_16 * link->R_P[5];
+    const ella_real t59 = Lambda_i_15 * link->R_P[7] + Lambda_i_14 * link->R_P[6] + M_i_16 * link->R_P[8];
+    const ella_real t60 = Lambda_i_24 * link->R_P[0] + Lambda_i_25 * link->R_P[1] + M_i_26 * link->R_P[2];
+    const ella_real t61 = Lambda_i_24 * link->R_P[3] + Lambda_i_25 * link->R_P[4] + M_i_26 * link->R_P[5];
+    const ella_real t62 = Lambda_i_24 * link->R_P[6] + Lambda_i_25 * link->R_P[7] + M_i_26 * link->R_P[8];
     const ella_real Lambda_4 = link->R_P[0] * t57 + link->R_P[1] * t60;
     base->Lambda[3] = Lambda_4;
     const ella_real Lambda_5 = link->R_P[0] * t58 + link->R_P[1] * t61;
@@ -1540,11 +1547,11 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     base->Lambda[13] = Lambda_14;
     const ella_real Lambda_15 = link->R_P[6] * t59 + link->R_P[7] * t62;
     base->Lambda[14] = Lambda_15;
-    const ella_real t63 = (Lambda_i_44 - M_i_66) * REAL(0.5);
+    const ella_real t63 = (Lambda_i_44 - M_i_66) * ELLA_REAL(0.5);
     const ella_real t64 = t63 * link->R_P[0] + Lambda_i_45 * link->R_P[1];
     const ella_real t65 = t63 * link->R_P[3] + Lambda_i_45 * link->R_P[4];
     const ella_real t66 = t63 * link->R_P[6] + Lambda_i_45 * link->R_P[7];
-    const ella_real t67 = (Lambda_i_55 - M_i_66) * REAL(0.5);
+    const ella_real t67 = (Lambda_i_55 - M_i_66) * ELLA_REAL(0.5);
     const ella_real t68 = t67 * link->R_P[1];
     const ella_real t69 = t67 * link->R_P[4];
     const ella_real t70 = t67 * link->R_P[7];
@@ -1560,18 +1567,18 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     base->Lambda[19] = Lambda_20;
     const ella_real Lambda_21 = (link->R_P[6] * t66 + link->R_P[7] * t70) * 2 + M_i_66;
     base->Lambda[20] = Lambda_21;
-    const ella_real p_1 = link->R_P[0] * p_i_1 + link->R_P[1] * p_i_2 + link->R_P[2] * tau[0];
-    base->p[0] = p_1;
-    const ella_real p_2 = link->R_P[3] * p_i_1 + link->R_P[4] * p_i_2 + link->R_P[5] * tau[0];
-    base->p[1] = p_2;
-    const ella_real p_3 = link->R_P[6] * p_i_1 + link->R_P[7] * p_i_2 + link->R_P[8] * tau[0];
-    base->p[2] = p_3;
-    const ella_real p_4 = link->R_P[0] * p_i_4 + link->R_P[1] * p_i_5 + link->R_P[2] * h_i_6;
-    base->p[3] = p_4;
-    const ella_real p_5 = link->R_P[3] * p_i_4 + link->R_P[4] * p_i_5 + link->R_P[5] * h_i_6;
-    base->p[4] = p_5;
-    const ella_real p_6 = link->R_P[6] * p_i_4 + link->R_P[7] * p_i_5 + link->R_P[8] * h_i_6;
-    base->p[5] = p_6;
+    const ella_real p_tau_x = link->R_P[0] * p_i_tau_x + link->R_P[1] * p_i_tau_y + link->R_P[2] * tau[0];
+    base->p[0] = p_tau_x;
+    const ella_real p_tau_y = link->R_P[3] * p_i_tau_x + link->R_P[4] * p_i_tau_y + link->R_P[5] * tau[0];
+    base->p[1] = p_tau_y;
+    const ella_real p_tau_z = link->R_P[6] * p_i_tau_x + link->R_P[7] * p_i_tau_y + link->R_P[8] * tau[0];
+    base->p[2] = p_tau_z;
+    const ella_real p_f_x = link->R_P[0] * p_i_f_x + link->R_P[1] * p_i_f_y + link->R_P[2] * h_i_f_z;
+    base->p[3] = p_f_x;
+    const ella_real p_f_y = link->R_P[3] * p_i_f_x + link->R_P[4] * p_i_f_y + link->R_P[5] * h_i_f_z;
+    base->p[4] = p_f_y;
+    const ella_real p_f_z = link->R_P[6] * p_i_f_x + link->R_P[7] * p_i_f_y + link->R_P[8] * h_i_f_z;
+    base->p[5] = p_f_z;
 
     /* outputs */
     link->p_i[2] = tau[0];
@@ -1588,75 +1595,77 @@ ELLA_PART ella_status accelerate_upper_arm(const ella_link_constants *restrict c
     qddot[0] = qddot_1;
 
     /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_1 = link->S[0] * qddot_1;
-    const ella_real delta_2 = link->S[1] * qddot_1;
-    const ella_real alpha_1 = delta_1 + link->alpha_0[0];
-    alpha[0] = alpha_1;
-    const ella_real alpha_2 = delta_2 + link->alpha_0[1];
-    alpha[1] = alpha_2;
-    const ella_real t1 = link->modes_w[0]
-        + (link->modes_W[0] * delta_1 + link->modes_W[1] * delta_2 + link->modes_W[2] * link->joint_w[1]);
-    const ella_real t2 = link->modes_w[1]
-        + (link->modes_W[6] * delta_1 + link->modes_W[7] * delta_2 + link->modes_W[8] * link->joint_w[1]);
-    const ella_real t3 = link->modes_w[2]
-        + (link->modes_W[12] * delta_1 + link->modes_W[13] * delta_2 + link->modes_W[14] * link->joint_w[1]);
-    const ella_real t4 = link->modes_w[3]
-        + (link->modes_W[18] * delta_1 + link->modes_W[19] * delta_2 + link->modes_W[20] * link->joint_w[1]);
-    const ella_real t5 = link->modes_w[4]
-        + (link->modes_W[24] * delta_1 + link->modes_W[25] * delta_2 + link->modes_W[26] * link->joint_w[1]);
-    const ella_real t6 = link->modes_w[5]
-        + (link->modes_W[30] * delta_1 + link->modes_W[31] * delta_2 + link->modes_W[32] * link->joint_w[1]);
-    const ella_real minus_etaddot_7 = link->modes_w[6]
-        + (link->modes_W[36] * delta_1 + link->modes_W[37] * delta_2 + link->modes_W[38] * link->joint_w[1]);
-    etaddot[6] = -minus_etaddot_7;
-    const ella_real minus_etaddot_6 = t6 - link->modes_L[20] * minus_etaddot_7;
-    etaddot[5] = -minus_etaddot_6;
-    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6 - link->modes_L[19] * minus_etaddot_7;
-    etaddot[4] = -minus_etaddot_5;
-    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5 - link->modes_L[13] * minus_etaddot_6
-        - link->modes_L[18] * minus_etaddot_7;
-    etaddot[3] = -minus_etaddot_4;
-    const ella_real t7 = t3 - link->modes_L[5] * minus_etaddot_4 - link->modes_L[8] * minus_etaddot_5
-        - link->modes_L[12] * minus_etaddot_6;
-    const ella_real minus_etaddot_3 = t7 - link->modes_L[17] * minus_etaddot_7;
-    etaddot[2] = -minus_etaddot_3;
-    const ella_real t8 = t2 - link->modes_L[2] * minus_etaddot_3 - link->modes_L[4] * minus_etaddot_4
-        - link->modes_L[7] * minus_etaddot_5;
-    const ella_real minus_etaddot_2 = t8 - link->modes_L[11] * minus_etaddot_6 - link->modes_L[16] * minus_etaddot_7;
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real t9 = t1 - link->modes_L[0] * minus_etaddot_2 - link->modes_L[1] * minus_etaddot_3
-        - link->modes_L[3] * minus_etaddot_4;
-    const ella_real minus_etaddot_1 = t9 - link->modes_L[6] * minus_etaddot_5 - link->modes_L[10] * minus_etaddot_6
-        - link->modes_L[15] * minus_etaddot_7;
-    etaddot[0] = -minus_etaddot_1;
+    const ella_real delta_alpha_x = link->S[0] * qddot_1;
+    const ella_real delta_alpha_y = link->S[1] * qddot_1;
+    const ella_real alpha_alpha_x = delta_alpha_x + link->acc_0[0];
+    alpha[0] = alpha_alpha_x;
+    const ella_real alpha_alpha_y = delta_alpha_y + link->acc_0[1];
+    alpha[1] = alpha_alpha_y;
+    const ella_real t1 = link->modes_W[0] * delta_alpha_x + link->modes_W[1] * delta_alpha_y
+        + link->modes_W[2] * link->joint_w[1];
+    const ella_real t2 = link->modes_W[6] * delta_alpha_x + link->modes_W[7] * delta_alpha_y
+        + link->modes_W[8] * link->joint_w[1];
+    const ella_real t3 = link->modes_W[12] * delta_alpha_x + link->modes_W[13] * delta_alpha_y
+        + link->modes_W[14] * link->joint_w[1];
+    const ella_real t4 = -(link->modes_W[18] * delta_alpha_x + link->modes_W[19] * delta_alpha_y)
+        - link->modes_W[20] * link->joint_w[1];
+    const ella_real t5 = link->modes_W[24] * delta_alpha_x + link->modes_W[25] * delta_alpha_y
+        + link->modes_W[26] * link->joint_w[1];
+    const ella_real t6 = link->modes_W[30] * delta_alpha_x + link->modes_W[31] * delta_alpha_y
+        + link->modes_W[32] * link->joint_w[1];
+    const ella_real t7 = -(link->modes_W[36] * delta_alpha_x + link->modes_W[37] * delta_alpha_y)
+        - link->modes_W[38] * link->joint_w[1];
+    const ella_real etaddot_7 = t7 - link->modes_w[6];
+    etaddot[6] = etaddot_7;
+    const ella_real etaddot_6 = -(link->modes_w[5] + t6) - link->modes_L[20] * etaddot_7;
+    etaddot[5] = etaddot_6;
+    const ella_real etaddot_5 = -(link->modes_w[4] + t5 + link->modes_L[14] * etaddot_6)
+        - link->modes_L[19] * etaddot_7;
+    etaddot[4] = etaddot_5;
+    const ella_real etaddot_4 = t4 - link->modes_w[3] - link->modes_L[9] * etaddot_5 - link->modes_L[13] * etaddot_6
+        - link->modes_L[18] * etaddot_7;
+    etaddot[3] = etaddot_4;
+    const ella_real t8 = link->modes_w[2] + t3 + link->modes_L[5] * etaddot_4 + link->modes_L[8] * etaddot_5
+        + link->modes_L[12] * etaddot_6;
+    const ella_real etaddot_3 = -t8 - link->modes_L[17] * etaddot_7;
+    etaddot[2] = etaddot_3;
+    const ella_real t9 = link->modes_w[1] + t2 + link->modes_L[2] * etaddot_3 + link->modes_L[4] * etaddot_4
+        + link->modes_L[7] * etaddot_5;
+    const ella_real etaddot_2 = -(t9 + link->modes_L[11] * etaddot_6) - link->modes_L[16] * etaddot_7;
+    etaddot[1] = etaddot_2;
+    const ella_real t10 = -(link->modes_w[0] + t1 + link->modes_L[0] * etaddot_2) - link->modes_L[1] * etaddot_3
+        - link->modes_L[3] * etaddot_4;
+    const ella_real etaddot_1 = t10 - link->modes_L[6] * etaddot_5 - link->modes_L[10] * etaddot_6
+        - link->modes_L[15] * etaddot_7;
+    etaddot[0] = etaddot_1;
 
     /* tip: what is added to the acceleration of the tip section (accconst1b) */
-    const ella_real t10 = minus_etaddot_7 * REAL(1.7320508075688772);
-    const ella_real t11 = c->Psi_c_y4 * minus_etaddot_4 + c->Psi_c_y5 * minus_etaddot_5 + c->Psi_c_y6 * minus_etaddot_6;
-    const ella_real t12 = c->Psi_c_z1 * minus_etaddot_1 + c->Psi_c_z2 * minus_etaddot_2 + c->Psi_c_z3 * minus_etaddot_3;
-    const ella_real t13 = minus_etaddot_1 * REAL(2.0011941703010714) + minus_etaddot_2 * REAL(2.0700807911885764)
-        + minus_etaddot_3 * REAL(3.5651069283690613);
-    const ella_real t14 = minus_etaddot_4 * REAL(2.0011941703010714) + minus_etaddot_5 * REAL(2.0700807911885764)
-        + minus_etaddot_6 * REAL(3.5651069283690613);
-    const ella_real delta_T_4 = delta_2 * link->r_T[1] - link->joint_w[1] * link->r_T[0];
-    tip->delta[3] = delta_T_4;
-    const ella_real delta_T_1 = delta_1 - (link->J_l[0] * t10 + link->J_l[1] * t11 + link->J_l[2] * t12);
-    tip->delta[0] = delta_T_1;
-    const ella_real delta_T_2 = delta_2 - (link->J_l[3] * t10 + link->J_l[4] * t11 + link->J_l[5] * t12);
-    tip->delta[1] = delta_T_2;
-    const ella_real delta_T_3 = link->joint_w[1] - (link->J_l[6] * t10 + link->J_l[7] * t11 + link->J_l[8] * t12);
-    tip->delta[2] = delta_T_3;
-    const ella_real delta_T_5 = link->joint_w[1] * c->length - delta_1 * link->r_T[1] - t13;
-    tip->delta[4] = delta_T_5;
-    const ella_real delta_T_6 = delta_1 * link->r_T[0] - delta_2 * c->length - t14;
-    tip->delta[5] = delta_T_6;
+    const ella_real t11 = etaddot_7 * ELLA_REAL(1.7320508075688772);
+    const ella_real t12 = c->Psi_c_y4 * etaddot_4 + c->Psi_c_y5 * etaddot_5 + c->Psi_c_y6 * etaddot_6;
+    const ella_real t13 = c->Psi_c_z1 * etaddot_1 + c->Psi_c_z2 * etaddot_2 + c->Psi_c_z3 * etaddot_3;
+    const ella_real t14 = etaddot_1 * ELLA_REAL(2.0011941703010714) + etaddot_2 * ELLA_REAL(2.0700807911885764)
+        + etaddot_3 * ELLA_REAL(3.5651069283690613);
+    const ella_real t15 = etaddot_4 * ELLA_REAL(2.0011941703010714) + etaddot_5 * ELLA_REAL(2.0700807911885764)
+        + etaddot_6 * ELLA_REAL(3.5651069283690613);
+    const ella_real delta_T_a_x = delta_alpha_y * link->r_T[1] - link->joint_w[1] * link->r_T[0];
+    tip->delta[3] = delta_T_a_x;
+    const ella_real delta_T_alpha_x = delta_alpha_x + (link->J_l[0] * t11 + link->J_l[1] * t12 + link->J_l[2] * t13);
+    tip->delta[0] = delta_T_alpha_x;
+    const ella_real delta_T_alpha_y = delta_alpha_y + (link->J_l[3] * t11 + link->J_l[4] * t12 + link->J_l[5] * t13);
+    tip->delta[1] = delta_T_alpha_y;
+    const ella_real delta_T_alpha_z = link->joint_w[1] + (link->J_l[6] * t11 + link->J_l[7] * t12 + link->J_l[8] * t13);
+    tip->delta[2] = delta_T_alpha_z;
+    const ella_real delta_T_a_y = link->joint_w[1] * c->length - delta_alpha_x * link->r_T[1] + t14;
+    tip->delta[4] = delta_T_a_y;
+    const ella_real delta_T_a_z = delta_alpha_x * link->r_T[0] - delta_alpha_y * c->length + t15;
+    tip->delta[5] = delta_T_a_z;
 
     /* outputs */
     qddot[1] = link->joint_w[1];
     alpha[2] = link->joint_w[1];
-    alpha[3] = link->alpha_0[3];
-    alpha[4] = link->alpha_0[4];
-    alpha[5] = link->alpha_0[5];
+    alpha[3] = link->acc_0[3];
+    alpha[4] = link->acc_0[4];
+    alpha[5] = link->acc_0[5];
 
     if (wrench) {
         /* outputs */
@@ -1676,83 +1685,88 @@ ELLA_PART ella_status accelerate_forearm(const ella_link_store *restrict link, c
     ella_real etaddot[restrict 7])
 {
     /* joint: acceleration that the parent's tip imparts, joint accelerations (48) */
-    const ella_real carried_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+    const ella_real carried_alpha_x = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
-    const ella_real carried_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+    const ella_real carried_alpha_y = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
         + link->R_P[7] * base->delta[2];
-    const ella_real carried_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+    const ella_real carried_alpha_z = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
         + link->R_P[8] * base->delta[2];
-    const ella_real carried_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+    const ella_real carried_a_x = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
         + link->R_P[6] * base->delta[5];
-    const ella_real carried_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+    const ella_real carried_a_y = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
         + link->R_P[7] * base->delta[5];
-    const ella_real carried_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+    const ella_real carried_a_z = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
         + link->R_P[8] * base->delta[5];
-    const ella_real t1 = link->joint_W[0] * carried_1 + link->joint_W[1] * carried_2 + carried_3
-        + link->joint_W[2] * carried_4;
-    const ella_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[3] * carried_5);
+    const ella_real t1 = link->joint_W[0] * carried_alpha_x + link->joint_W[1] * carried_alpha_y + carried_alpha_z
+        + link->joint_W[2] * carried_a_x;
+    const ella_real qddot_1 = link->joint_w[0] - (t1 + link->joint_W[3] * carried_a_y);
     qddot[0] = qddot_1;
 
     /* link: what is added to the acceleration of F_i, modal accelerations (83) */
-    const ella_real delta_3 = carried_3 + qddot_1;
-    const ella_real alpha_1 = carried_1 + link->alpha_0[0];
-    alpha[0] = alpha_1;
-    const ella_real alpha_2 = carried_2 + link->alpha_0[1];
-    alpha[1] = alpha_2;
-    const ella_real alpha_3 = delta_3 + link->alpha_0[2];
-    alpha[2] = alpha_3;
-    const ella_real alpha_4 = carried_4 + link->alpha_0[3];
-    alpha[3] = alpha_4;
-    const ella_real alpha_5 = carried_5 + link->alpha_0[4];
-    alpha[4] = alpha_5;
-    const ella_real alpha_6 = carried_6 + link->alpha_0[5];
-    alpha[5] = alpha_6;
-    const ella_real t2 = link->modes_w[0]
-        + (link->modes_W[0] * carried_1 + link->modes_W[2] * delta_3 + link->modes_W[4] * carried_5);
-    const ella_real t3 = link->modes_w[1]
-        + (link->modes_W[6] * carried_1 + link->modes_W[8] * delta_3 + link->modes_W[10] * carried_5);
-    const ella_real minus_etaddot_3 = link->modes_w[2]
-        + (link->modes_W[12] * carried_1 + link->modes_W[14] * delta_3 + link->modes_W[16] * carried_5);
-    etaddot[2] = -minus_etaddot_3;
-    const ella_real t4 = link->modes_w[3]
-        + (link->modes_W[18] * carried_1 + link->modes_W[19] * carried_2 + link->modes_W[23] * carried_6);
-    const ella_real t5 = link->modes_w[4]
-        + (link->modes_W[24] * carried_1 + link->modes_W[25] * carried_2 + link->modes_W[29] * carried_6);
-    const ella_real minus_etaddot_6 = link->modes_w[5]
-        + (link->modes_W[30] * carried_1 + link->modes_W[31] * carried_2 + link->modes_W[35] * carried_6);
-    etaddot[5] = -minus_etaddot_6;
-    const ella_real minus_etaddot_7 = link->modes_w[6] + link->modes_W[36] * carried_1;
-    etaddot[6] = -minus_etaddot_7;
-    const ella_real minus_etaddot_5 = t5 - link->modes_L[14] * minus_etaddot_6;
-    etaddot[4] = -minus_etaddot_5;
-    const ella_real minus_etaddot_4 = t4 - link->modes_L[9] * minus_etaddot_5 - link->modes_L[13] * minus_etaddot_6;
-    etaddot[3] = -minus_etaddot_4;
-    const ella_real minus_etaddot_2 = t3 - link->modes_L[2] * minus_etaddot_3;
-    etaddot[1] = -minus_etaddot_2;
-    const ella_real minus_etaddot_1 = t2 - link->modes_L[0] * minus_etaddot_2 - link->modes_L[1] * minus_etaddot_3;
-    etaddot[0] = -minus_etaddot_1;
+    const ella_real delta_alpha_z = carried_alpha_z + qddot_1;
+    const ella_real alpha_alpha_x = carried_alpha_x + link->acc_0[0];
+    alpha[0] = alpha_alpha_x;
+    const ella_real alpha_alpha_y = carried_alpha_y + link->acc_0[1];
+    alpha[1] = alpha_alpha_y;
+    const ella_real alpha_alpha_z = delta_alpha_z + link->acc_0[2];
+    alpha[2] = alpha_alpha_z;
+    const ella_real alpha_a_x = carried_a_x + link->acc_0[3];
+    alpha[3] = alpha_a_x;
+    const ella_real alpha_a_y = carried_a_y + link->acc_0[4];
+    alpha[4] = alpha_a_y;
+    const ella_real alpha_a_z = carried_a_z + link->acc_0[5];
+    alpha[5] = alpha_a_z;
+    const ella_real t2 = link->modes_W[0] * carried_alpha_x + link->modes_W[2] * delta_alpha_z
+        + link->modes_W[4] * carried_a_y;
+    const ella_real t3 = link->modes_W[6] * carried_alpha_x + link->modes_W[8] * delta_alpha_z
+        + link->modes_W[10] * carried_a_y;
+    const ella_real t4 = link->modes_W[12] * carried_alpha_x + link->modes_W[14] * delta_alpha_z
+        + link->modes_W[16] * carried_a_y;
+    const ella_real t5 = link->modes_W[18] * carried_alpha_x + link->modes_W[19] * carried_alpha_y
+        + link->modes_W[23] * carried_a_z;
+    const ella_real t6 = link->modes_W[24] * carried_alpha_x + link->modes_W[25] * carried_alpha_y
+        + link->modes_W[29] * carried_a_z;
+    const ella_real t7 = link->modes_W[30] * carried_alpha_x + link->modes_W[31] * carried_alpha_y
+        + link->modes_W[35] * carried_a_z;
+    const ella_real etaddot_3 = -t4 - link->modes_w[2];
+    etaddot[2] = etaddot_3;
+    const ella_real etaddot_6 = -t7 - link->modes_w[5];
+    etaddot[5] = etaddot_6;
+    const ella_real etaddot_7 = -(link->modes_w[6] + link->modes_W[36] * carried_alpha_x);
+    etaddot[6] = etaddot_7;
+    const ella_real etaddot_5 = -(link->modes_w[4] + t6) - link->modes_L[14] * etaddot_6;
+    etaddot[4] = etaddot_5;
+    const ella_real etaddot_4 = -(link->modes_w[3] + t5 + link->modes_L[9] * etaddot_5 + link->modes_L[13] * etaddot_6);
+    etaddot[3] = etaddot_4;
+    const ella_real etaddot_2 = -(link->modes_w[1] + t3) - link->modes_L[2] * etaddot_3;
+    etaddot[1] = etaddot_2;
+    const ella_real etaddot_1 = -(link->modes_w[0] + t2 + link->modes_L[0] * etaddot_2 + link->modes_L[1] * etaddot_3);
+    etaddot[0] = etaddot_1;
 
     if (wrench) {
         /* joint wrench (48) */
-        const ella_real t6 = link->Lambda_i[0] * carried_1 + link->Lambda_i[1] * carried_2
-            + link->Lambda_i[2] * carried_4 + link->Lambda_i[3] * carried_5;
-        const ella_real t7 = link->Lambda_i[1] * carried_1 + link->Lambda_i[5] * carried_2
-            + link->Lambda_i[6] * carried_4 + link->Lambda_i[7] * carried_5;
-        const ella_real t8 = link->Lambda_i[2] * carried_1 + link->Lambda_i[6] * carried_2
-            + link->Lambda_i[9] * carried_4 + link->Lambda_i[10] * carried_5;
-        const ella_real t9 = link->Lambda_i[3] * carried_1 + link->Lambda_i[7] * carried_2
-            + link->Lambda_i[10] * carried_4 + link->Lambda_i[12] * carried_5;
-        const ella_real wrench_1 = t6 + link->Lambda_i[4] * carried_6 + link->p_i[0];
-        wrench[0] = wrench_1;
-        const ella_real wrench_2 = t7 + link->Lambda_i[8] * carried_6 + link->p_i[1];
-        wrench[1] = wrench_2;
-        const ella_real wrench_4 = t8 + link->p_i[3];
-        wrench[3] = wrench_4;
-        const ella_real wrench_5 = t9 + link->p_i[4];
-        wrench[4] = wrench_5;
-        const ella_real wrench_6 = link->Lambda_i[4] * carried_1 + link->Lambda_i[8] * carried_2
-            + link->Lambda_i[14] * carried_6 + link->p_i[5];
-        wrench[5] = wrench_6;
+        const ella_real t8 = link->Lambda_i[0] * carried_alpha_x + link->Lambda_i[1] * carried_alpha_y
+            + link->Lambda_i[2] * carried_a_x;
+        const ella_real t9 = link->Lambda_i[1] * carried_alpha_x + link->Lambda_i[5] * carried_alpha_y
+            + link->Lambda_i[6] * carried_a_x;
+        const ella_real t10 = link->Lambda_i[2] * carried_alpha_x + link->Lambda_i[6] * carried_alpha_y
+            + link->Lambda_i[9] * carried_a_x;
+        const ella_real t11 = link->Lambda_i[3] * carried_alpha_x + link->Lambda_i[7] * carried_alpha_y
+            + link->Lambda_i[10] * carried_a_x;
+        const ella_real t12 = link->Lambda_i[4] * carried_alpha_x + link->Lambda_i[8] * carried_alpha_y
+            + link->Lambda_i[14] * carried_a_z;
+        const ella_real wrench_tau_x = t8 + link->Lambda_i[3] * carried_a_y + link->Lambda_i[4] * carried_a_z
+            + link->p_i[0];
+        wrench[0] = wrench_tau_x;
+        const ella_real wrench_tau_y = t9 + link->Lambda_i[7] * carried_a_y + link->Lambda_i[8] * carried_a_z
+            + link->p_i[1];
+        wrench[1] = wrench_tau_y;
+        const ella_real wrench_f_x = t10 + link->Lambda_i[10] * carried_a_y + link->p_i[3];
+        wrench[3] = wrench_f_x;
+        const ella_real wrench_f_y = t11 + link->Lambda_i[12] * carried_a_y + link->p_i[4];
+        wrench[4] = wrench_f_y;
+        const ella_real wrench_f_z = t12 + link->p_i[5];
+        wrench[5] = wrench_f_z;
 
         /* outputs */
         wrench[2] = link->p_i[2];
@@ -1781,12 +1795,12 @@ ELLA_PART ella_status twist_rates_upper_arm(const ella_real quaternion[restrict 
         + (t4 * (t6 - t9) * gravity[0] + (1 + t4 * (t2 - t5)) * gravity[1] + t4 * (t11 + t8) * gravity[2]);
     const ella_real t14 = alpha[5]
         + (t4 * (t10 + t7) * gravity[0] + t4 * (t8 - t11) * gravity[1] + (1 + t4 * (t3 - t5)) * gravity[2]);
-    const ella_real Vdot_4 = t12 - (twist[1] * twist[5] - twist[2] * twist[4]);
-    Vdot[3] = Vdot_4;
-    const ella_real Vdot_5 = t13 - (twist[2] * twist[3] - twist[0] * twist[5]);
-    Vdot[4] = Vdot_5;
-    const ella_real Vdot_6 = t14 - (twist[0] * twist[4] - twist[1] * twist[3]);
-    Vdot[5] = Vdot_6;
+    const ella_real Vdot_a_x = t12 - (twist[1] * twist[5] - twist[2] * twist[4]);
+    Vdot[3] = Vdot_a_x;
+    const ella_real Vdot_a_y = t13 - (twist[2] * twist[3] - twist[0] * twist[5]);
+    Vdot[4] = Vdot_a_y;
+    const ella_real Vdot_a_z = t14 - (twist[0] * twist[4] - twist[1] * twist[3]);
+    Vdot[5] = Vdot_a_z;
 
     /* outputs */
     Vdot[0] = alpha[0];
@@ -1834,15 +1848,15 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t21 = R_rel_yy * t14 - minus_R_rel_xy * t18 + R_rel_zy * t16
         - (R_rel_xx * t12 + R_rel_yx * t19 - minus_R_rel_zx * t17);
     const ella_real t22 = (R_rel_xz * t12 + R_rel_zz * t17 - (R_rel_yy * t15 - minus_R_rel_xy * t13 + R_rel_zy * t20))
-        * REAL(0.5);
+        * ELLA_REAL(0.5);
     const ella_real t23 = (R_rel_xx * t13 + R_rel_yx * t15 - minus_R_rel_zx * t20 - (R_rel_xz * t18 + R_rel_zz * t16))
-        * REAL(0.5);
+        * ELLA_REAL(0.5);
     const ella_real t24 = R_rel_yx * R_rel_yx + R_rel_yy * R_rel_yy;
     const ella_real t25 = ELLA_REAL_EPSILON * 64;
     if (!(t24 - t25 > 0)) { return ELLA_SINGULAR; }
     const ella_real t26 = 1 / t24;
     const ella_real t27 = q[0] + (R_rel_yx * t26 * t22 + R_rel_yy * t26 * t23);
-    const ella_real t28 = q[1] + t21 * REAL(0.5);
+    const ella_real t28 = q[1] + t21 * ELLA_REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_3 = ella_sine_cosine(t27);
@@ -1863,8 +1877,9 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t32 = R_rel_yx_2 * R_rel_yx_2 + R_rel_yy_2 * R_rel_yy_2;
     if (!(t32 - t25 > 0)) { return ELLA_SINGULAR; }
     const ella_real t33 = 1 / t32;
-    const ella_real new_q_1 = t27 + (R_rel_yx_2 * t33 * (t29 * REAL(0.5)) + R_rel_yy_2 * t33 * (t30 * REAL(0.5)));
-    const ella_real new_q_2 = t28 + t31 * REAL(0.5);
+    const ella_real new_q_1 = t27
+        + (R_rel_yx_2 * t33 * (t29 * ELLA_REAL(0.5)) + R_rel_yy_2 * t33 * (t30 * ELLA_REAL(0.5)));
+    const ella_real new_q_2 = t28 + t31 * ELLA_REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_5 = ella_sine_cosine(new_q_1);
@@ -1882,13 +1897,13 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t36 = R_rel_yx_3 * t35 * twist[0] + R_rel_yy_3 * t35 * twist[1];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -1900,11 +1915,11 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real x = minus_theta_hat2_33 + t39;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t38 + t39;
@@ -1931,13 +1946,13 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -1960,21 +1975,21 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real t53 = twist[2] * r_T_y;
     const ella_real t54 = c->length * twist[2];
 
-    const ella_real R_m_11 = t18 * R_T_xx + t12 * R_T_yx + t13 * R_T_zx;
-    const ella_real R_m_12 = t18 * R_T_xy + t12 * R_T_yy + t13 * R_T_zy;
-    const ella_real R_m_21 = t14 * R_T_xx + t19 * R_T_yx + t15 * R_T_zx;
-    const ella_real R_m_22 = t14 * R_T_xy + t19 * R_T_yy + t15 * R_T_zy;
-    const ella_real R_m_31 = t16 * R_T_xx + t17 * R_T_yx + t20 * R_T_zx;
-    const ella_real R_m_32 = t16 * R_T_xy + t17 * R_T_yy + t20 * R_T_zy;
+    const ella_real R_m_xx = t18 * R_T_xx + t12 * R_T_yx + t13 * R_T_zx;
+    const ella_real R_m_xy = t18 * R_T_xy + t12 * R_T_yy + t13 * R_T_zy;
+    const ella_real R_m_yx = t14 * R_T_xx + t19 * R_T_yx + t15 * R_T_zx;
+    const ella_real R_m_yy = t14 * R_T_xy + t19 * R_T_yy + t15 * R_T_zy;
+    const ella_real R_m_zx = t16 * R_T_xx + t17 * R_T_yx + t20 * R_T_zx;
+    const ella_real R_m_zy = t16 * R_T_xy + t17 * R_T_yy + t20 * R_T_zy;
 
     /* omega_J: angular velocity of the link relative to its parent's tip */
     const ella_real omega_J_x = R_rel_yx_3 * t36;
     const ella_real omega_J_y = R_rel_yy_3 * t36;
 
-    const ella_real t55 = new_q_1 * REAL(0.5);
+    const ella_real t55 = new_q_1 * ELLA_REAL(0.5);
     const ella_sincos turn_7 = ella_sine_cosine(t55);
     const ella_real t56 = turn_7.sine, t57 = turn_7.cosine;
-    const ella_real t58 = new_q_2 * REAL(0.5);
+    const ella_real t58 = new_q_2 * ELLA_REAL(0.5);
     const ella_sincos turn_8 = ella_sine_cosine(t58);
     const ella_real t59 = turn_8.sine, t60 = turn_8.cosine;
     const ella_real new_quaternion_1 = t57 * t60;
@@ -2000,9 +2015,9 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     const ella_real r_x = R_rel_xx_3 * c->length - minus_R_rel_xy_3 * r_T_y + R_rel_xz_3 * r_T_z;
     const ella_real r_y = R_rel_yx_3 * c->length + R_rel_yy_3 * r_T_y;
     const ella_real r_z = R_rel_zy_3 * r_T_y - minus_R_rel_zx_3 * c->length + R_rel_zz_3 * r_T_z;
-    const ella_real t66 = x * REAL(0.25);
-    const ella_real t67 = 1 - t66 * (REAL(0.5) - t66 * ella_c4(t66));
-    const ella_real t68 = (1 - t66 * (REAL(0.16666666666666666) - t66 * ella_c5(t66))) * REAL(0.5);
+    const ella_real t66 = x * ELLA_REAL(0.25);
+    const ella_real t67 = 1 - t66 * (ELLA_REAL(0.5) - t66 * ella_c4(t66));
+    const ella_real t68 = (1 - t66 * (ELLA_REAL(0.16666666666666666) - t66 * ella_c5(t66))) * ELLA_REAL(0.5);
     const ella_real t69 = t68 * theta_x;
     const ella_real t70 = t68 * theta_y;
     const ella_real t71 = t68 * theta_z;
@@ -2019,12 +2034,12 @@ ELLA_PART ella_status project_upper_arm(const ella_link_constants *c, ella_node 
     new_q[0] = new_q_1;
     new_q[1] = new_q_2;
     tip->omega_m[2] = omega_T_z;
-    tip->R_m[0] = R_m_11;
-    tip->R_m[1] = R_m_12;
-    tip->R_m[3] = R_m_21;
-    tip->R_m[4] = R_m_22;
-    tip->R_m[6] = R_m_31;
-    tip->R_m[7] = R_m_32;
+    tip->R_m[0] = R_m_xx;
+    tip->R_m[1] = R_m_xy;
+    tip->R_m[3] = R_m_yx;
+    tip->R_m[4] = R_m_yy;
+    tip->R_m[6] = R_m_zx;
+    tip->R_m[7] = R_m_zy;
     new_twist[0] = omega_J_x;
     new_twist[1] = omega_J_y;
     new_twist[2] = twist[2];
@@ -2079,43 +2094,41 @@ ELLA_PART ella_status project_forearm(const ella_node *base, const ella_real q[1
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
-    const ella_real t18 = q[0]
-        + (R_rel_xx * t16 - minus_R_rel_xy * t14 - (R_rel_xx * t15 + minus_R_rel_xy * t17)) * REAL(0.5);
+    const ella_real t18 = q[0] + (R_rel_xx * t16 - R_rel_yx * t14 - (R_rel_xx * t15 + R_rel_yx * t17)) * ELLA_REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_2 = ella_sine_cosine(t18);
-    const ella_real minus_R_rel_xy_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
+    const ella_real R_rel_yx_2 = turn_2.sine, R_rel_xx_2 = turn_2.cosine;
 
-    const ella_real t19 = (R_rel_xx_2 * t16 - minus_R_rel_xy_2 * t14 - (R_rel_xx_2 * t15 + minus_R_rel_xy_2 * t17))
-        * REAL(0.5);
-    const ella_real new_q_1 = t18 + t19;
+    const ella_real new_q_1 = t18
+        + (R_rel_xx_2 * t16 - R_rel_yx_2 * t14 - (R_rel_xx_2 * t15 + R_rel_yx_2 * t17)) * ELLA_REAL(0.5);
 
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn_3 = ella_sine_cosine(new_q_1);
-    const ella_real minus_R_rel_xy_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
+    const ella_real R_rel_yx_3 = turn_3.sine, R_rel_xx_3 = turn_3.cosine;
 
-    const ella_real t20 = twist[2] - base->omega_m[2];
+    const ella_real t19 = twist[2] - base->omega_m[2];
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx_3 * base->omega_T[0] + minus_R_rel_xy_3 * base->omega_T[1];
-    const ella_real omega_R_y = R_rel_xx_3 * base->omega_T[1] - minus_R_rel_xy_3 * base->omega_T[0];
+    const ella_real omega_R_x = R_rel_xx_3 * base->omega_T[0] + R_rel_yx_3 * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx_3 * base->omega_T[1] - R_rel_yx_3 * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
-    const ella_real omega_z = base->omega_T[2] + t20;
+    const ella_real omega_z = base->omega_T[2] + t19;
 
     /* v_R: velocity of the joint point, fixed to the parent */
-    const ella_real v_R_x = R_rel_xx_3 * base->v_T[0] + minus_R_rel_xy_3 * base->v_T[1];
-    const ella_real v_R_y = R_rel_xx_3 * base->v_T[1] - minus_R_rel_xy_3 * base->v_T[0];
+    const ella_real v_R_x = R_rel_xx_3 * base->v_T[0] + R_rel_yx_3 * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx_3 * base->v_T[1] - R_rel_yx_3 * base->v_T[0];
 
-    const ella_real t21 = new_q_1 * REAL(0.5);
-    const ella_sincos turn_4 = ella_sine_cosine(t21);
-    const ella_real t22 = turn_4.sine, t23 = turn_4.cosine;
-    const ella_real new_quaternion_1 = base->Q[0] * t23 - base->Q[3] * t22;
-    const ella_real new_quaternion_4 = base->Q[0] * t22 + t23 * base->Q[3];
-    const ella_real new_quaternion_2 = t23 * base->Q[1] + base->Q[2] * t22;
-    const ella_real new_quaternion_3 = t23 * base->Q[2] - base->Q[1] * t22;
+    const ella_real t20 = new_q_1 * ELLA_REAL(0.5);
+    const ella_sincos turn_4 = ella_sine_cosine(t20);
+    const ella_real t21 = turn_4.sine, t22 = turn_4.cosine;
+    const ella_real new_quaternion_1 = base->Q[0] * t22 - base->Q[3] * t21;
+    const ella_real new_quaternion_4 = base->Q[0] * t21 + t22 * base->Q[3];
+    const ella_real new_quaternion_2 = t22 * base->Q[1] + base->Q[2] * t21;
+    const ella_real new_quaternion_3 = t22 * base->Q[2] - base->Q[1] * t21;
 
     /* outputs */
     new_q[0] = new_q_1;
@@ -2154,10 +2167,10 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real omega_J_x = R_rel_yx * qdot[0];
     const ella_real omega_J_y = R_rel_yy * qdot[0];
 
-    const ella_real t1 = q[0] * REAL(0.5);
+    const ella_real t1 = q[0] * ELLA_REAL(0.5);
     const ella_sincos turn_3 = ella_sine_cosine(t1);
     const ella_real t2 = turn_3.sine, t3 = turn_3.cosine;
-    const ella_real t4 = q[1] * REAL(0.5);
+    const ella_real t4 = q[1] * ELLA_REAL(0.5);
     const ella_sincos turn_4 = ella_sine_cosine(t4);
     const ella_real t5 = turn_4.sine, t6 = turn_4.cosine;
     const ella_real new_quaternion_1 = t3 * t6;
@@ -2166,13 +2179,13 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real new_quaternion_2 = t2 * t5;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -2184,11 +2197,11 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real x = minus_theta_hat2_33 + t9;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t8 + t9;
@@ -2215,13 +2228,13 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -2261,9 +2274,9 @@ ELLA_PART ella_status forward_kinematics_upper_arm(const ella_link_constants *c,
     const ella_real r_x = R_rel_xx * c->length - minus_R_rel_xy * r_T_y + R_rel_xz * r_T_z;
     const ella_real r_y = R_rel_yx * c->length + R_rel_yy * r_T_y;
     const ella_real r_z = R_rel_zy * r_T_y - minus_R_rel_zx * c->length + R_rel_zz * r_T_z;
-    const ella_real t25 = x * REAL(0.25);
-    const ella_real t26 = 1 - t25 * (REAL(0.5) - t25 * ella_c4(t25));
-    const ella_real t27 = (1 - t25 * (REAL(0.16666666666666666) - t25 * ella_c5(t25))) * REAL(0.5);
+    const ella_real t25 = x * ELLA_REAL(0.25);
+    const ella_real t26 = 1 - t25 * (ELLA_REAL(0.5) - t25 * ella_c4(t25));
+    const ella_real t27 = (1 - t25 * (ELLA_REAL(0.16666666666666666) - t25 * ella_c5(t25))) * ELLA_REAL(0.5);
     const ella_real t28 = t27 * theta_x;
     const ella_real t29 = t27 * theta_y;
     const ella_real t30 = t27 * theta_z;
@@ -2322,26 +2335,26 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - R_rel_yx * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
     const ella_real omega_z = base->omega_T[2] + qdot[0];
 
     /* v_R: velocity of the joint point, fixed to the parent */
-    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
-    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + R_rel_yx * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - R_rel_yx * base->v_T[0];
 
-    const ella_real t1 = base->R[0] * R_rel_xx + base->R[1] * minus_R_rel_xy;
-    const ella_real t2 = base->R[1] * R_rel_xx - base->R[0] * minus_R_rel_xy;
-    const ella_real t3 = base->R[3] * R_rel_xx + base->R[4] * minus_R_rel_xy;
-    const ella_real t4 = base->R[4] * R_rel_xx - base->R[3] * minus_R_rel_xy;
-    const ella_real t5 = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
-    const ella_real t6 = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
-    const ella_real t7 = q[0] * REAL(0.5);
+    const ella_real t1 = base->R[0] * R_rel_xx + base->R[1] * R_rel_yx;
+    const ella_real t2 = base->R[1] * R_rel_xx - base->R[0] * R_rel_yx;
+    const ella_real t3 = base->R[3] * R_rel_xx + base->R[4] * R_rel_yx;
+    const ella_real t4 = base->R[4] * R_rel_xx - base->R[3] * R_rel_yx;
+    const ella_real t5 = base->R[6] * R_rel_xx + base->R[7] * R_rel_yx;
+    const ella_real t6 = base->R[7] * R_rel_xx - base->R[6] * R_rel_yx;
+    const ella_real t7 = q[0] * ELLA_REAL(0.5);
     const ella_sincos turn_2 = ella_sine_cosine(t7);
     const ella_real t8 = turn_2.sine, t9 = turn_2.cosine;
     const ella_real new_quaternion_1 = base->Q[0] * t9 - base->Q[3] * t8;
@@ -2350,13 +2363,13 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real new_quaternion_3 = t9 * base->Q[2] - base->Q[1] * t8;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -2368,11 +2381,11 @@ ELLA_PART ella_status forward_kinematics_forearm(const ella_link_constants *c, c
     const ella_real x = minus_theta_hat2_33 + t12;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t11 + t12;
@@ -2455,11 +2468,9 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
     /* acceleration of the parent's tip in F_i axes */
-    const ella_real alpha_0_4 = R_rel_xx * base->alpha_0[3] + R_rel_yx * base->alpha_0[4]
-        - minus_R_rel_zx * base->alpha_0[5];
-    const ella_real alpha_0_5 = R_rel_yy * base->alpha_0[4] - minus_R_rel_xy * base->alpha_0[3]
-        + R_rel_zy * base->alpha_0[5];
-    const ella_real alpha_0_6 = R_rel_xz * base->alpha_0[3] + R_rel_zz * base->alpha_0[5];
+    const ella_real acc_0_a_x = R_rel_xx * base->acc_0[3] + R_rel_yx * base->acc_0[4] - minus_R_rel_zx * base->acc_0[5];
+    const ella_real acc_0_a_y = R_rel_yy * base->acc_0[4] - minus_R_rel_xy * base->acc_0[3] + R_rel_zy * base->acc_0[5];
+    const ella_real acc_0_a_z = R_rel_xz * base->acc_0[3] + R_rel_zz * base->acc_0[5];
 
     /* omega_J: angular velocity of the link relative to its parent's tip */
     const ella_real omega_J_x = R_rel_yx * qdot[0];
@@ -2472,13 +2483,13 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real t2 = -minus_alpha_y;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -2491,20 +2502,20 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
 
     /* c2: Stumpff function of order 2 */
     const ella_real t6 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t6;
+    const ella_real c2 = ELLA_REAL(0.5) - x * t6;
 
     /* c3: Stumpff function of order 3 */
     const ella_real t7 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t7;
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * t7;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -2520,14 +2531,14 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     const ella_real omega_s_z = thetadot_z + c2 * t9 + c3 * t13;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+    const ella_real xdot = eta[6] * ELLA_REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t6 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t6 - c3 * ELLA_REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t7 * REAL(1.5) - t6 * REAL(0.5));
+    const ella_real c3dot = xdot * (t7 * ELLA_REAL(1.5) - t6 * ELLA_REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
     const ella_real alpha_s_x = c2dot * t8 + c3 * (thetadot_y * t9 - thetadot_z * t10) + c3dot * t11;
@@ -2547,10 +2558,10 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     /* a_t: acceleration of the tip point (accconst1b) */
     const ella_real t14 = udot_T_z * 2 + omega_J_x * r_T_y - c->length * omega_J_y;
     const ella_real t15 = udot_T_y * 2 + c->length * qdot[1] - omega_J_x * r_T_z;
-    const ella_real a_t_x = alpha_0_4 - minus_alpha_y * r_T_z + omega_J_y * t14 - qdot[1] * t15;
+    const ella_real a_t_x = acc_0_a_x - minus_alpha_y * r_T_z + omega_J_y * t14 - qdot[1] * t15;
     const ella_real t16 = omega_J_y * r_T_z - qdot[1] * r_T_y;
-    const ella_real a_t_y = alpha_0_5 + qdot[1] * t16 - alpha_x * r_T_z - omega_J_x * t14;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_J_x * t15 + minus_alpha_y * c->length - omega_J_y * t16;
+    const ella_real a_t_y = acc_0_a_y + qdot[1] * t16 - alpha_x * r_T_z - omega_J_x * t14;
+    const ella_real a_t_z = acc_0_a_z + alpha_x * r_T_y + omega_J_x * t15 + minus_alpha_y * c->length - omega_J_y * t16;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -2602,11 +2613,11 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     link->omega[0] = omega_J_x;
     link->omega[1] = omega_J_y;
     link->omega[2] = qdot[1];
-    link->alpha_0[0] = alpha_x;
-    link->alpha_0[1] = t2;
-    link->alpha_0[3] = alpha_0_4;
-    link->alpha_0[4] = alpha_0_5;
-    link->alpha_0[5] = alpha_0_6;
+    link->acc_0[0] = alpha_x;
+    link->acc_0[1] = t2;
+    link->acc_0[3] = acc_0_a_x;
+    link->acc_0[4] = acc_0_a_y;
+    link->acc_0[5] = acc_0_a_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
@@ -2639,12 +2650,12 @@ ELLA_PART ella_status kinematics_upper_arm(const ella_link_constants *c, ella_li
     tip->omega[0] = omega_t_x;
     tip->omega[1] = omega_t_y;
     tip->omega[2] = omega_t_z;
-    tip->alpha_0[0] = alpha_t_x;
-    tip->alpha_0[1] = alpha_t_y;
-    tip->alpha_0[2] = alpha_t_z;
-    tip->alpha_0[3] = a_t_x;
-    tip->alpha_0[4] = a_t_y;
-    tip->alpha_0[5] = a_t_z;
+    tip->acc_0[0] = alpha_t_x;
+    tip->acc_0[1] = alpha_t_y;
+    tip->acc_0[2] = alpha_t_z;
+    tip->acc_0[3] = a_t_x;
+    tip->acc_0[4] = a_t_y;
+    tip->acc_0[5] = a_t_z;
     return ELLA_OK;
 }
 
@@ -2654,45 +2665,45 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
-    const ella_real R_P_12 = base->R_T[1] * R_rel_xx - base->R_T[0] * minus_R_rel_xy;
-    const ella_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * minus_R_rel_xy;
-    const ella_real R_P_22 = base->R_T[4] * R_rel_xx - base->R_T[3] * minus_R_rel_xy;
-    const ella_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * minus_R_rel_xy;
-    const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
-    const ella_real omega_R_1 = R_P_11 * base->omega[0] + R_P_21 * base->omega[1] + R_P_31 * base->omega[2];
-    const ella_real omega_R_2 = R_P_12 * base->omega[0] + R_P_22 * base->omega[1] + R_P_32 * base->omega[2];
-    const ella_real omega_R_3 = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
+    const ella_real R_P_xx = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx;
+    const ella_real R_P_xy = base->R_T[1] * R_rel_xx - base->R_T[0] * R_rel_yx;
+    const ella_real R_P_yx = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx;
+    const ella_real R_P_yy = base->R_T[4] * R_rel_xx - base->R_T[3] * R_rel_yx;
+    const ella_real R_P_zx = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx;
+    const ella_real R_P_zy = base->R_T[7] * R_rel_xx - base->R_T[6] * R_rel_yx;
+    const ella_real omega_R_x = R_P_xx * base->omega[0] + R_P_yx * base->omega[1] + R_P_zx * base->omega[2];
+    const ella_real omega_R_y = R_P_xy * base->omega[0] + R_P_yy * base->omega[1] + R_P_zy * base->omega[2];
+    const ella_real omega_R_z = base->R_T[2] * base->omega[0] + base->R_T[5] * base->omega[1]
         + base->R_T[8] * base->omega[2];
 
     /* acceleration of the parent's tip in F_i axes */
-    const ella_real t1 = R_P_11 * base->alpha_0[0] + R_P_21 * base->alpha_0[1] + R_P_31 * base->alpha_0[2];
-    const ella_real t2 = R_P_12 * base->alpha_0[0] + R_P_22 * base->alpha_0[1] + R_P_32 * base->alpha_0[2];
-    const ella_real alpha_0_3 = base->R_T[2] * base->alpha_0[0] + base->R_T[5] * base->alpha_0[1]
-        + base->R_T[8] * base->alpha_0[2];
-    const ella_real alpha_0_4 = R_P_11 * base->alpha_0[3] + R_P_21 * base->alpha_0[4] + R_P_31 * base->alpha_0[5];
-    const ella_real alpha_0_5 = R_P_12 * base->alpha_0[3] + R_P_22 * base->alpha_0[4] + R_P_32 * base->alpha_0[5];
-    const ella_real alpha_0_6 = base->R_T[2] * base->alpha_0[3] + base->R_T[5] * base->alpha_0[4]
-        + base->R_T[8] * base->alpha_0[5];
+    const ella_real t1 = R_P_xx * base->acc_0[0] + R_P_yx * base->acc_0[1] + R_P_zx * base->acc_0[2];
+    const ella_real t2 = R_P_xy * base->acc_0[0] + R_P_yy * base->acc_0[1] + R_P_zy * base->acc_0[2];
+    const ella_real acc_0_alpha_z = base->R_T[2] * base->acc_0[0] + base->R_T[5] * base->acc_0[1]
+        + base->R_T[8] * base->acc_0[2];
+    const ella_real acc_0_a_x = R_P_xx * base->acc_0[3] + R_P_yx * base->acc_0[4] + R_P_zx * base->acc_0[5];
+    const ella_real acc_0_a_y = R_P_xy * base->acc_0[3] + R_P_yy * base->acc_0[4] + R_P_zy * base->acc_0[5];
+    const ella_real acc_0_a_z = base->R_T[2] * base->acc_0[3] + base->R_T[5] * base->acc_0[4]
+        + base->R_T[8] * base->acc_0[5];
 
     /* omega: angular velocity of the link (45) */
-    const ella_real omega_z = omega_R_3 + qdot[0];
+    const ella_real omega_z = omega_R_z + qdot[0];
 
     /* alpha: angular acceleration while no joint accelerates (accconst4) */
-    const ella_real alpha_x = t1 + omega_R_2 * qdot[0];
-    const ella_real alpha_y = t2 - omega_R_1 * qdot[0];
+    const ella_real alpha_x = t1 + omega_R_y * qdot[0];
+    const ella_real alpha_y = t2 - omega_R_x * qdot[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -2704,24 +2715,24 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real x = minus_theta_hat2_33 + t5;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* c3: Stumpff function of order 3 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* a_t: acceleration of the tip point (accconst1b) */
-    const ella_real t6 = udot_T_z * 2 + omega_R_1 * r_T_y - c->length * omega_R_2;
-    const ella_real t7 = udot_T_y * 2 + c->length * omega_z - omega_R_1 * r_T_z;
-    const ella_real a_t_x = alpha_0_4 + alpha_y * r_T_z + omega_R_2 * t6 - alpha_0_3 * r_T_y - omega_z * t7;
-    const ella_real t8 = omega_R_2 * r_T_z - omega_z * r_T_y;
-    const ella_real a_t_y = alpha_0_5 + alpha_0_3 * c->length + omega_z * t8 - alpha_x * r_T_z - omega_R_1 * t6;
-    const ella_real a_t_z = alpha_0_6 + alpha_x * r_T_y + omega_R_1 * t7 - alpha_y * c->length - omega_R_2 * t8;
+    const ella_real t6 = udot_T_z * 2 + omega_R_x * r_T_y - c->length * omega_R_y;
+    const ella_real t7 = udot_T_y * 2 + c->length * omega_z - omega_R_x * r_T_z;
+    const ella_real a_t_x = acc_0_a_x + alpha_y * r_T_z + omega_R_y * t6 - acc_0_alpha_z * r_T_y - omega_z * t7;
+    const ella_real t8 = omega_R_y * r_T_z - omega_z * r_T_y;
+    const ella_real a_t_y = acc_0_a_y + acc_0_alpha_z * c->length + omega_z * t8 - alpha_x * r_T_z - omega_R_x * t6;
+    const ella_real a_t_z = acc_0_a_z + alpha_x * r_T_y + omega_R_x * t7 - alpha_y * c->length - omega_R_y * t8;
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -2768,24 +2779,24 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* outputs */
-    link->R_P[0] = R_P_11;
-    link->R_P[1] = R_P_12;
+    link->R_P[0] = R_P_xx;
+    link->R_P[1] = R_P_xy;
     link->R_P[2] = base->R_T[2];
-    link->R_P[3] = R_P_21;
-    link->R_P[4] = R_P_22;
+    link->R_P[3] = R_P_yx;
+    link->R_P[4] = R_P_yy;
     link->R_P[5] = base->R_T[5];
-    link->R_P[6] = R_P_31;
-    link->R_P[7] = R_P_32;
+    link->R_P[6] = R_P_zx;
+    link->R_P[7] = R_P_zy;
     link->R_P[8] = base->R_T[8];
-    link->omega[0] = omega_R_1;
-    link->omega[1] = omega_R_2;
+    link->omega[0] = omega_R_x;
+    link->omega[1] = omega_R_y;
     link->omega[2] = omega_z;
-    link->alpha_0[0] = alpha_x;
-    link->alpha_0[1] = alpha_y;
-    link->alpha_0[2] = alpha_0_3;
-    link->alpha_0[3] = alpha_0_4;
-    link->alpha_0[4] = alpha_0_5;
-    link->alpha_0[5] = alpha_0_6;
+    link->acc_0[0] = alpha_x;
+    link->acc_0[1] = alpha_y;
+    link->acc_0[2] = acc_0_alpha_z;
+    link->acc_0[3] = acc_0_a_x;
+    link->acc_0[4] = acc_0_a_y;
+    link->acc_0[5] = acc_0_a_z;
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
     link->R_T[0] = R_T_xx;
@@ -2806,9 +2817,9 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
     link->J_l[6] = J_l_zx;
     link->J_l[7] = J_l_zy;
     link->J_l[8] = J_l_zz;
-    tip->alpha_0[3] = a_t_x;
-    tip->alpha_0[4] = a_t_y;
-    tip->alpha_0[5] = a_t_z;
+    tip->acc_0[3] = a_t_x;
+    tip->acc_0[4] = a_t_y;
+    tip->acc_0[5] = a_t_z;
     return ELLA_OK;
 }
 
@@ -2816,32 +2827,32 @@ ELLA_PART ella_status kinematics_forearm(const ella_link_constants *c, ella_link
 ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip,
     const ella_real qddot[2], const ella_real etaddot[7])
 {
-    const ella_real delta_1 = link->S[0] * qddot[0];
-    const ella_real delta_2 = link->S[1] * qddot[0];
-    const ella_real t1 = etaddot[6] * REAL(1.7320508075688772);
+    const ella_real delta_alpha_x = link->S[0] * qddot[0];
+    const ella_real delta_alpha_y = link->S[1] * qddot[0];
+    const ella_real t1 = etaddot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real t2 = c->Psi_c_y4 * etaddot[3] + c->Psi_c_y5 * etaddot[4] + c->Psi_c_y6 * etaddot[5];
     const ella_real t3 = c->Psi_c_z1 * etaddot[0] + c->Psi_c_z2 * etaddot[1] + c->Psi_c_z3 * etaddot[2];
-    const ella_real t4 = etaddot[0] * REAL(2.0011941703010714) + etaddot[1] * REAL(2.0700807911885764)
-        + etaddot[2] * REAL(3.5651069283690613);
-    const ella_real t5 = etaddot[3] * REAL(2.0011941703010714) + etaddot[4] * REAL(2.0700807911885764)
-        + etaddot[5] * REAL(3.5651069283690613);
-    const ella_real delta_4 = delta_2 * link->r_T[1] - qddot[1] * link->r_T[0];
-    const ella_real delta_1_2 = delta_1 + (link->J_l[0] * t1 + link->J_l[1] * t2 + link->J_l[2] * t3);
-    const ella_real delta_2_2 = delta_2 + (link->J_l[3] * t1 + link->J_l[4] * t2 + link->J_l[5] * t3);
-    const ella_real delta_3 = qddot[1] + (link->J_l[6] * t1 + link->J_l[7] * t2 + link->J_l[8] * t3);
-    const ella_real delta_5 = qddot[1] * c->length - delta_1 * link->r_T[1] + t4;
-    const ella_real delta_6 = delta_1 * link->r_T[0] - delta_2 * c->length + t5;
+    const ella_real t4 = etaddot[0] * ELLA_REAL(2.0011941703010714) + etaddot[1] * ELLA_REAL(2.0700807911885764)
+        + etaddot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real t5 = etaddot[3] * ELLA_REAL(2.0011941703010714) + etaddot[4] * ELLA_REAL(2.0700807911885764)
+        + etaddot[5] * ELLA_REAL(3.5651069283690613);
+    const ella_real delta_a_x = delta_alpha_y * link->r_T[1] - qddot[1] * link->r_T[0];
+    const ella_real delta_alpha_x_2 = delta_alpha_x + (link->J_l[0] * t1 + link->J_l[1] * t2 + link->J_l[2] * t3);
+    const ella_real delta_alpha_y_2 = delta_alpha_y + (link->J_l[3] * t1 + link->J_l[4] * t2 + link->J_l[5] * t3);
+    const ella_real delta_alpha_z = qddot[1] + (link->J_l[6] * t1 + link->J_l[7] * t2 + link->J_l[8] * t3);
+    const ella_real delta_a_y = qddot[1] * c->length - delta_alpha_x * link->r_T[1] + t4;
+    const ella_real delta_a_z = delta_alpha_x * link->r_T[0] - delta_alpha_y * c->length + t5;
 
     /* outputs */
-    link->delta[0] = delta_1;
-    link->delta[1] = delta_2;
+    link->delta[0] = delta_alpha_x;
+    link->delta[1] = delta_alpha_y;
     link->delta[2] = qddot[1];
-    tip->delta[0] = delta_1_2;
-    tip->delta[1] = delta_2_2;
-    tip->delta[2] = delta_3;
-    tip->delta[3] = delta_4;
-    tip->delta[4] = delta_5;
-    tip->delta[5] = delta_6;
+    tip->delta[0] = delta_alpha_x_2;
+    tip->delta[1] = delta_alpha_y_2;
+    tip->delta[2] = delta_alpha_z;
+    tip->delta[3] = delta_a_x;
+    tip->delta[4] = delta_a_y;
+    tip->delta[5] = delta_a_z;
     return ELLA_OK;
 }
 
@@ -2849,36 +2860,36 @@ ELLA_PART ella_status inverse_outward_upper_arm(const ella_link_constants *c, el
 ELLA_PART ella_status inverse_outward_forearm(const ella_link_constants *c, ella_link_store *link,
     const ella_node *base, ella_node *tip, const ella_real qddot[1], const ella_real etaddot[7])
 {
-    const ella_real delta_1 = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
+    const ella_real delta_alpha_x = link->R_P[0] * base->delta[0] + link->R_P[3] * base->delta[1]
         + link->R_P[6] * base->delta[2];
-    const ella_real delta_2 = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
+    const ella_real delta_alpha_y = link->R_P[1] * base->delta[0] + link->R_P[4] * base->delta[1]
         + link->R_P[7] * base->delta[2];
-    const ella_real delta_4 = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
+    const ella_real delta_a_x = link->R_P[0] * base->delta[3] + link->R_P[3] * base->delta[4]
         + link->R_P[6] * base->delta[5];
-    const ella_real delta_5 = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
+    const ella_real delta_a_y = link->R_P[1] * base->delta[3] + link->R_P[4] * base->delta[4]
         + link->R_P[7] * base->delta[5];
-    const ella_real delta_6 = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
+    const ella_real delta_a_z = link->R_P[2] * base->delta[3] + link->R_P[5] * base->delta[4]
         + link->R_P[8] * base->delta[5];
-    const ella_real delta_3 = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
+    const ella_real delta_alpha_z = link->R_P[2] * base->delta[0] + link->R_P[5] * base->delta[1]
         + link->R_P[8] * base->delta[2] + qddot[0];
-    const ella_real t1 = etaddot[0] * REAL(2.0011941703010714) + etaddot[1] * REAL(2.0700807911885764)
-        + etaddot[2] * REAL(3.5651069283690613);
-    const ella_real t2 = etaddot[3] * REAL(2.0011941703010714) + etaddot[4] * REAL(2.0700807911885764)
-        + etaddot[5] * REAL(3.5651069283690613);
-    const ella_real delta_4_2 = delta_4 + (delta_2 * link->r_T[1] - delta_3 * link->r_T[0]);
-    const ella_real delta_5_2 = delta_5 + (delta_3 * c->length - delta_1 * link->r_T[1]) + t1;
-    const ella_real delta_6_2 = delta_6 + (delta_1 * link->r_T[0] - delta_2 * c->length) + t2;
+    const ella_real t1 = etaddot[0] * ELLA_REAL(2.0011941703010714) + etaddot[1] * ELLA_REAL(2.0700807911885764)
+        + etaddot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real t2 = etaddot[3] * ELLA_REAL(2.0011941703010714) + etaddot[4] * ELLA_REAL(2.0700807911885764)
+        + etaddot[5] * ELLA_REAL(3.5651069283690613);
+    const ella_real delta_a_x_2 = delta_a_x + (delta_alpha_y * link->r_T[1] - delta_alpha_z * link->r_T[0]);
+    const ella_real delta_a_y_2 = delta_a_y + (delta_alpha_z * c->length - delta_alpha_x * link->r_T[1]) + t1;
+    const ella_real delta_a_z_2 = delta_a_z + (delta_alpha_x * link->r_T[0] - delta_alpha_y * c->length) + t2;
 
     /* outputs */
-    link->delta[0] = delta_1;
-    link->delta[1] = delta_2;
-    link->delta[2] = delta_3;
-    link->delta[3] = delta_4;
-    link->delta[4] = delta_5;
-    link->delta[5] = delta_6;
-    tip->delta[3] = delta_4_2;
-    tip->delta[4] = delta_5_2;
-    tip->delta[5] = delta_6_2;
+    link->delta[0] = delta_alpha_x;
+    link->delta[1] = delta_alpha_y;
+    link->delta[2] = delta_alpha_z;
+    link->delta[3] = delta_a_x;
+    link->delta[4] = delta_a_y;
+    link->delta[5] = delta_a_z;
+    tip->delta[3] = delta_a_x_2;
+    tip->delta[4] = delta_a_y_2;
+    tip->delta[5] = delta_a_z_2;
     return ELLA_OK;
 }
 
@@ -2926,13 +2937,13 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real minus_Omega_xx = t1 + t2;
     const ella_real Omega_xy = link->omega[0] * link->omega[1];
     const ella_real t3 = link->omega[0] * link->omega[2];
-    const ella_real Omega_xz = link->alpha_0[1] + t3;
+    const ella_real Omega_xz = link->acc_0[1] + t3;
     const ella_real t4 = link->omega[0] * link->omega[0];
     const ella_real minus_Omega_yy = t4 + t2;
     const ella_real t5 = link->omega[1] * link->omega[2];
-    const ella_real Omega_yz = t5 - link->alpha_0[0];
-    const ella_real Omega_zx = t3 - link->alpha_0[1];
-    const ella_real Omega_zy = link->alpha_0[0] + t5;
+    const ella_real Omega_yz = t5 - link->acc_0[0];
+    const ella_real Omega_zx = t3 - link->acc_0[1];
+    const ella_real Omega_zy = link->acc_0[0] + t5;
     const ella_real minus_Omega_zz = t4 + t1;
 
     /* B: moment of the elastic velocity */
@@ -2944,52 +2955,52 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t6 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+    const ella_real t6 = h_c_tau_x + c->I_s * link->acc_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t6 + S_y * link->alpha_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t7 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
+    const ella_real H_star_tau_x = t6 + S_y * link->acc_0[5] - J_xz * Omega_xy - J_zz * Omega_yz - S_z * link->acc_0[4];
+    const ella_real t7 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->acc_0[3];
     const ella_real t8 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
-        - c->S_0_x * link->alpha_0[5];
-    const ella_real t9 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t8 * link->omega[1];
+    const ella_real H_star_tau_y = t7 + t8 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->acc_0[5];
+    const ella_real t9 = h_c_tau_z + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
+        + c->S_0_x * link->acc_0[4];
+    const ella_real H_star_tau_z = t9 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->acc_0[3] - t8 * link->omega[1];
 
     /* h_V: bias of the twist rows, angular acceleration included */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_xy * c->chi_2
-        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
     const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_xy * c->chi_3
-        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
     const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
-        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
     const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
-        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
     const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
-        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
+        + link->acc_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->acc_0[0] * c->sigma_t_7;
 
-    const ella_real t10 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+    const ella_real t10 = c->body0_mass * (tip->acc_0[3] + tip->delta[3])
         - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t11 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+    const ella_real t11 = c->body0_mass * (tip->acc_0[4] + tip->delta[4])
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
-    const ella_real t12 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+    const ella_real t12 = c->body0_mass * (tip->acc_0[5] + tip->delta[5])
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
     const ella_real t13 = tip->p[0] - (link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2]);
     const ella_real t14 = tip->p[1] - (link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2]);
@@ -3005,9 +3016,9 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
         - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]);
     const ella_real t22 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]);
-    const ella_real wrench_1 = t20 + h_V_1 + (t13 + (link->r_T[0] * t18 - link->r_T[1] * t17));
-    const ella_real wrench_2 = t21 + h_V_2 + (t14 + (link->r_T[1] * t16 - c->length * t18));
-    const ella_real force_2 = t22 + h_V_3 + (t15 + (c->length * t17 - link->r_T[0] * t16));
+    const ella_real wrench_tau_x = t20 + h_V_tau_x + (t13 + (link->r_T[0] * t18 - link->r_T[1] * t17));
+    const ella_real wrench_tau_y = t21 + h_V_tau_y + (t14 + (link->r_T[1] * t16 - c->length * t18));
+    const ella_real force_2 = t22 + h_V_tau_z + (t15 + (c->length * t17 - link->r_T[0] * t16));
     const ella_real t23 = link->J_l[1] * t13 + link->J_l[4] * t14 + link->J_l[7] * t15;
     const ella_real t24 = link->J_l[2] * t13 + link->J_l[5] * t14 + link->J_l[8] * t15;
     const ella_real t25 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + m_eta[0] * etaddot[0] + h_eta_1
@@ -3023,14 +3034,14 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real t30 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + m_eta[5] * etaddot[5] + h_eta_6
         + f_eta[5] + c->Psi_c_y6 * t23;
     const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + h_eta_7 + f_eta[6]
-        + (link->J_l[0] * t13 + link->J_l[3] * t14 + link->J_l[6] * t15) * REAL(1.7320508075688772);
-    const ella_real force_eta_1 = t25 + t17 * REAL(2.0011941703010714);
-    const ella_real force_eta_2 = t26 + t17 * REAL(2.0700807911885764);
-    const ella_real force_eta_3 = t27 + t17 * REAL(3.5651069283690613);
-    const ella_real force_eta_4 = t28 + t18 * REAL(2.0011941703010714);
-    const ella_real force_eta_5 = t29 + t18 * REAL(2.0700807911885764);
-    const ella_real force_eta_6 = t30 + t18 * REAL(3.5651069283690613);
-    const ella_real force_1 = link->S[0] * wrench_1 + link->S[1] * wrench_2;
+        + (link->J_l[0] * t13 + link->J_l[3] * t14 + link->J_l[6] * t15) * ELLA_REAL(1.7320508075688772);
+    const ella_real force_eta_1 = t25 + t17 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t26 + t17 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t27 + t17 * ELLA_REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t28 + t18 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t29 + t18 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t30 + t18 * ELLA_REAL(3.5651069283690613);
+    const ella_real force_1 = link->S[0] * wrench_tau_x + link->S[1] * wrench_tau_y;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3049,39 +3060,39 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
         const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
         /* h_c: half of the Coriolis wrench */
-        const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-        const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
-        const ella_real h_c_6 = Sdot_y * link->omega[0];
+        const ella_real h_c_f_x = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+        const ella_real minus_h_c_f_y = Sdot_z * link->omega[0];
+        const ella_real h_c_f_z = Sdot_y * link->omega[0];
 
         /* H_star: gyroscopic wrench and weight, angular acceleration included */
-        const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-            + link->alpha_0[3] * c->mu;
-        const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-            + link->alpha_0[4] * c->mu;
-        const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
-            + link->alpha_0[5] * c->mu;
+        const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+            + link->acc_0[3] * c->mu;
+        const ella_real H_star_f_y = Omega_xy * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
+            + link->acc_0[4] * c->mu;
+        const ella_real H_star_f_z = h_c_f_z + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+            + link->acc_0[5] * c->mu;
 
         /* h_V: bias of the twist rows, angular acceleration included */
-        const ella_real h_V_4 = H_star_4 + h_c_4;
-        const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-        const ella_real h_V_6 = H_star_6 + h_c_6;
+        const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+        const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+        const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
         const ella_real t31 = c->S_0_x * link->delta[2] - S_z * link->delta[0]
             + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
         const ella_real t32 = S_y * link->delta[0] - c->S_0_x * link->delta[1]
             + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
-        const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + h_V_4;
-        const ella_real wrench_4 = motion_4 + t16;
-        const ella_real wrench_5 = t31 + h_V_5 + t17;
-        const ella_real wrench_6 = t32 + h_V_6 + t18;
+        const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + h_V_f_x;
+        const ella_real wrench_f_x = motion_4 + t16;
+        const ella_real wrench_f_y = t31 + h_V_f_y + t17;
+        const ella_real wrench_f_z = t32 + h_V_f_z + t18;
 
         /* outputs */
-        wrench[0] = wrench_1;
-        wrench[1] = wrench_2;
+        wrench[0] = wrench_tau_x;
+        wrench[1] = wrench_tau_y;
         wrench[2] = force_2;
-        wrench[3] = wrench_4;
-        wrench[4] = wrench_5;
-        wrench[5] = wrench_6;
+        wrench[3] = wrench_f_x;
+        wrench[4] = wrench_f_y;
+        wrench[5] = wrench_f_z;
     }
     return ELLA_OK;
 }
@@ -3133,16 +3144,16 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real t2 = link->omega[2] * link->omega[2];
     const ella_real minus_Omega_xx = t1 + t2;
     const ella_real t3 = link->omega[0] * link->omega[1];
-    const ella_real Omega_xy = t3 - link->alpha_0[2];
+    const ella_real Omega_xy = t3 - link->acc_0[2];
     const ella_real t4 = link->omega[0] * link->omega[2];
-    const ella_real Omega_xz = link->alpha_0[1] + t4;
-    const ella_real Omega_yx = link->alpha_0[2] + t3;
+    const ella_real Omega_xz = link->acc_0[1] + t4;
+    const ella_real Omega_yx = link->acc_0[2] + t3;
     const ella_real t5 = link->omega[0] * link->omega[0];
     const ella_real minus_Omega_yy = t5 + t2;
     const ella_real t6 = link->omega[1] * link->omega[2];
-    const ella_real Omega_yz = t6 - link->alpha_0[0];
-    const ella_real Omega_zx = t4 - link->alpha_0[1];
-    const ella_real Omega_zy = link->alpha_0[0] + t6;
+    const ella_real Omega_yz = t6 - link->acc_0[0];
+    const ella_real Omega_zx = t4 - link->acc_0[1];
+    const ella_real Omega_zy = link->acc_0[0] + t6;
     const ella_real minus_Omega_zz = t5 + t1;
 
     /* B: moment of the elastic velocity */
@@ -3154,67 +3165,67 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * link->omega[0] + B_zz * link->omega[0];
-    const ella_real h_c_2 = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
-    const ella_real h_c_3 = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
-    const ella_real h_c_4 = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
-    const ella_real minus_h_c_5 = Sdot_z * link->omega[0];
-    const ella_real h_c_6 = Sdot_y * link->omega[0];
+    const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
+    const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
+    const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
+    const ella_real h_c_f_x = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
+    const ella_real minus_h_c_f_y = Sdot_z * link->omega[0];
+    const ella_real h_c_f_z = Sdot_y * link->omega[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * link->omega[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * link->omega[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * link->omega[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * link->omega[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight, angular acceleration included */
-    const ella_real t7 = h_c_1 + c->I_s * link->alpha_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
+    const ella_real t7 = h_c_tau_x + c->I_s * link->acc_0[0] + J_xy * Omega_zx + J_yy * Omega_zy
         + J_yz * (minus_Omega_yy - minus_Omega_zz);
-    const ella_real H_star_1 = t7 + S_y * link->alpha_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->alpha_0[4];
-    const ella_real t8 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
-        + S_z * link->alpha_0[3];
+    const ella_real H_star_tau_x = t7 + S_y * link->acc_0[5] - J_xz * Omega_yx - J_zz * Omega_yz - S_z * link->acc_0[4];
+    const ella_real t8 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+        + S_z * link->acc_0[3];
     const ella_real t9 = c->I_s * link->omega[0];
-    const ella_real H_star_2 = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
-        - c->S_0_x * link->alpha_0[5];
-    const ella_real t10 = h_c_3 + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * link->alpha_0[4];
-    const ella_real H_star_3 = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->alpha_0[3] - t9 * link->omega[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
-        + link->alpha_0[3] * c->mu;
-    const ella_real H_star_5 = Omega_yx * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
-        + link->alpha_0[4] * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
-        + link->alpha_0[5] * c->mu;
+    const ella_real H_star_tau_y = t8 + t9 * link->omega[2] - c->J_0_xx * Omega_zx - J_xy * Omega_zy
+        - c->S_0_x * link->acc_0[5];
+    const ella_real t10 = h_c_tau_z + c->J_0_xx * Omega_yx + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * link->acc_0[4];
+    const ella_real H_star_tau_z = t10 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * link->acc_0[3] - t9 * link->omega[1];
+    const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z
+        + link->acc_0[3] * c->mu;
+    const ella_real H_star_f_y = Omega_yx * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
+        + link->acc_0[4] * c->mu;
+    const ella_real H_star_f_z = h_c_f_z + Omega_zx * c->S_0_x + Omega_zy * S_y - minus_Omega_zz * S_z
+        + link->acc_0[5] * c->mu;
 
     /* h_V: bias of the twist rows, angular acceleration included */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
+    const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+    const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+    const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
     /* h_eta: gyroscopic force and weight on the modes, angular acceleration included */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_yx * c->chi_1
-        + link->alpha_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y1 - Ldot_z1 * 2 * link->omega[0];
     const ella_real h_eta_2 = L_z2 * Omega_yz - L_y2 * minus_Omega_yy + Omega_yx * c->chi_2
-        + link->alpha_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y2 - Ldot_z2 * 2 * link->omega[0];
     const ella_real h_eta_3 = L_z3 * Omega_yz - L_y3 * minus_Omega_yy + Omega_yx * c->chi_3
-        + link->alpha_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
+        + link->acc_0[4] * c->sigma_y3 - Ldot_z3 * 2 * link->omega[0];
     const ella_real h_eta_4 = L_y1 * Omega_zy - L_z1 * minus_Omega_zz + Omega_zx * c->chi_1
-        + link->alpha_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y1 + Ldot_y1 * 2 * link->omega[0];
     const ella_real h_eta_5 = L_y2 * Omega_zy - L_z2 * minus_Omega_zz + Omega_zx * c->chi_2
-        + link->alpha_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
+        + link->acc_0[5] * c->sigma_y2 + Ldot_y2 * 2 * link->omega[0];
     const ella_real h_eta_6 = L_y3 * Omega_zy - L_z3 * minus_Omega_zz + Omega_zx * c->chi_3
-        + link->alpha_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
-    const ella_real h_eta_7 = link->alpha_0[0] * c->sigma_t_7;
+        + link->acc_0[5] * c->sigma_y3 + Ldot_y3 * 2 * link->omega[0];
+    const ella_real h_eta_7 = link->acc_0[0] * c->sigma_t_7;
 
     const ella_real t11 = link->R_T[0] * w_ext[0] + link->R_T[1] * w_ext[1] + link->R_T[2] * w_ext[2];
     const ella_real t12 = link->R_T[3] * w_ext[0] + link->R_T[4] * w_ext[1] + link->R_T[5] * w_ext[2];
     const ella_real t13 = link->R_T[6] * w_ext[0] + link->R_T[7] * w_ext[1] + link->R_T[8] * w_ext[2];
-    const ella_real t14 = c->body0_mass * (tip->alpha_0[3] + tip->delta[3])
+    const ella_real t14 = c->body0_mass * (tip->acc_0[3] + tip->delta[3])
         - (link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5]);
-    const ella_real t15 = c->body0_mass * (tip->alpha_0[4] + tip->delta[4])
+    const ella_real t15 = c->body0_mass * (tip->acc_0[4] + tip->delta[4])
         - (link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5]);
-    const ella_real t16 = c->body0_mass * (tip->alpha_0[5] + tip->delta[5])
+    const ella_real t16 = c->body0_mass * (tip->acc_0[5] + tip->delta[5])
         - (link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5]);
     const ella_real t17 = I_xx * link->delta[0] - J_xy * link->delta[1] - J_xz * link->delta[2] - S_z * link->delta[4]
         + S_y * link->delta[5];
@@ -3228,16 +3239,16 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
         + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
     const ella_real t22 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
         + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
-    const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_4;
-    const ella_real wrench_1 = t17 + (t20 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]) + h_V_1
+    const ella_real motion_4 = S_z * link->delta[1] - S_y * link->delta[2] + c->mu * link->delta[3] + h_V_f_x;
+    const ella_real wrench_tau_x = t17 + (t20 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6]) + h_V_tau_x
         + (link->r_T[0] * t16 - link->r_T[1] * t15 - t11);
-    const ella_real wrench_2 = t18 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]) + h_V_2
-        + (link->r_T[1] * t14 - c->length * t16 - t12);
-    const ella_real force_1 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]) + h_V_3
-        + (c->length * t15 - link->r_T[0] * t14 - t13);
-    const ella_real wrench_4 = motion_4 + t14;
-    const ella_real wrench_5 = t21 + h_V_5 + t15;
-    const ella_real wrench_6 = t22 + h_V_6 + t16;
+    const ella_real wrench_tau_y = t18 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
+        + h_V_tau_y + (link->r_T[1] * t14 - c->length * t16 - t12);
+    const ella_real force_1 = t19 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2])
+        + h_V_tau_z + (c->length * t15 - link->r_T[0] * t14 - t13);
+    const ella_real wrench_f_x = motion_4 + t14;
+    const ella_real wrench_f_y = t21 + h_V_f_y + t15;
+    const ella_real wrench_f_z = t22 + h_V_f_z + t16;
     const ella_real t23 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
     const ella_real t24 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
@@ -3253,19 +3264,19 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real t29 = link->J_l[1] * t11 + link->J_l[4] * t12 + link->J_l[7] * t13;
     const ella_real t30 = link->J_l[2] * t11 + link->J_l[5] * t12 + link->J_l[8] * t13;
     const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + h_eta_7 + f_eta[6]
-        - (link->J_l[0] * t11 + link->J_l[3] * t12 + link->J_l[6] * t13) * REAL(1.7320508075688772);
-    const ella_real force_eta_1 = t23 + h_eta_1 + f_eta[0] - c->Psi_c_z1 * t30 + t15 * REAL(2.0011941703010714);
-    const ella_real force_eta_2 = t24 + h_eta_2 + f_eta[1] - c->Psi_c_z2 * t30 + t15 * REAL(2.0700807911885764);
-    const ella_real force_eta_3 = t25 + h_eta_3 + f_eta[2] - c->Psi_c_z3 * t30 + t15 * REAL(3.5651069283690613);
-    const ella_real force_eta_4 = t26 + h_eta_4 + f_eta[3] - c->Psi_c_y4 * t29 + t16 * REAL(2.0011941703010714);
-    const ella_real force_eta_5 = t27 + h_eta_5 + f_eta[4] - c->Psi_c_y5 * t29 + t16 * REAL(2.0700807911885764);
-    const ella_real force_eta_6 = t28 + h_eta_6 + f_eta[5] - c->Psi_c_y6 * t29 + t16 * REAL(3.5651069283690613);
-    const ella_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * force_1;
-    const ella_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * force_1;
-    const ella_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * force_1;
-    const ella_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
-    const ella_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
-    const ella_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+        - (link->J_l[0] * t11 + link->J_l[3] * t12 + link->J_l[6] * t13) * ELLA_REAL(1.7320508075688772);
+    const ella_real force_eta_1 = t23 + h_eta_1 + f_eta[0] - c->Psi_c_z1 * t30 + t15 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t24 + h_eta_2 + f_eta[1] - c->Psi_c_z2 * t30 + t15 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t25 + h_eta_3 + f_eta[2] - c->Psi_c_z3 * t30 + t15 * ELLA_REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t26 + h_eta_4 + f_eta[3] - c->Psi_c_y4 * t29 + t16 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t27 + h_eta_5 + f_eta[4] - c->Psi_c_y5 * t29 + t16 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t28 + h_eta_6 + f_eta[5] - c->Psi_c_y6 * t29 + t16 * ELLA_REAL(3.5651069283690613);
+    const ella_real p_tau_x = link->R_P[0] * wrench_tau_x + link->R_P[1] * wrench_tau_y + link->R_P[2] * force_1;
+    const ella_real p_tau_y = link->R_P[3] * wrench_tau_x + link->R_P[4] * wrench_tau_y + link->R_P[5] * force_1;
+    const ella_real p_tau_z = link->R_P[6] * wrench_tau_x + link->R_P[7] * wrench_tau_y + link->R_P[8] * force_1;
+    const ella_real p_f_x = link->R_P[0] * wrench_f_x + link->R_P[1] * wrench_f_y + link->R_P[2] * wrench_f_z;
+    const ella_real p_f_y = link->R_P[3] * wrench_f_x + link->R_P[4] * wrench_f_y + link->R_P[5] * wrench_f_z;
+    const ella_real p_f_z = link->R_P[6] * wrench_f_x + link->R_P[7] * wrench_f_y + link->R_P[8] * wrench_f_z;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3276,21 +3287,21 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     force_eta[5] = force_eta_6;
     force_eta[6] = force_eta_7;
     force[0] = force_1;
-    base->p[0] = p_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_5;
-    base->p[5] = p_6;
+    base->p[0] = p_tau_x;
+    base->p[1] = p_tau_y;
+    base->p[2] = p_tau_z;
+    base->p[3] = p_f_x;
+    base->p[4] = p_f_y;
+    base->p[5] = p_f_z;
 
     if (wrench) {
         /* outputs */
-        wrench[0] = wrench_1;
-        wrench[1] = wrench_2;
+        wrench[0] = wrench_tau_x;
+        wrench[1] = wrench_tau_y;
         wrench[2] = force_1;
-        wrench[3] = wrench_4;
-        wrench[4] = wrench_5;
-        wrench[5] = wrench_6;
+        wrench[3] = wrench_f_x;
+        wrench[4] = wrench_f_y;
+        wrench[5] = wrench_f_z;
     }
     return ELLA_OK;
 }
@@ -3304,13 +3315,13 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real R_rel_yx = turn.sine, R_rel_yy = turn.cosine;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -3322,10 +3333,10 @@ ELLA_PART ella_status kinematics_upper_arm_2(const ella_link_constants *c, ella_
     const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* c3: Stumpff function of order 3 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
 
     /* c1: Stumpff function of order 1 */
     const ella_real c1 = 1 - x * c3;
@@ -3403,31 +3414,31 @@ ELLA_PART ella_status kinematics_forearm_2(ella_link_store *link, const ella_nod
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* R: rotation of F_i relative to the parent's F_i (Ad) */
-    const ella_real R_P_11 = base->R_T[0] * R_rel_xx + base->R_T[1] * minus_R_rel_xy;
-    const ella_real R_P_12 = base->R_T[1] * R_rel_xx - base->R_T[0] * minus_R_rel_xy;
-    const ella_real R_P_21 = base->R_T[3] * R_rel_xx + base->R_T[4] * minus_R_rel_xy;
-    const ella_real R_P_22 = base->R_T[4] * R_rel_xx - base->R_T[3] * minus_R_rel_xy;
-    const ella_real R_P_31 = base->R_T[6] * R_rel_xx + base->R_T[7] * minus_R_rel_xy;
-    const ella_real R_P_32 = base->R_T[7] * R_rel_xx - base->R_T[6] * minus_R_rel_xy;
+    const ella_real R_P_xx = base->R_T[0] * R_rel_xx + base->R_T[1] * R_rel_yx;
+    const ella_real R_P_xy = base->R_T[1] * R_rel_xx - base->R_T[0] * R_rel_yx;
+    const ella_real R_P_yx = base->R_T[3] * R_rel_xx + base->R_T[4] * R_rel_yx;
+    const ella_real R_P_yy = base->R_T[4] * R_rel_xx - base->R_T[3] * R_rel_yx;
+    const ella_real R_P_zx = base->R_T[6] * R_rel_xx + base->R_T[7] * R_rel_yx;
+    const ella_real R_P_zy = base->R_T[7] * R_rel_xx - base->R_T[6] * R_rel_yx;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* outputs */
-    link->R_P[0] = R_P_11;
-    link->R_P[1] = R_P_12;
+    link->R_P[0] = R_P_xx;
+    link->R_P[1] = R_P_xy;
     link->R_P[2] = base->R_T[2];
-    link->R_P[3] = R_P_21;
-    link->R_P[4] = R_P_22;
+    link->R_P[3] = R_P_yx;
+    link->R_P[4] = R_P_yy;
     link->R_P[5] = base->R_T[5];
-    link->R_P[6] = R_P_31;
-    link->R_P[7] = R_P_32;
+    link->R_P[6] = R_P_zx;
+    link->R_P[7] = R_P_zy;
     link->R_P[8] = base->R_T[8];
     link->r_T[0] = r_T_y;
     link->r_T[1] = r_T_z;
@@ -3470,27 +3481,27 @@ ELLA_PART ella_status inverse_inward_upper_arm_2(const ella_link_constants *c, c
         - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5]);
     const ella_real t7 = I_zz * link->delta[2] - (J_xz * link->delta[0] + J_yz * link->delta[1])
         + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2]);
-    const ella_real wrench_1 = t5 + (tip->p[0] + (link->r_T[0] * t3 - link->r_T[1] * t2));
-    const ella_real wrench_2 = t6 + (tip->p[1] + (link->r_T[1] * t1 - c->length * t3));
+    const ella_real wrench_tau_x = t5 + (tip->p[0] + (link->r_T[0] * t3 - link->r_T[1] * t2));
+    const ella_real wrench_tau_y = t6 + (tip->p[1] + (link->r_T[1] * t1 - c->length * t3));
     const ella_real force_2 = t7 + (tip->p[2] + (c->length * t2 - link->r_T[0] * t1));
     const ella_real t8 = link->J_l[1] * tip->p[0] + link->J_l[4] * tip->p[1] + link->J_l[7] * tip->p[2];
     const ella_real t9 = link->J_l[2] * tip->p[0] + link->J_l[5] * tip->p[1] + link->J_l[8] * tip->p[2];
     const ella_real t10 = (link->J_l[0] * tip->p[0] + link->J_l[3] * tip->p[1] + link->J_l[6] * tip->p[2])
-        * REAL(1.7320508075688772);
+        * ELLA_REAL(1.7320508075688772);
     const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6] + t10;
     const ella_real force_eta_1 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + m_eta[0] * etaddot[0]
-        + c->Psi_c_z1 * t9 + t2 * REAL(2.0011941703010714);
+        + c->Psi_c_z1 * t9 + t2 * ELLA_REAL(2.0011941703010714);
     const ella_real force_eta_2 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + m_eta[1] * etaddot[1]
-        + c->Psi_c_z2 * t9 + t2 * REAL(2.0700807911885764);
+        + c->Psi_c_z2 * t9 + t2 * ELLA_REAL(2.0700807911885764);
     const ella_real force_eta_3 = c->chi_3 * link->delta[2] - L_z3 * link->delta[0] + m_eta[2] * etaddot[2]
-        + c->Psi_c_z3 * t9 + t2 * REAL(3.5651069283690613);
+        + c->Psi_c_z3 * t9 + t2 * ELLA_REAL(3.5651069283690613);
     const ella_real force_eta_4 = L_y1 * link->delta[0] - c->chi_1 * link->delta[1] + m_eta[3] * etaddot[3]
-        + c->Psi_c_y4 * t8 + t3 * REAL(2.0011941703010714);
+        + c->Psi_c_y4 * t8 + t3 * ELLA_REAL(2.0011941703010714);
     const ella_real force_eta_5 = L_y2 * link->delta[0] - c->chi_2 * link->delta[1] + m_eta[4] * etaddot[4]
-        + c->Psi_c_y5 * t8 + t3 * REAL(2.0700807911885764);
+        + c->Psi_c_y5 * t8 + t3 * ELLA_REAL(2.0700807911885764);
     const ella_real force_eta_6 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + m_eta[5] * etaddot[5]
-        + c->Psi_c_y6 * t8 + t3 * REAL(3.5651069283690613);
-    const ella_real force_1 = link->S[0] * wrench_1 + link->S[1] * wrench_2;
+        + c->Psi_c_y6 * t8 + t3 * ELLA_REAL(3.5651069283690613);
+    const ella_real force_1 = link->S[0] * wrench_tau_x + link->S[1] * wrench_tau_y;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3550,15 +3561,15 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
         + (c->sigma_y1 * etaddot[0] + c->sigma_y2 * etaddot[1] + c->sigma_y3 * etaddot[2]);
     const ella_real t9 = S_y * link->delta[0] - c->S_0_x * link->delta[1] + c->mu * link->delta[5]
         + (c->sigma_y1 * etaddot[3] + c->sigma_y2 * etaddot[4] + c->sigma_y3 * etaddot[5]);
-    const ella_real wrench_1 = t4 + (t7 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6])
+    const ella_real wrench_tau_x = t4 + (t7 + L_y3 * etaddot[5] + c->sigma_t_7 * etaddot[6])
         + (link->r_T[0] * t3 - link->r_T[1] * t2);
-    const ella_real wrench_2 = t5 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
+    const ella_real wrench_tau_y = t5 - (c->chi_1 * etaddot[3] + c->chi_2 * etaddot[4] + c->chi_3 * etaddot[5])
         + (link->r_T[1] * t1 - c->length * t3);
     const ella_real force_1 = t6 + (c->chi_1 * etaddot[0] + c->chi_2 * etaddot[1] + c->chi_3 * etaddot[2])
         + (c->length * t2 - link->r_T[0] * t1);
-    const ella_real wrench_4 = motion_4 + t1;
-    const ella_real wrench_5 = t8 + t2;
-    const ella_real wrench_6 = t9 + t3;
+    const ella_real wrench_f_x = motion_4 + t1;
+    const ella_real wrench_f_y = t8 + t2;
+    const ella_real wrench_f_z = t9 + t3;
     const ella_real t10 = c->chi_1 * link->delta[2] - L_z1 * link->delta[0] + c->sigma_y1 * link->delta[4]
         + m_eta[0] * etaddot[0];
     const ella_real t11 = c->chi_2 * link->delta[2] - L_z2 * link->delta[0] + c->sigma_y2 * link->delta[4]
@@ -3572,18 +3583,18 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     const ella_real t15 = L_y3 * link->delta[0] - c->chi_3 * link->delta[1] + c->sigma_y3 * link->delta[5]
         + m_eta[5] * etaddot[5];
     const ella_real force_eta_7 = c->sigma_t_7 * link->delta[0] + m_eta[6] * etaddot[6];
-    const ella_real force_eta_1 = t10 + t2 * REAL(2.0011941703010714);
-    const ella_real force_eta_2 = t11 + t2 * REAL(2.0700807911885764);
-    const ella_real force_eta_3 = t12 + t2 * REAL(3.5651069283690613);
-    const ella_real force_eta_4 = t13 + t3 * REAL(2.0011941703010714);
-    const ella_real force_eta_5 = t14 + t3 * REAL(2.0700807911885764);
-    const ella_real force_eta_6 = t15 + t3 * REAL(3.5651069283690613);
-    const ella_real p_1 = link->R_P[0] * wrench_1 + link->R_P[1] * wrench_2 + link->R_P[2] * force_1;
-    const ella_real p_2 = link->R_P[3] * wrench_1 + link->R_P[4] * wrench_2 + link->R_P[5] * force_1;
-    const ella_real p_3 = link->R_P[6] * wrench_1 + link->R_P[7] * wrench_2 + link->R_P[8] * force_1;
-    const ella_real p_4 = link->R_P[0] * wrench_4 + link->R_P[1] * wrench_5 + link->R_P[2] * wrench_6;
-    const ella_real p_5 = link->R_P[3] * wrench_4 + link->R_P[4] * wrench_5 + link->R_P[5] * wrench_6;
-    const ella_real p_6 = link->R_P[6] * wrench_4 + link->R_P[7] * wrench_5 + link->R_P[8] * wrench_6;
+    const ella_real force_eta_1 = t10 + t2 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_2 = t11 + t2 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_3 = t12 + t2 * ELLA_REAL(3.5651069283690613);
+    const ella_real force_eta_4 = t13 + t3 * ELLA_REAL(2.0011941703010714);
+    const ella_real force_eta_5 = t14 + t3 * ELLA_REAL(2.0700807911885764);
+    const ella_real force_eta_6 = t15 + t3 * ELLA_REAL(3.5651069283690613);
+    const ella_real p_tau_x = link->R_P[0] * wrench_tau_x + link->R_P[1] * wrench_tau_y + link->R_P[2] * force_1;
+    const ella_real p_tau_y = link->R_P[3] * wrench_tau_x + link->R_P[4] * wrench_tau_y + link->R_P[5] * force_1;
+    const ella_real p_tau_z = link->R_P[6] * wrench_tau_x + link->R_P[7] * wrench_tau_y + link->R_P[8] * force_1;
+    const ella_real p_f_x = link->R_P[0] * wrench_f_x + link->R_P[1] * wrench_f_y + link->R_P[2] * wrench_f_z;
+    const ella_real p_f_y = link->R_P[3] * wrench_f_x + link->R_P[4] * wrench_f_y + link->R_P[5] * wrench_f_z;
+    const ella_real p_f_z = link->R_P[6] * wrench_f_x + link->R_P[7] * wrench_f_y + link->R_P[8] * wrench_f_z;
 
     /* outputs */
     force_eta[0] = force_eta_1;
@@ -3594,12 +3605,12 @@ ELLA_PART ella_status inverse_inward_forearm_2(const ella_link_constants *c, con
     force_eta[5] = force_eta_6;
     force_eta[6] = force_eta_7;
     force[0] = force_1;
-    base->p[0] = p_1;
-    base->p[1] = p_2;
-    base->p[2] = p_3;
-    base->p[3] = p_4;
-    base->p[4] = p_5;
-    base->p[5] = p_6;
+    base->p[0] = p_tau_x;
+    base->p[1] = p_tau_y;
+    base->p[2] = p_tau_z;
+    base->p[3] = p_f_x;
+    base->p[4] = p_f_y;
+    base->p[5] = p_f_z;
     return ELLA_OK;
 }
 
@@ -3616,13 +3627,13 @@ ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_no
     const ella_real omega_J_y = R_rel_yy * qdot[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -3634,11 +3645,11 @@ ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_no
     const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t2 + t3;
@@ -3665,13 +3676,13 @@ ELLA_PART ella_status velocities_upper_arm(const ella_link_constants *c, ella_no
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -3715,27 +3726,27 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* omega_R: angular velocity of the parent's tip */
-    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - R_rel_yx * base->omega_T[0];
 
     /* omega: angular velocity of the link (45) */
     const ella_real omega_z = base->omega_T[2] + qdot[0];
 
     /* v_R: velocity of the joint point, fixed to the parent */
-    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
-    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + R_rel_yx * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - R_rel_yx * base->v_T[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -3747,11 +3758,11 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
     const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t2 + t3;
@@ -3778,13 +3789,13 @@ ELLA_PART ella_status velocities_forearm(const ella_link_constants *c, const ell
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -3837,13 +3848,13 @@ ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *t
     const ella_real R_rel_zy = R_rel_xz * R_rel_yx;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -3855,10 +3866,10 @@ ELLA_PART ella_status poses_upper_arm(const ella_link_constants *c, ella_node *t
     const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c1 = 1 - x * (REAL(0.16666666666666666) - x * ella_c5(x));
+    const ella_real c1 = 1 - x * (ELLA_REAL(0.16666666666666666) - x * ella_c5(x));
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t2 + t3;
@@ -3936,16 +3947,16 @@ ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_nod
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -3957,10 +3968,10 @@ ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_nod
     const ella_real x = minus_theta_hat2_33 + t3;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c1 = 1 - x * (REAL(0.16666666666666666) - x * ella_c5(x));
+    const ella_real c1 = 1 - x * (ELLA_REAL(0.16666666666666666) - x * ella_c5(x));
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t2 + t3;
@@ -3987,12 +3998,12 @@ ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_nod
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* pose: rotation and position of F_i in the inertial frame (Ad) */
-    const ella_real R_xx = base->R[0] * R_rel_xx + base->R[1] * minus_R_rel_xy;
-    const ella_real R_xy = base->R[1] * R_rel_xx - base->R[0] * minus_R_rel_xy;
-    const ella_real R_yx = base->R[3] * R_rel_xx + base->R[4] * minus_R_rel_xy;
-    const ella_real R_yy = base->R[4] * R_rel_xx - base->R[3] * minus_R_rel_xy;
-    const ella_real R_zx = base->R[6] * R_rel_xx + base->R[7] * minus_R_rel_xy;
-    const ella_real R_zy = base->R[7] * R_rel_xx - base->R[6] * minus_R_rel_xy;
+    const ella_real R_xx = base->R[0] * R_rel_xx + base->R[1] * R_rel_yx;
+    const ella_real R_xy = base->R[1] * R_rel_xx - base->R[0] * R_rel_yx;
+    const ella_real R_yx = base->R[3] * R_rel_xx + base->R[4] * R_rel_yx;
+    const ella_real R_yy = base->R[4] * R_rel_xx - base->R[3] * R_rel_yx;
+    const ella_real R_zx = base->R[6] * R_rel_xx + base->R[7] * R_rel_yx;
+    const ella_real R_zy = base->R[7] * R_rel_xx - base->R[6] * R_rel_yx;
 
     /* pose: rotation and position of the tip section in the inertial frame (Ad) */
     const ella_real R_tip_xx = R_xx * R_T_xx + R_xy * R_T_yx + base->R[2] * R_T_zx;
@@ -4039,35 +4050,35 @@ ELLA_PART ella_status poses_forearm(const ella_link_constants *c, const ella_nod
 /* tip twist, links like upper_arm: 30 operations */
 ELLA_PART ella_status tip_twist_upper_arm(const ella_node *tip, ella_real tip_twist[6])
 {
-    const ella_real tip_twist_1 = tip->R[0] * tip->omega_T[0] + tip->R[1] * tip->omega_T[1]
+    const ella_real tip_twist_omega_x = tip->R[0] * tip->omega_T[0] + tip->R[1] * tip->omega_T[1]
         + tip->R[2] * tip->omega_T[2];
-    const ella_real tip_twist_2 = tip->R[3] * tip->omega_T[0] + tip->R[4] * tip->omega_T[1]
+    const ella_real tip_twist_omega_y = tip->R[3] * tip->omega_T[0] + tip->R[4] * tip->omega_T[1]
         + tip->R[5] * tip->omega_T[2];
-    const ella_real tip_twist_3 = tip->R[6] * tip->omega_T[0] + tip->R[7] * tip->omega_T[1]
+    const ella_real tip_twist_omega_z = tip->R[6] * tip->omega_T[0] + tip->R[7] * tip->omega_T[1]
         + tip->R[8] * tip->omega_T[2];
-    const ella_real tip_twist_4 = tip->R[0] * tip->v_T[0] + tip->R[1] * tip->v_T[1] + tip->R[2] * tip->v_T[2];
-    const ella_real tip_twist_5 = tip->R[3] * tip->v_T[0] + tip->R[4] * tip->v_T[1] + tip->R[5] * tip->v_T[2];
-    const ella_real tip_twist_6 = tip->R[6] * tip->v_T[0] + tip->R[7] * tip->v_T[1] + tip->R[8] * tip->v_T[2];
+    const ella_real tip_twist_v_x = tip->R[0] * tip->v_T[0] + tip->R[1] * tip->v_T[1] + tip->R[2] * tip->v_T[2];
+    const ella_real tip_twist_v_y = tip->R[3] * tip->v_T[0] + tip->R[4] * tip->v_T[1] + tip->R[5] * tip->v_T[2];
+    const ella_real tip_twist_v_z = tip->R[6] * tip->v_T[0] + tip->R[7] * tip->v_T[1] + tip->R[8] * tip->v_T[2];
 
     /* outputs */
-    tip_twist[0] = tip_twist_1;
-    tip_twist[1] = tip_twist_2;
-    tip_twist[2] = tip_twist_3;
-    tip_twist[3] = tip_twist_4;
-    tip_twist[4] = tip_twist_5;
-    tip_twist[5] = tip_twist_6;
+    tip_twist[0] = tip_twist_omega_x;
+    tip_twist[1] = tip_twist_omega_y;
+    tip_twist[2] = tip_twist_omega_z;
+    tip_twist[3] = tip_twist_v_x;
+    tip_twist[4] = tip_twist_v_y;
+    tip_twist[5] = tip_twist_v_z;
     return ELLA_OK;
 }
 
 /* measure, links like upper_arm: 43 operations */
-ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, const ella_real motion[restrict 4],
-    const ella_real wrench[restrict 6], const ella_real eta[restrict 7], ella_real measures[restrict 4])
+ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, const ella_real eta[restrict 7],
+    const ella_real motion[restrict 4], const ella_real wrench[restrict 6], ella_real measures[restrict 4])
 {
     /* deflection_T: transverse displacement of the tip, components y and z in F_i */
-    const ella_real deflection_T_1 = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real deflection_T_2 = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real deflection_T_1 = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real deflection_T_2 = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* deflection_2: its square */
     const ella_real deflection_2 = deflection_T_1 * deflection_T_1 + deflection_T_2 * deflection_T_2;
@@ -4077,10 +4088,10 @@ ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, c
     measures[0] = deflection;
 
     /* slope_T: slope of the tip section, components y and z in F_i */
-    const ella_real minus_slope_T_1 = eta[4] * REAL(9.829048135266044) / c->length
-        + eta[3] * REAL(2.754638950054297) / c->length + eta[5] * REAL(51.65076743872705) / c->length;
-    const ella_real slope_T_2 = eta[1] * REAL(9.829048135266044) / c->length
-        + eta[0] * REAL(2.754638950054297) / c->length + eta[2] * REAL(51.65076743872705) / c->length;
+    const ella_real minus_slope_T_1 = eta[4] * ELLA_REAL(9.829048135266044) / c->length
+        + eta[3] * ELLA_REAL(2.754638950054297) / c->length + eta[5] * ELLA_REAL(51.65076743872705) / c->length;
+    const ella_real slope_T_2 = eta[1] * ELLA_REAL(9.829048135266044) / c->length
+        + eta[0] * ELLA_REAL(2.754638950054297) / c->length + eta[2] * ELLA_REAL(51.65076743872705) / c->length;
 
     /* slope_2: its square */
     const ella_real slope_2 = minus_slope_T_1 * minus_slope_T_1 + slope_T_2 * slope_T_2;
@@ -4105,8 +4116,8 @@ ELLA_PART ella_status measure_upper_arm(const ella_link_constants *restrict c, c
 /* joint rows, links like upper_arm: 657 operations */
 ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_link_store *link, ella_node *tip,
     const ella_real twist[6], const ella_real q[2], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[2], const int *place, ella_real *M,
-    ella_real H[12], ella_real W[12])
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[2], ella_real joint_H[6],
+    ella_real joint_W[6], const int *place, ella_real *M)
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[1]);
@@ -4203,40 +4214,40 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
-    const ella_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const ella_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
-    const ella_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const ella_real minus_h_c_5 = Sdot_z * twist[0];
-    const ella_real h_c_6 = Sdot_y * twist[0];
+    const ella_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
+    const ella_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
+    const ella_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
+    const ella_real h_c_f_x = Sdot_z * twist[1] - Sdot_y * twist[2];
+    const ella_real minus_h_c_f_y = Sdot_z * twist[0];
+    const ella_real h_c_f_z = Sdot_y * twist[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * twist[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * twist[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * twist[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * twist[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t24 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+    const ella_real t24 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
-    const ella_real H_star_1 = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const ella_real t25 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    const ella_real H_star_tau_x = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
+    const ella_real t25 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * a_0_x;
     const ella_real t26 = c->I_s * twist[0];
-    const ella_real H_star_2 = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
-    const ella_real t27 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * a_0_y;
-    const ella_real H_star_3 = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
-    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_tau_y = t25 + t26 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
+    const ella_real t27 = h_c_tau_z + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * a_0_y;
+    const ella_real H_star_tau_z = t27 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t26 * twist[1];
+    const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
+    const ella_real H_star_f_y = Omega_xy * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
+    const ella_real H_star_f_z = h_c_f_z + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
+    const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+    const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+    const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
@@ -4253,13 +4264,13 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
         + Ldot_y3 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -4272,12 +4283,12 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
 
     /* c1: Stumpff function of order 1 */
     const ella_real t31 = ella_c5(x);
-    const ella_real c3 = REAL(0.16666666666666666) - x * t31;
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * t31;
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
     const ella_real t32 = ella_c4(x);
-    const ella_real c2 = REAL(0.5) - x * t32;
+    const ella_real c2 = ELLA_REAL(0.5) - x * t32;
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t29 + t30;
@@ -4321,13 +4332,13 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -4343,14 +4354,14 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real omega_s_z = thetadot_z + c2 * t46 + c3 * t50;
 
     /* xdot: rate of the squared angle */
-    const ella_real xdot = eta[6] * REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
+    const ella_real xdot = eta[6] * ELLA_REAL(3.4641016151377544) * thetadot_x + theta_y * 2 * thetadot_y
         + theta_z * 2 * thetadot_z;
 
     /* c2dot: rate of c2 */
-    const ella_real c2dot = xdot * (t32 - c3 * REAL(0.5));
+    const ella_real c2dot = xdot * (t32 - c3 * ELLA_REAL(0.5));
 
     /* c3dot: rate of c3 */
-    const ella_real c3dot = xdot * (t31 * REAL(1.5) - t32 * REAL(0.5));
+    const ella_real c3dot = xdot * (t31 * ELLA_REAL(1.5) - t32 * ELLA_REAL(0.5));
 
     /* alpha_s: rate of the section's angular velocity without etaddot */
     const ella_real alpha_s_x = c2dot * t45 + c3 * (thetadot_y * t46 - thetadot_z * t47) + c3dot * t48;
@@ -4413,16 +4424,15 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real P_c_22 = 1 - N_yy;
 
     /* joint_H: bias of the joint's rows, springs and dampers included (61) */
-    const ella_real minus_joint_H_1 = N_xy * minus_beta_omega_y + P_c_11 * beta_omega_x;
-    const ella_real t66 = -minus_joint_H_1;
+    const ella_real joint_H_1 = -(N_xy * minus_beta_omega_y + P_c_11 * beta_omega_x);
     const ella_real joint_H_2 = N_yx * beta_omega_x + P_c_22 * minus_beta_omega_y;
 
     /* joint_W: the motors' torques in the joint's rows (62) */
     const ella_real joint_W_1 = t3 * tau[0];
     const ella_real joint_W_2 = t4 * tau[0];
 
-    const ella_real t67 = -N_xy;
-    const ella_real t68 = -N_yx;
+    const ella_real t66 = -N_xy;
+    const ella_real t67 = -N_yx;
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -4439,12 +4449,12 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     link->M_D[3] = L_y1;
     link->M_D[4] = L_y2;
     link->M_D[5] = L_y3;
-    link->h_V[0] = h_V_1;
-    link->h_V[1] = h_V_2;
-    link->h_V[2] = h_V_3;
-    link->h_V[3] = h_V_4;
-    link->h_V[4] = h_V_5;
-    link->h_V[5] = h_V_6;
+    link->h_V[0] = h_V_tau_x;
+    link->h_V[1] = h_V_tau_y;
+    link->h_V[2] = h_V_tau_z;
+    link->h_V[3] = h_V_f_x;
+    link->h_V[4] = h_V_f_y;
+    link->h_V[5] = h_V_f_z;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
     link->h_eta[2] = h_eta_3;
@@ -4488,24 +4498,24 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     M[place[3]] = N_yy;
     M[place[4]] = 1;
     M[place[5]] = P_c_11;
-    M[place[6]] = t67;
-    M[place[7]] = t68;
+    M[place[6]] = t66;
+    M[place[7]] = t67;
     M[place[8]] = P_c_22;
     M[place[9]] = 1;
     M[place[10]] = 1;
     M[place[11]] = 1;
-    H[0] = t66;
-    H[1] = joint_H_2;
-    H[2] = 0;
-    H[3] = 0;
-    H[4] = 0;
-    H[5] = 0;
-    W[0] = joint_W_1;
-    W[1] = joint_W_2;
-    W[2] = tau[1];
-    W[3] = 0;
-    W[4] = 0;
-    W[5] = 0;
+    joint_H[0] = joint_H_1;
+    joint_H[1] = joint_H_2;
+    joint_H[2] = 0;
+    joint_H[3] = 0;
+    joint_H[4] = 0;
+    joint_H[5] = 0;
+    joint_W[0] = joint_W_1;
+    joint_W[1] = joint_W_2;
+    joint_W[2] = tau[1];
+    joint_W[3] = 0;
+    joint_W[4] = 0;
+    joint_W[5] = 0;
     tip->b[0] = b_omega_x;
     tip->b[1] = b_omega_y;
     tip->b[3] = b_v_x;
@@ -4517,21 +4527,21 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
 /* joint rows, links like forearm: 602 operations */
 ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link_store *link, ella_node *base,
     const ella_real twist[6], const ella_real q[1], const ella_real quaternion[4], const ella_real gravity[3],
-    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[1], const int *place, ella_real *M,
-    ella_real H[12], ella_real W[12])
+    const ella_real eta[7], const ella_real etadot[7], const ella_real tau[1], ella_real joint_H[6],
+    ella_real joint_W[6], const int *place, ella_real *M)
 {
     /* R_rel: rotation of F_i relative to the parent's tip frame */
     const ella_sincos turn = ella_sine_cosine(q[0]);
-    const ella_real minus_R_rel_xy = turn.sine, R_rel_xx = turn.cosine;
-    const ella_real t1 = -minus_R_rel_xy;
+    const ella_real R_rel_yx = turn.sine, R_rel_xx = turn.cosine;
+    const ella_real t1 = -R_rel_yx;
 
-    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + minus_R_rel_xy * base->omega_T[1];
-    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - minus_R_rel_xy * base->omega_T[0];
+    const ella_real omega_R_x = R_rel_xx * base->omega_T[0] + R_rel_yx * base->omega_T[1];
+    const ella_real omega_R_y = R_rel_xx * base->omega_T[1] - R_rel_yx * base->omega_T[0];
     const ella_real t2 = twist[2] - base->omega_T[2];
 
     /* v_R: velocity of the joint point, fixed to the parent */
-    const ella_real v_R_x = R_rel_xx * base->v_T[0] + minus_R_rel_xy * base->v_T[1];
-    const ella_real v_R_y = R_rel_xx * base->v_T[1] - minus_R_rel_xy * base->v_T[0];
+    const ella_real v_R_x = R_rel_xx * base->v_T[0] + R_rel_yx * base->v_T[1];
+    const ella_real v_R_y = R_rel_xx * base->v_T[1] - R_rel_yx * base->v_T[0];
 
     /* beta_omega: angular acceleration that the velocities cause at the joint (accconst4) */
     const ella_real beta_omega_x = omega_R_y * t2;
@@ -4620,40 +4630,40 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
     /* h_c: half of the Coriolis wrench */
-    const ella_real h_c_1 = B_yy * twist[0] + B_zz * twist[0];
-    const ella_real h_c_2 = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
-    const ella_real h_c_3 = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
-    const ella_real h_c_4 = Sdot_z * twist[1] - Sdot_y * twist[2];
-    const ella_real minus_h_c_5 = Sdot_z * twist[0];
-    const ella_real h_c_6 = Sdot_y * twist[0];
+    const ella_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
+    const ella_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
+    const ella_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
+    const ella_real h_c_f_x = Sdot_z * twist[1] - Sdot_y * twist[2];
+    const ella_real minus_h_c_f_y = Sdot_z * twist[0];
+    const ella_real h_c_f_z = Sdot_y * twist[0];
 
     /* h_MD: Coriolis wrench of the deformation's inertia (B3) */
-    const ella_real h_MD_2 = h_c_2 + etadot[6] * twist[2] * c->sigma_t_7;
-    const ella_real h_MD_3 = h_c_3 - etadot[6] * twist[1] * c->sigma_t_7;
+    const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * twist[2] * c->sigma_t_7;
+    const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * twist[1] * c->sigma_t_7;
 
     /* H_star: gyroscopic wrench and weight (29) */
-    const ella_real t20 = h_c_1 + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
+    const ella_real t20 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
-    const ella_real H_star_1 = t20 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
-    const ella_real t21 = h_c_2 + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
+    const ella_real H_star_tau_x = t20 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
+    const ella_real t21 = h_c_tau_y + J_xz * (minus_Omega_zz - minus_Omega_xx) + J_yz * Omega_xy + J_zz * Omega_xz
         + S_z * a_0_x;
     const ella_real t22 = c->I_s * twist[0];
-    const ella_real H_star_2 = t21 + t22 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
-    const ella_real t23 = h_c_3 + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy) + J_xz * Omega_yz
-        + c->S_0_x * a_0_y;
-    const ella_real H_star_3 = t23 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t22 * twist[1];
-    const ella_real H_star_4 = h_c_4 - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
-    const ella_real H_star_5 = Omega_xy * c->S_0_x - minus_h_c_5 - minus_Omega_yy * S_y + Omega_yz * S_z
+    const ella_real H_star_tau_y = t21 + t22 * twist[2] - c->J_0_xx * Omega_xz - J_xy * Omega_yz - c->S_0_x * a_0_z;
+    const ella_real t23 = h_c_tau_z + c->J_0_xx * Omega_xy + J_xy * (minus_Omega_xx - minus_Omega_yy)
+        + J_xz * Omega_yz + c->S_0_x * a_0_y;
+    const ella_real H_star_tau_z = t23 - J_yy * Omega_xy - J_yz * Omega_xz - S_y * a_0_x - t22 * twist[1];
+    const ella_real H_star_f_x = h_c_f_x - minus_Omega_xx * c->S_0_x + Omega_xy * S_y + Omega_xz * S_z + a_0_x * c->mu;
+    const ella_real H_star_f_y = Omega_xy * c->S_0_x - minus_h_c_f_y - minus_Omega_yy * S_y + Omega_yz * S_z
         + a_0_y * c->mu;
-    const ella_real H_star_6 = h_c_6 + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
+    const ella_real H_star_f_z = h_c_f_z + Omega_xz * c->S_0_x + Omega_yz * S_y - minus_Omega_zz * S_z + a_0_z * c->mu;
 
     /* h_V: bias of the twist rows */
-    const ella_real h_V_1 = H_star_1 + h_c_1;
-    const ella_real h_V_2 = H_star_2 + h_MD_2;
-    const ella_real h_V_3 = H_star_3 + h_MD_3;
-    const ella_real h_V_4 = H_star_4 + h_c_4;
-    const ella_real h_V_5 = H_star_5 - minus_h_c_5;
-    const ella_real h_V_6 = H_star_6 + h_c_6;
+    const ella_real h_V_tau_x = H_star_tau_x + h_c_tau_x;
+    const ella_real h_V_tau_y = H_star_tau_y + h_MD_tau_y;
+    const ella_real h_V_tau_z = H_star_tau_z + h_MD_tau_z;
+    const ella_real h_V_f_x = H_star_f_x + h_c_f_x;
+    const ella_real h_V_f_y = H_star_f_y - minus_h_c_f_y;
+    const ella_real h_V_f_z = H_star_f_z + h_c_f_z;
 
     /* h_eta: gyroscopic force and weight on the modes (88) */
     const ella_real h_eta_1 = L_z1 * Omega_yz - L_y1 * minus_Omega_yy + Omega_xy * c->chi_1 + a_0_y * c->sigma_y1
@@ -4670,13 +4680,13 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
         + Ldot_y3 * 2 * twist[0];
 
     /* r_T: tip point (11) */
-    const ella_real r_T_y = eta[0] * REAL(2.0011941703010714) + eta[1] * REAL(2.0700807911885764)
-        + eta[2] * REAL(3.5651069283690613);
-    const ella_real r_T_z = eta[3] * REAL(2.0011941703010714) + eta[4] * REAL(2.0700807911885764)
-        + eta[5] * REAL(3.5651069283690613);
+    const ella_real r_T_y = eta[0] * ELLA_REAL(2.0011941703010714) + eta[1] * ELLA_REAL(2.0700807911885764)
+        + eta[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real r_T_z = eta[3] * ELLA_REAL(2.0011941703010714) + eta[4] * ELLA_REAL(2.0700807911885764)
+        + eta[5] * ELLA_REAL(3.5651069283690613);
 
     /* theta: rotation vector of the tip section, [torsion, -u_z', u_y'] */
-    const ella_real theta_x = eta[6] * REAL(1.7320508075688772);
+    const ella_real theta_x = eta[6] * ELLA_REAL(1.7320508075688772);
     const ella_real theta_y = c->Psi_c_y4 * eta[3] + c->Psi_c_y5 * eta[4] + c->Psi_c_y6 * eta[5];
     const ella_real theta_z = c->Psi_c_z1 * eta[0] + c->Psi_c_z2 * eta[1] + c->Psi_c_z3 * eta[2];
 
@@ -4688,11 +4698,11 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real x = minus_theta_hat2_33 + t26;
 
     /* c1: Stumpff function of order 1 */
-    const ella_real c3 = REAL(0.16666666666666666) - x * ella_c5(x);
+    const ella_real c3 = ELLA_REAL(0.16666666666666666) - x * ella_c5(x);
     const ella_real c1 = 1 - x * c3;
 
     /* c2: Stumpff function of order 2 */
-    const ella_real c2 = REAL(0.5) - x * ella_c4(x);
+    const ella_real c2 = ELLA_REAL(0.5) - x * ella_c4(x);
 
     /* theta_hat2: square of the rotation vector's skew matrix */
     const ella_real minus_theta_hat2_11 = t25 + t26;
@@ -4736,13 +4746,13 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real R_T_zz = 1 - c2 * minus_theta_hat2_33;
 
     /* udot_T: rate of the tip's elastic displacement (23) */
-    const ella_real udot_T_y = etadot[0] * REAL(2.0011941703010714) + etadot[1] * REAL(2.0700807911885764)
-        + etadot[2] * REAL(3.5651069283690613);
-    const ella_real udot_T_z = etadot[3] * REAL(2.0011941703010714) + etadot[4] * REAL(2.0700807911885764)
-        + etadot[5] * REAL(3.5651069283690613);
+    const ella_real udot_T_y = etadot[0] * ELLA_REAL(2.0011941703010714) + etadot[1] * ELLA_REAL(2.0700807911885764)
+        + etadot[2] * ELLA_REAL(3.5651069283690613);
+    const ella_real udot_T_z = etadot[3] * ELLA_REAL(2.0011941703010714) + etadot[4] * ELLA_REAL(2.0700807911885764)
+        + etadot[5] * ELLA_REAL(3.5651069283690613);
 
     /* thetadot: rate of the tip's rotation vector */
-    const ella_real thetadot_x = etadot[6] * REAL(1.7320508075688772);
+    const ella_real thetadot_x = etadot[6] * ELLA_REAL(1.7320508075688772);
     const ella_real thetadot_y = c->Psi_c_y4 * etadot[3] + c->Psi_c_y5 * etadot[4] + c->Psi_c_y6 * etadot[5];
     const ella_real thetadot_z = c->Psi_c_z1 * etadot[0] + c->Psi_c_z2 * etadot[1] + c->Psi_c_z3 * etadot[2];
 
@@ -4793,13 +4803,11 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real h_T_F_z = a_T_z * c->body0_mass;
 
     /* joint_H: bias of the joint's rows, springs and dampers included (61) */
-    const ella_real minus_joint_H_1 = R_rel_xx * base->b[0] + minus_R_rel_xy * base->b[1] + beta_omega_x;
-    const ella_real t54 = -minus_joint_H_1;
-    const ella_real joint_H_2 = minus_R_rel_xy * base->b[0] - R_rel_xx * base->b[1] + minus_beta_omega_y;
-    const ella_real minus_joint_H_4 = beta_v_x + R_rel_xx * base->b[3] + minus_R_rel_xy * base->b[4];
-    const ella_real t55 = -minus_joint_H_4;
-    const ella_real joint_H_5 = minus_beta_v_y + minus_R_rel_xy * base->b[3] - R_rel_xx * base->b[4];
-    const ella_real t56 = -base->b[5];
+    const ella_real joint_H_1 = -(R_rel_xx * base->b[0] + R_rel_yx * base->b[1] + beta_omega_x);
+    const ella_real joint_H_2 = R_rel_yx * base->b[0] - R_rel_xx * base->b[1] + minus_beta_omega_y;
+    const ella_real joint_H_4 = -(beta_v_x + R_rel_xx * base->b[3] + R_rel_yx * base->b[4]);
+    const ella_real joint_H_5 = minus_beta_v_y + R_rel_yx * base->b[3] - R_rel_xx * base->b[4];
+    const ella_real t54 = -base->b[5];
 
     /* outputs */
     link->M_V[0] = I_xx;
@@ -4816,12 +4824,12 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     link->M_D[3] = L_y1;
     link->M_D[4] = L_y2;
     link->M_D[5] = L_y3;
-    link->h_V[0] = h_V_1;
-    link->h_V[1] = h_V_2;
-    link->h_V[2] = h_V_3;
-    link->h_V[3] = h_V_4;
-    link->h_V[4] = h_V_5;
-    link->h_V[5] = h_V_6;
+    link->h_V[0] = h_V_tau_x;
+    link->h_V[1] = h_V_tau_y;
+    link->h_V[2] = h_V_tau_z;
+    link->h_V[3] = h_V_f_x;
+    link->h_V[4] = h_V_f_y;
+    link->h_V[5] = h_V_f_z;
     link->h_eta[0] = h_eta_1;
     link->h_eta[1] = h_eta_2;
     link->h_eta[2] = h_eta_3;
@@ -4860,32 +4868,32 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     M[place[3]] = 1;
     M[place[4]] = 1;
     M[place[5]] = 1;
-    H[0] = t54;
-    H[1] = joint_H_2;
-    H[2] = 0;
-    H[3] = t55;
-    H[4] = joint_H_5;
-    H[5] = t56;
-    W[0] = 0;
-    W[1] = 0;
-    W[2] = tau[0];
-    W[3] = 0;
-    W[4] = 0;
-    W[5] = 0;
+    joint_H[0] = joint_H_1;
+    joint_H[1] = joint_H_2;
+    joint_H[2] = 0;
+    joint_H[3] = joint_H_4;
+    joint_H[4] = joint_H_5;
+    joint_H[5] = t54;
+    joint_W[0] = 0;
+    joint_W[1] = 0;
+    joint_W[2] = tau[0];
+    joint_W[3] = 0;
+    joint_W[4] = 0;
+    joint_W[5] = 0;
     base->X[0] = R_rel_xx;
-    base->X[1] = minus_R_rel_xy;
+    base->X[1] = R_rel_yx;
     base->X[6] = t1;
     base->X[7] = R_rel_xx;
     base->X[21] = R_rel_xx;
-    base->X[22] = minus_R_rel_xy;
+    base->X[22] = R_rel_yx;
     base->X[27] = t1;
     base->X[28] = R_rel_xx;
     base->PX[0] = R_rel_xx;
-    base->PX[1] = minus_R_rel_xy;
+    base->PX[1] = R_rel_yx;
     base->PX[6] = t1;
     base->PX[7] = R_rel_xx;
     base->PX[21] = R_rel_xx;
-    base->PX[22] = minus_R_rel_xy;
+    base->PX[22] = R_rel_yx;
     base->PX[27] = t1;
     base->PX[28] = R_rel_xx;
     return ELLA_OK;
@@ -4894,7 +4902,7 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
 /* link rows, links like upper_arm: 1159 operations */
 ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const ella_link_store *link,
     const ella_node *tip, const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6],
-    ella_real eta_H[7], ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
+    ella_real V_H[6], ella_real eta_H[7], ella_real V_W[6], ella_real eta_W[7], const int *place, ella_real *M)
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
@@ -4939,9 +4947,9 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     const ella_real t23 = link->J_l[4] * c->Psi_c_y6;
     const ella_real t24 = link->J_l[7] * c->Psi_c_y6;
     const ella_real J_Teta_16 = link->R_T[0] * t22 + link->R_T[3] * t23 + link->R_T[6] * t24;
-    const ella_real t25 = link->J_l[0] * REAL(1.7320508075688772);
-    const ella_real t26 = link->J_l[3] * REAL(1.7320508075688772);
-    const ella_real t27 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real t25 = link->J_l[0] * ELLA_REAL(1.7320508075688772);
+    const ella_real t26 = link->J_l[3] * ELLA_REAL(1.7320508075688772);
+    const ella_real t27 = link->J_l[6] * ELLA_REAL(1.7320508075688772);
     const ella_real J_Teta_17 = link->R_T[0] * t25 + link->R_T[3] * t26 + link->R_T[6] * t27;
     const ella_real J_Teta_21 = link->R_T[1] * t7 + link->R_T[4] * t8 + link->R_T[7] * t9;
     const ella_real J_Teta_22 = link->R_T[1] * t10 + link->R_T[4] * t11 + link->R_T[7] * t12;
@@ -4957,24 +4965,24 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     const ella_real J_Teta_35 = link->R_T[2] * t19 + link->R_T[5] * t20 + link->R_T[8] * t21;
     const ella_real J_Teta_36 = link->R_T[2] * t22 + link->R_T[5] * t23 + link->R_T[8] * t24;
     const ella_real J_Teta_37 = link->R_T[2] * t25 + link->R_T[5] * t26 + link->R_T[8] * t27;
-    const ella_real J_Teta_41 = link->R_T[3] * REAL(2.0011941703010714);
-    const ella_real J_Teta_42 = link->R_T[3] * REAL(2.0700807911885764);
-    const ella_real J_Teta_43 = link->R_T[3] * REAL(3.5651069283690613);
-    const ella_real J_Teta_44 = link->R_T[6] * REAL(2.0011941703010714);
-    const ella_real J_Teta_45 = link->R_T[6] * REAL(2.0700807911885764);
-    const ella_real J_Teta_46 = link->R_T[6] * REAL(3.5651069283690613);
-    const ella_real J_Teta_51 = link->R_T[4] * REAL(2.0011941703010714);
-    const ella_real J_Teta_52 = link->R_T[4] * REAL(2.0700807911885764);
-    const ella_real J_Teta_53 = link->R_T[4] * REAL(3.5651069283690613);
-    const ella_real J_Teta_54 = link->R_T[7] * REAL(2.0011941703010714);
-    const ella_real J_Teta_55 = link->R_T[7] * REAL(2.0700807911885764);
-    const ella_real J_Teta_56 = link->R_T[7] * REAL(3.5651069283690613);
-    const ella_real J_Teta_61 = link->R_T[5] * REAL(2.0011941703010714);
-    const ella_real J_Teta_62 = link->R_T[5] * REAL(2.0700807911885764);
-    const ella_real J_Teta_63 = link->R_T[5] * REAL(3.5651069283690613);
-    const ella_real J_Teta_64 = link->R_T[8] * REAL(2.0011941703010714);
-    const ella_real J_Teta_65 = link->R_T[8] * REAL(2.0700807911885764);
-    const ella_real J_Teta_66 = link->R_T[8] * REAL(3.5651069283690613);
+    const ella_real J_Teta_41 = link->R_T[3] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_42 = link->R_T[3] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_43 = link->R_T[3] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_44 = link->R_T[6] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_45 = link->R_T[6] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_46 = link->R_T[6] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_51 = link->R_T[4] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_52 = link->R_T[4] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_53 = link->R_T[4] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_54 = link->R_T[7] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_55 = link->R_T[7] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_56 = link->R_T[7] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_61 = link->R_T[5] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_62 = link->R_T[5] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_63 = link->R_T[5] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_64 = link->R_T[8] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_65 = link->R_T[8] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_66 = link->R_T[8] * ELLA_REAL(3.5651069283690613);
 
     /* V_V: twist rows, twist columns (100) */
     const ella_real t28 = J_TV_41 * c->body0_mass;
@@ -5143,225 +5151,184 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     const ella_real eta_next_72 = J_Teta_17 * tip->X[6] + J_Teta_27 * tip->X[7];
 
     /* next_V: next joint's rows, twist columns (100) */
-    const ella_real minus_next_V_11 = tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1];
-    const ella_real t61 = -minus_next_V_11;
-    const ella_real minus_next_V_12 = tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4];
-    const ella_real t62 = -minus_next_V_12;
-    const ella_real minus_next_V_13 = tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7];
-    const ella_real t63 = -minus_next_V_13;
-    const ella_real minus_next_V_21 = tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1];
-    const ella_real t64 = -minus_next_V_21;
-    const ella_real minus_next_V_22 = tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4];
-    const ella_real t65 = -minus_next_V_22;
-    const ella_real minus_next_V_23 = tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7];
-    const ella_real t66 = -minus_next_V_23;
-    const ella_real minus_next_V_41 = J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22];
-    const ella_real t67 = -minus_next_V_41;
-    const ella_real minus_next_V_42 = J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22];
-    const ella_real t68 = -minus_next_V_42;
-    const ella_real minus_next_V_43 = J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22];
-    const ella_real t69 = -minus_next_V_43;
-    const ella_real minus_next_V_44 = tip->PX[21] * link->R_T[0] + tip->PX[22] * link->R_T[1];
-    const ella_real t70 = -minus_next_V_44;
-    const ella_real minus_next_V_45 = tip->PX[21] * link->R_T[3] + tip->PX[22] * link->R_T[4];
-    const ella_real t71 = -minus_next_V_45;
-    const ella_real minus_next_V_46 = tip->PX[21] * link->R_T[6] + tip->PX[22] * link->R_T[7];
-    const ella_real t72 = -minus_next_V_46;
-    const ella_real minus_next_V_51 = J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28];
-    const ella_real t73 = -minus_next_V_51;
-    const ella_real minus_next_V_52 = J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28];
-    const ella_real t74 = -minus_next_V_52;
-    const ella_real minus_next_V_53 = J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28];
-    const ella_real t75 = -minus_next_V_53;
-    const ella_real minus_next_V_54 = tip->PX[27] * link->R_T[0] + tip->PX[28] * link->R_T[1];
-    const ella_real t76 = -minus_next_V_54;
-    const ella_real minus_next_V_55 = tip->PX[27] * link->R_T[3] + tip->PX[28] * link->R_T[4];
-    const ella_real t77 = -minus_next_V_55;
-    const ella_real minus_next_V_56 = tip->PX[27] * link->R_T[6] + tip->PX[28] * link->R_T[7];
-    const ella_real t78 = -minus_next_V_56;
-    const ella_real t79 = -J_TV_61;
-    const ella_real t80 = -J_TV_62;
-    const ella_real t81 = -J_TV_63;
-    const ella_real t82 = -link->R_T[2];
-    const ella_real t83 = -link->R_T[5];
-    const ella_real t84 = -link->R_T[8];
+    const ella_real next_V_11 = -(tip->PX[0] * link->R_T[0] + tip->PX[1] * link->R_T[1]);
+    const ella_real next_V_12 = -(tip->PX[0] * link->R_T[3] + tip->PX[1] * link->R_T[4]);
+    const ella_real next_V_13 = -(tip->PX[0] * link->R_T[6] + tip->PX[1] * link->R_T[7]);
+    const ella_real next_V_21 = -(tip->PX[6] * link->R_T[0] + tip->PX[7] * link->R_T[1]);
+    const ella_real next_V_22 = -(tip->PX[6] * link->R_T[3] + tip->PX[7] * link->R_T[4]);
+    const ella_real next_V_23 = -(tip->PX[6] * link->R_T[6] + tip->PX[7] * link->R_T[7]);
+    const ella_real next_V_41 = -(J_TV_41 * tip->PX[21] + J_TV_51 * tip->PX[22]);
+    const ella_real next_V_42 = -(J_TV_42 * tip->PX[21] + J_TV_52 * tip->PX[22]);
+    const ella_real next_V_43 = -(J_TV_43 * tip->PX[21] + J_TV_53 * tip->PX[22]);
+    const ella_real next_V_44 = -(tip->PX[21] * link->R_T[0] + tip->PX[22] * link->R_T[1]);
+    const ella_real next_V_45 = -(tip->PX[21] * link->R_T[3] + tip->PX[22] * link->R_T[4]);
+    const ella_real next_V_46 = -(tip->PX[21] * link->R_T[6] + tip->PX[22] * link->R_T[7]);
+    const ella_real next_V_51 = -(J_TV_41 * tip->PX[27] + J_TV_51 * tip->PX[28]);
+    const ella_real next_V_52 = -(J_TV_42 * tip->PX[27] + J_TV_52 * tip->PX[28]);
+    const ella_real next_V_53 = -(J_TV_43 * tip->PX[27] + J_TV_53 * tip->PX[28]);
+    const ella_real next_V_54 = -(tip->PX[27] * link->R_T[0] + tip->PX[28] * link->R_T[1]);
+    const ella_real next_V_55 = -(tip->PX[27] * link->R_T[3] + tip->PX[28] * link->R_T[4]);
+    const ella_real next_V_56 = -(tip->PX[27] * link->R_T[6] + tip->PX[28] * link->R_T[7]);
+    const ella_real t61 = -J_TV_61;
+    const ella_real t62 = -J_TV_62;
+    const ella_real t63 = -J_TV_63;
+    const ella_real t64 = -link->R_T[2];
+    const ella_real t65 = -link->R_T[5];
+    const ella_real t66 = -link->R_T[8];
 
     /* next_eta: next joint's rows, modal columns (100) */
-    const ella_real minus_next_eta_11 = J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1];
-    const ella_real t85 = -minus_next_eta_11;
-    const ella_real minus_next_eta_12 = J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1];
-    const ella_real t86 = -minus_next_eta_12;
-    const ella_real minus_next_eta_13 = J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1];
-    const ella_real t87 = -minus_next_eta_13;
-    const ella_real minus_next_eta_14 = J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1];
-    const ella_real t88 = -minus_next_eta_14;
-    const ella_real minus_next_eta_15 = J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1];
-    const ella_real t89 = -minus_next_eta_15;
-    const ella_real minus_next_eta_16 = J_Teta_16 * tip->PX[0] + J_Teta_26 * tip->PX[1];
-    const ella_real t90 = -minus_next_eta_16;
-    const ella_real minus_next_eta_17 = J_Teta_17 * tip->PX[0] + J_Teta_27 * tip->PX[1];
-    const ella_real t91 = -minus_next_eta_17;
-    const ella_real minus_next_eta_21 = J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7];
-    const ella_real t92 = -minus_next_eta_21;
-    const ella_real minus_next_eta_22 = J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7];
-    const ella_real t93 = -minus_next_eta_22;
-    const ella_real minus_next_eta_23 = J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7];
-    const ella_real t94 = -minus_next_eta_23;
-    const ella_real minus_next_eta_24 = J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7];
-    const ella_real t95 = -minus_next_eta_24;
-    const ella_real minus_next_eta_25 = J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7];
-    const ella_real t96 = -minus_next_eta_25;
-    const ella_real minus_next_eta_26 = J_Teta_16 * tip->PX[6] + J_Teta_26 * tip->PX[7];
-    const ella_real t97 = -minus_next_eta_26;
-    const ella_real minus_next_eta_27 = J_Teta_17 * tip->PX[6] + J_Teta_27 * tip->PX[7];
-    const ella_real t98 = -minus_next_eta_27;
-    const ella_real minus_next_eta_41 = J_Teta_41 * tip->PX[21] + J_Teta_51 * tip->PX[22];
-    const ella_real t99 = -minus_next_eta_41;
-    const ella_real minus_next_eta_42 = J_Teta_42 * tip->PX[21] + J_Teta_52 * tip->PX[22];
-    const ella_real t100 = -minus_next_eta_42;
-    const ella_real minus_next_eta_43 = J_Teta_43 * tip->PX[21] + J_Teta_53 * tip->PX[22];
-    const ella_real t101 = -minus_next_eta_43;
-    const ella_real minus_next_eta_44 = J_Teta_44 * tip->PX[21] + J_Teta_54 * tip->PX[22];
-    const ella_real t102 = -minus_next_eta_44;
-    const ella_real minus_next_eta_45 = J_Teta_45 * tip->PX[21] + J_Teta_55 * tip->PX[22];
-    const ella_real t103 = -minus_next_eta_45;
-    const ella_real minus_next_eta_46 = J_Teta_46 * tip->PX[21] + J_Teta_56 * tip->PX[22];
-    const ella_real t104 = -minus_next_eta_46;
-    const ella_real minus_next_eta_51 = J_Teta_41 * tip->PX[27] + J_Teta_51 * tip->PX[28];
-    const ella_real t105 = -minus_next_eta_51;
-    const ella_real minus_next_eta_52 = J_Teta_42 * tip->PX[27] + J_Teta_52 * tip->PX[28];
-    const ella_real t106 = -minus_next_eta_52;
-    const ella_real minus_next_eta_53 = J_Teta_43 * tip->PX[27] + J_Teta_53 * tip->PX[28];
-    const ella_real t107 = -minus_next_eta_53;
-    const ella_real minus_next_eta_54 = J_Teta_44 * tip->PX[27] + J_Teta_54 * tip->PX[28];
-    const ella_real t108 = -minus_next_eta_54;
-    const ella_real minus_next_eta_55 = J_Teta_45 * tip->PX[27] + J_Teta_55 * tip->PX[28];
-    const ella_real t109 = -minus_next_eta_55;
-    const ella_real minus_next_eta_56 = J_Teta_46 * tip->PX[27] + J_Teta_56 * tip->PX[28];
-    const ella_real t110 = -minus_next_eta_56;
-    const ella_real t111 = -J_Teta_61;
-    const ella_real t112 = -J_Teta_62;
-    const ella_real t113 = -J_Teta_63;
-    const ella_real t114 = -J_Teta_64;
-    const ella_real t115 = -J_Teta_65;
-    const ella_real t116 = -J_Teta_66;
+    const ella_real next_eta_11 = -(J_Teta_11 * tip->PX[0] + J_Teta_21 * tip->PX[1]);
+    const ella_real next_eta_12 = -(J_Teta_12 * tip->PX[0] + J_Teta_22 * tip->PX[1]);
+    const ella_real next_eta_13 = -(J_Teta_13 * tip->PX[0] + J_Teta_23 * tip->PX[1]);
+    const ella_real next_eta_14 = -(J_Teta_14 * tip->PX[0] + J_Teta_24 * tip->PX[1]);
+    const ella_real next_eta_15 = -(J_Teta_15 * tip->PX[0] + J_Teta_25 * tip->PX[1]);
+    const ella_real next_eta_16 = -(J_Teta_16 * tip->PX[0] + J_Teta_26 * tip->PX[1]);
+    const ella_real next_eta_17 = -(J_Teta_17 * tip->PX[0] + J_Teta_27 * tip->PX[1]);
+    const ella_real next_eta_21 = -(J_Teta_11 * tip->PX[6] + J_Teta_21 * tip->PX[7]);
+    const ella_real next_eta_22 = -(J_Teta_12 * tip->PX[6] + J_Teta_22 * tip->PX[7]);
+    const ella_real next_eta_23 = -(J_Teta_13 * tip->PX[6] + J_Teta_23 * tip->PX[7]);
+    const ella_real next_eta_24 = -(J_Teta_14 * tip->PX[6] + J_Teta_24 * tip->PX[7]);
+    const ella_real next_eta_25 = -(J_Teta_15 * tip->PX[6] + J_Teta_25 * tip->PX[7]);
+    const ella_real next_eta_26 = -(J_Teta_16 * tip->PX[6] + J_Teta_26 * tip->PX[7]);
+    const ella_real next_eta_27 = -(J_Teta_17 * tip->PX[6] + J_Teta_27 * tip->PX[7]);
+    const ella_real next_eta_41 = -(J_Teta_41 * tip->PX[21] + J_Teta_51 * tip->PX[22]);
+    const ella_real next_eta_42 = -(J_Teta_42 * tip->PX[21] + J_Teta_52 * tip->PX[22]);
+    const ella_real next_eta_43 = -(J_Teta_43 * tip->PX[21] + J_Teta_53 * tip->PX[22]);
+    const ella_real next_eta_44 = -(J_Teta_44 * tip->PX[21] + J_Teta_54 * tip->PX[22]);
+    const ella_real next_eta_45 = -(J_Teta_45 * tip->PX[21] + J_Teta_55 * tip->PX[22]);
+    const ella_real next_eta_46 = -(J_Teta_46 * tip->PX[21] + J_Teta_56 * tip->PX[22]);
+    const ella_real next_eta_51 = -(J_Teta_41 * tip->PX[27] + J_Teta_51 * tip->PX[28]);
+    const ella_real next_eta_52 = -(J_Teta_42 * tip->PX[27] + J_Teta_52 * tip->PX[28]);
+    const ella_real next_eta_53 = -(J_Teta_43 * tip->PX[27] + J_Teta_53 * tip->PX[28]);
+    const ella_real next_eta_54 = -(J_Teta_44 * tip->PX[27] + J_Teta_54 * tip->PX[28]);
+    const ella_real next_eta_55 = -(J_Teta_45 * tip->PX[27] + J_Teta_55 * tip->PX[28]);
+    const ella_real next_eta_56 = -(J_Teta_46 * tip->PX[27] + J_Teta_56 * tip->PX[28]);
+    const ella_real t67 = -J_Teta_61;
+    const ella_real t68 = -J_Teta_62;
+    const ella_real t69 = -J_Teta_63;
+    const ella_real t70 = -J_Teta_64;
+    const ella_real t71 = -J_Teta_65;
+    const ella_real t72 = -J_Teta_66;
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
-    const ella_real h_carried_4 = link->h_T[0] + c->body0_mass * link->b_T[3];
-    const ella_real h_carried_5 = link->h_T[1] + c->body0_mass * link->b_T[4];
-    const ella_real h_carried_6 = link->h_T[2] + c->body0_mass * link->b_T[5];
+    const ella_real h_carried_f_x = link->h_T[0] + c->body0_mass * link->b_T[3];
+    const ella_real h_carried_f_y = link->h_T[1] + c->body0_mass * link->b_T[4];
+    const ella_real h_carried_f_z = link->h_T[2] + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const ella_real V_H_1 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5 + J_TV_61 * h_carried_6;
-    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5 + J_TV_62 * h_carried_6;
-    const ella_real V_H_3 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5 + J_TV_63 * h_carried_6;
-    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
-        + link->R_T[2] * h_carried_6;
-    const ella_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
-        + link->R_T[5] * h_carried_6;
-    const ella_real V_H_6 = link->h_V[5] + link->R_T[6] * h_carried_4 + link->R_T[7] * h_carried_5
-        + link->R_T[8] * h_carried_6;
+    const ella_real V_H_tau_x = link->h_V[0] + J_TV_41 * h_carried_f_x + J_TV_51 * h_carried_f_y
+        + J_TV_61 * h_carried_f_z;
+    const ella_real V_H_tau_y = link->h_V[1] + J_TV_42 * h_carried_f_x + J_TV_52 * h_carried_f_y
+        + J_TV_62 * h_carried_f_z;
+    const ella_real V_H_tau_z = link->h_V[2] + J_TV_43 * h_carried_f_x + J_TV_53 * h_carried_f_y
+        + J_TV_63 * h_carried_f_z;
+    const ella_real V_H_f_x = link->h_V[3] + link->R_T[0] * h_carried_f_x + link->R_T[1] * h_carried_f_y
+        + link->R_T[2] * h_carried_f_z;
+    const ella_real V_H_f_y = link->h_V[4] + link->R_T[3] * h_carried_f_x + link->R_T[4] * h_carried_f_y
+        + link->R_T[5] * h_carried_f_z;
+    const ella_real V_H_f_z = link->h_V[5] + link->R_T[6] * h_carried_f_x + link->R_T[7] * h_carried_f_y
+        + link->R_T[8] * h_carried_f_z;
 
     /* eta_H: bias of the modal rows (100) */
-    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
-    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
-    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5 + J_Teta_63 * h_carried_6;
-    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_4 + J_Teta_54 * h_carried_5 + J_Teta_64 * h_carried_6;
-    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_4 + J_Teta_55 * h_carried_5 + J_Teta_65 * h_carried_6;
-    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_4 + J_Teta_56 * h_carried_5 + J_Teta_66 * h_carried_6;
+    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_f_x + J_Teta_51 * h_carried_f_y + J_Teta_61 * h_carried_f_z;
+    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_f_x + J_Teta_52 * h_carried_f_y + J_Teta_62 * h_carried_f_z;
+    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_f_x + J_Teta_53 * h_carried_f_y + J_Teta_63 * h_carried_f_z;
+    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_f_x + J_Teta_54 * h_carried_f_y + J_Teta_64 * h_carried_f_z;
+    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_f_x + J_Teta_55 * h_carried_f_y + J_Teta_65 * h_carried_f_z;
+    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_f_x + J_Teta_56 * h_carried_f_y + J_Teta_66 * h_carried_f_z;
 
     /* V_W: external wrench in the twist rows (100) */
-    const ella_real t117 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
+    const ella_real t73 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
         + link->R_T[1] * w_ext[1];
-    const ella_real V_W_1 = t117 + link->R_T[2] * w_ext[2];
-    const ella_real t118 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
+    const ella_real V_W_tau_x = t73 + link->R_T[2] * w_ext[2];
+    const ella_real t74 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
         + link->R_T[4] * w_ext[1];
-    const ella_real V_W_2 = t118 + link->R_T[5] * w_ext[2];
-    const ella_real t119 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
+    const ella_real V_W_tau_y = t74 + link->R_T[5] * w_ext[2];
+    const ella_real t75 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
         + link->R_T[7] * w_ext[1];
-    const ella_real V_W_3 = t119 + link->R_T[8] * w_ext[2];
-    const ella_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
-    const ella_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
-    const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
+    const ella_real V_W_tau_z = t75 + link->R_T[8] * w_ext[2];
+    const ella_real V_W_f_x = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
+    const ella_real V_W_f_y = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_f_z = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
-    const ella_real t120 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2] + J_Teta_41 * w_ext[3]
+    const ella_real t76 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2] + J_Teta_41 * w_ext[3]
         + J_Teta_51 * w_ext[4];
-    const ella_real eta_W_1 = t120 + J_Teta_61 * w_ext[5];
-    const ella_real t121 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2] + J_Teta_42 * w_ext[3]
+    const ella_real eta_W_1 = t76 + J_Teta_61 * w_ext[5];
+    const ella_real t77 = J_Teta_12 * w_ext[0] + J_Teta_22 * w_ext[1] + J_Teta_32 * w_ext[2] + J_Teta_42 * w_ext[3]
         + J_Teta_52 * w_ext[4];
-    const ella_real eta_W_2 = t121 + J_Teta_62 * w_ext[5];
-    const ella_real t122 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2] + J_Teta_43 * w_ext[3]
+    const ella_real eta_W_2 = t77 + J_Teta_62 * w_ext[5];
+    const ella_real t78 = J_Teta_13 * w_ext[0] + J_Teta_23 * w_ext[1] + J_Teta_33 * w_ext[2] + J_Teta_43 * w_ext[3]
         + J_Teta_53 * w_ext[4];
-    const ella_real eta_W_3 = t122 + J_Teta_63 * w_ext[5];
-    const ella_real t123 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2] + J_Teta_44 * w_ext[3]
+    const ella_real eta_W_3 = t78 + J_Teta_63 * w_ext[5];
+    const ella_real t79 = J_Teta_14 * w_ext[0] + J_Teta_24 * w_ext[1] + J_Teta_34 * w_ext[2] + J_Teta_44 * w_ext[3]
         + J_Teta_54 * w_ext[4];
-    const ella_real eta_W_4 = t123 + J_Teta_64 * w_ext[5];
-    const ella_real t124 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2] + J_Teta_45 * w_ext[3]
+    const ella_real eta_W_4 = t79 + J_Teta_64 * w_ext[5];
+    const ella_real t80 = J_Teta_15 * w_ext[0] + J_Teta_25 * w_ext[1] + J_Teta_35 * w_ext[2] + J_Teta_45 * w_ext[3]
         + J_Teta_55 * w_ext[4];
-    const ella_real eta_W_5 = t124 + J_Teta_65 * w_ext[5];
-    const ella_real t125 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2] + J_Teta_46 * w_ext[3]
+    const ella_real eta_W_5 = t80 + J_Teta_65 * w_ext[5];
+    const ella_real t81 = J_Teta_16 * w_ext[0] + J_Teta_26 * w_ext[1] + J_Teta_36 * w_ext[2] + J_Teta_46 * w_ext[3]
         + J_Teta_56 * w_ext[4];
-    const ella_real eta_W_6 = t125 + J_Teta_66 * w_ext[5];
+    const ella_real eta_W_6 = t81 + J_Teta_66 * w_ext[5];
     const ella_real eta_W_7 = J_Teta_17 * w_ext[0] + J_Teta_27 * w_ext[1] + J_Teta_37 * w_ext[2];
 
     /* outputs */
-    M[place[12]] = t61;
-    M[place[13]] = t62;
-    M[place[14]] = t63;
-    M[place[15]] = t64;
-    M[place[16]] = t65;
-    M[place[17]] = t66;
-    M[place[18]] = t67;
-    M[place[19]] = t68;
-    M[place[20]] = t69;
-    M[place[21]] = t70;
-    M[place[22]] = t71;
-    M[place[23]] = t72;
-    M[place[24]] = t73;
-    M[place[25]] = t74;
-    M[place[26]] = t75;
-    M[place[27]] = t76;
-    M[place[28]] = t77;
-    M[place[29]] = t78;
-    M[place[30]] = t79;
-    M[place[31]] = t80;
-    M[place[32]] = t81;
-    M[place[33]] = t82;
-    M[place[34]] = t83;
-    M[place[35]] = t84;
-    M[place[36]] = t85;
-    M[place[37]] = t86;
-    M[place[38]] = t87;
-    M[place[39]] = t88;
-    M[place[40]] = t89;
-    M[place[41]] = t90;
-    M[place[42]] = t91;
-    M[place[43]] = t92;
-    M[place[44]] = t93;
-    M[place[45]] = t94;
-    M[place[46]] = t95;
-    M[place[47]] = t96;
-    M[place[48]] = t97;
-    M[place[49]] = t98;
-    M[place[50]] = t99;
-    M[place[51]] = t100;
-    M[place[52]] = t101;
-    M[place[53]] = t102;
-    M[place[54]] = t103;
-    M[place[55]] = t104;
-    M[place[56]] = t105;
-    M[place[57]] = t106;
-    M[place[58]] = t107;
-    M[place[59]] = t108;
-    M[place[60]] = t109;
-    M[place[61]] = t110;
-    M[place[62]] = t111;
-    M[place[63]] = t112;
-    M[place[64]] = t113;
-    M[place[65]] = t114;
-    M[place[66]] = t115;
-    M[place[67]] = t116;
+    M[place[12]] = next_V_11;
+    M[place[13]] = next_V_12;
+    M[place[14]] = next_V_13;
+    M[place[15]] = next_V_21;
+    M[place[16]] = next_V_22;
+    M[place[17]] = next_V_23;
+    M[place[18]] = next_V_41;
+    M[place[19]] = next_V_42;
+    M[place[20]] = next_V_43;
+    M[place[21]] = next_V_44;
+    M[place[22]] = next_V_45;
+    M[place[23]] = next_V_46;
+    M[place[24]] = next_V_51;
+    M[place[25]] = next_V_52;
+    M[place[26]] = next_V_53;
+    M[place[27]] = next_V_54;
+    M[place[28]] = next_V_55;
+    M[place[29]] = next_V_56;
+    M[place[30]] = t61;
+    M[place[31]] = t62;
+    M[place[32]] = t63;
+    M[place[33]] = t64;
+    M[place[34]] = t65;
+    M[place[35]] = t66;
+    M[place[36]] = next_eta_11;
+    M[place[37]] = next_eta_12;
+    M[place[38]] = next_eta_13;
+    M[place[39]] = next_eta_14;
+    M[place[40]] = next_eta_15;
+    M[place[41]] = next_eta_16;
+    M[place[42]] = next_eta_17;
+    M[place[43]] = next_eta_21;
+    M[place[44]] = next_eta_22;
+    M[place[45]] = next_eta_23;
+    M[place[46]] = next_eta_24;
+    M[place[47]] = next_eta_25;
+    M[place[48]] = next_eta_26;
+    M[place[49]] = next_eta_27;
+    M[place[50]] = next_eta_41;
+    M[place[51]] = next_eta_42;
+    M[place[52]] = next_eta_43;
+    M[place[53]] = next_eta_44;
+    M[place[54]] = next_eta_45;
+    M[place[55]] = next_eta_46;
+    M[place[56]] = next_eta_51;
+    M[place[57]] = next_eta_52;
+    M[place[58]] = next_eta_53;
+    M[place[59]] = next_eta_54;
+    M[place[60]] = next_eta_55;
+    M[place[61]] = next_eta_56;
+    M[place[62]] = t67;
+    M[place[63]] = t68;
+    M[place[64]] = t69;
+    M[place[65]] = t70;
+    M[place[66]] = t71;
+    M[place[67]] = t72;
     M[place[68]] = -1;
     M[place[69]] = -1;
     M[place[70]] = -1;
@@ -5581,12 +5548,12 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     M[place[284]] = eta_next_71;
     M[place[285]] = eta_next_72;
     M[place[286]] = J_Teta_37;
-    H[6] = V_H_1;
-    H[7] = V_H_2;
-    H[8] = V_H_3;
-    H[9] = V_H_4;
-    H[10] = V_H_5;
-    H[11] = V_H_6;
+    V_H[0] = V_H_tau_x;
+    V_H[1] = V_H_tau_y;
+    V_H[2] = V_H_tau_z;
+    V_H[3] = V_H_f_x;
+    V_H[4] = V_H_f_y;
+    V_H[5] = V_H_f_z;
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
     eta_H[2] = eta_H_3;
@@ -5594,12 +5561,12 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
     eta_H[4] = eta_H_5;
     eta_H[5] = eta_H_6;
     eta_H[6] = f_eta[6];
-    W[6] = V_W_1;
-    W[7] = V_W_2;
-    W[8] = V_W_3;
-    W[9] = V_W_4;
-    W[10] = V_W_5;
-    W[11] = V_W_6;
+    V_W[0] = V_W_tau_x;
+    V_W[1] = V_W_tau_y;
+    V_W[2] = V_W_tau_z;
+    V_W[3] = V_W_f_x;
+    V_W[4] = V_W_f_y;
+    V_W[5] = V_W_f_z;
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
     eta_W[2] = eta_W_3;
@@ -5612,8 +5579,8 @@ ELLA_PART ella_status link_rows_upper_arm(const ella_link_constants *c, const el
 
 /* link rows, links like forearm: 839 operations */
 ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella_link_store *link,
-    const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6], ella_real eta_H[7],
-    ella_real eta_W[7], const int *place, ella_real *M, ella_real H[12], ella_real W[12])
+    const ella_real m_eta[7], const ella_real f_eta[7], const ella_real w_ext[6], ella_real V_H[6], ella_real eta_H[7],
+    ella_real V_W[6], ella_real eta_W[7], const int *place, ella_real *M)
 {
     const ella_real t1 = link->h_eta[0] + f_eta[0];
     const ella_real t2 = link->h_eta[1] + f_eta[1];
@@ -5658,9 +5625,9 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     const ella_real t23 = link->J_l[4] * c->Psi_c_y6;
     const ella_real t24 = link->J_l[7] * c->Psi_c_y6;
     const ella_real J_Teta_16 = link->R_T[0] * t22 + link->R_T[3] * t23 + link->R_T[6] * t24;
-    const ella_real t25 = link->J_l[0] * REAL(1.7320508075688772);
-    const ella_real t26 = link->J_l[3] * REAL(1.7320508075688772);
-    const ella_real t27 = link->J_l[6] * REAL(1.7320508075688772);
+    const ella_real t25 = link->J_l[0] * ELLA_REAL(1.7320508075688772);
+    const ella_real t26 = link->J_l[3] * ELLA_REAL(1.7320508075688772);
+    const ella_real t27 = link->J_l[6] * ELLA_REAL(1.7320508075688772);
     const ella_real J_Teta_17 = link->R_T[0] * t25 + link->R_T[3] * t26 + link->R_T[6] * t27;
     const ella_real J_Teta_21 = link->R_T[1] * t7 + link->R_T[4] * t8 + link->R_T[7] * t9;
     const ella_real J_Teta_22 = link->R_T[1] * t10 + link->R_T[4] * t11 + link->R_T[7] * t12;
@@ -5676,24 +5643,24 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     const ella_real J_Teta_35 = link->R_T[2] * t19 + link->R_T[5] * t20 + link->R_T[8] * t21;
     const ella_real J_Teta_36 = link->R_T[2] * t22 + link->R_T[5] * t23 + link->R_T[8] * t24;
     const ella_real J_Teta_37 = link->R_T[2] * t25 + link->R_T[5] * t26 + link->R_T[8] * t27;
-    const ella_real J_Teta_41 = link->R_T[3] * REAL(2.0011941703010714);
-    const ella_real J_Teta_42 = link->R_T[3] * REAL(2.0700807911885764);
-    const ella_real J_Teta_43 = link->R_T[3] * REAL(3.5651069283690613);
-    const ella_real J_Teta_44 = link->R_T[6] * REAL(2.0011941703010714);
-    const ella_real J_Teta_45 = link->R_T[6] * REAL(2.0700807911885764);
-    const ella_real J_Teta_46 = link->R_T[6] * REAL(3.5651069283690613);
-    const ella_real J_Teta_51 = link->R_T[4] * REAL(2.0011941703010714);
-    const ella_real J_Teta_52 = link->R_T[4] * REAL(2.0700807911885764);
-    const ella_real J_Teta_53 = link->R_T[4] * REAL(3.5651069283690613);
-    const ella_real J_Teta_54 = link->R_T[7] * REAL(2.0011941703010714);
-    const ella_real J_Teta_55 = link->R_T[7] * REAL(2.0700807911885764);
-    const ella_real J_Teta_56 = link->R_T[7] * REAL(3.5651069283690613);
-    const ella_real J_Teta_61 = link->R_T[5] * REAL(2.0011941703010714);
-    const ella_real J_Teta_62 = link->R_T[5] * REAL(2.0700807911885764);
-    const ella_real J_Teta_63 = link->R_T[5] * REAL(3.5651069283690613);
-    const ella_real J_Teta_64 = link->R_T[8] * REAL(2.0011941703010714);
-    const ella_real J_Teta_65 = link->R_T[8] * REAL(2.0700807911885764);
-    const ella_real J_Teta_66 = link->R_T[8] * REAL(3.5651069283690613);
+    const ella_real J_Teta_41 = link->R_T[3] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_42 = link->R_T[3] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_43 = link->R_T[3] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_44 = link->R_T[6] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_45 = link->R_T[6] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_46 = link->R_T[6] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_51 = link->R_T[4] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_52 = link->R_T[4] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_53 = link->R_T[4] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_54 = link->R_T[7] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_55 = link->R_T[7] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_56 = link->R_T[7] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_61 = link->R_T[5] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_62 = link->R_T[5] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_63 = link->R_T[5] * ELLA_REAL(3.5651069283690613);
+    const ella_real J_Teta_64 = link->R_T[8] * ELLA_REAL(2.0011941703010714);
+    const ella_real J_Teta_65 = link->R_T[8] * ELLA_REAL(2.0700807911885764);
+    const ella_real J_Teta_66 = link->R_T[8] * ELLA_REAL(3.5651069283690613);
 
     /* V_V: twist rows, twist columns (100) */
     const ella_real t28 = J_TV_41 * c->body0_mass;
@@ -5814,42 +5781,45 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
         + J_Teta_56 * (J_Teta_56 * c->body0_mass) + J_Teta_66 * (J_Teta_66 * c->body0_mass);
 
     /* h_carried: bias of the bodies at the tip, its acceleration bias included */
-    const ella_real h_carried_4 = link->h_T[0] + c->body0_mass * link->b_T[3];
-    const ella_real h_carried_5 = link->h_T[1] + c->body0_mass * link->b_T[4];
-    const ella_real h_carried_6 = link->h_T[2] + c->body0_mass * link->b_T[5];
+    const ella_real h_carried_f_x = link->h_T[0] + c->body0_mass * link->b_T[3];
+    const ella_real h_carried_f_y = link->h_T[1] + c->body0_mass * link->b_T[4];
+    const ella_real h_carried_f_z = link->h_T[2] + c->body0_mass * link->b_T[5];
 
     /* V_H: bias of the twist rows (100) */
-    const ella_real V_H_1 = link->h_V[0] + J_TV_41 * h_carried_4 + J_TV_51 * h_carried_5 + J_TV_61 * h_carried_6;
-    const ella_real V_H_2 = link->h_V[1] + J_TV_42 * h_carried_4 + J_TV_52 * h_carried_5 + J_TV_62 * h_carried_6;
-    const ella_real V_H_3 = link->h_V[2] + J_TV_43 * h_carried_4 + J_TV_53 * h_carried_5 + J_TV_63 * h_carried_6;
-    const ella_real V_H_4 = link->h_V[3] + link->R_T[0] * h_carried_4 + link->R_T[1] * h_carried_5
-        + link->R_T[2] * h_carried_6;
-    const ella_real V_H_5 = link->h_V[4] + link->R_T[3] * h_carried_4 + link->R_T[4] * h_carried_5
-        + link->R_T[5] * h_carried_6;
-    const ella_real V_H_6 = link->h_V[5] + link->R_T[6] * h_carried_4 + link->R_T[7] * h_carried_5
-        + link->R_T[8] * h_carried_6;
+    const ella_real V_H_tau_x = link->h_V[0] + J_TV_41 * h_carried_f_x + J_TV_51 * h_carried_f_y
+        + J_TV_61 * h_carried_f_z;
+    const ella_real V_H_tau_y = link->h_V[1] + J_TV_42 * h_carried_f_x + J_TV_52 * h_carried_f_y
+        + J_TV_62 * h_carried_f_z;
+    const ella_real V_H_tau_z = link->h_V[2] + J_TV_43 * h_carried_f_x + J_TV_53 * h_carried_f_y
+        + J_TV_63 * h_carried_f_z;
+    const ella_real V_H_f_x = link->h_V[3] + link->R_T[0] * h_carried_f_x + link->R_T[1] * h_carried_f_y
+        + link->R_T[2] * h_carried_f_z;
+    const ella_real V_H_f_y = link->h_V[4] + link->R_T[3] * h_carried_f_x + link->R_T[4] * h_carried_f_y
+        + link->R_T[5] * h_carried_f_z;
+    const ella_real V_H_f_z = link->h_V[5] + link->R_T[6] * h_carried_f_x + link->R_T[7] * h_carried_f_y
+        + link->R_T[8] * h_carried_f_z;
 
     /* eta_H: bias of the modal rows (100) */
-    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_4 + J_Teta_51 * h_carried_5 + J_Teta_61 * h_carried_6;
-    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_4 + J_Teta_52 * h_carried_5 + J_Teta_62 * h_carried_6;
-    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_4 + J_Teta_53 * h_carried_5 + J_Teta_63 * h_carried_6;
-    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_4 + J_Teta_54 * h_carried_5 + J_Teta_64 * h_carried_6;
-    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_4 + J_Teta_55 * h_carried_5 + J_Teta_65 * h_carried_6;
-    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_4 + J_Teta_56 * h_carried_5 + J_Teta_66 * h_carried_6;
+    const ella_real eta_H_1 = t1 + J_Teta_41 * h_carried_f_x + J_Teta_51 * h_carried_f_y + J_Teta_61 * h_carried_f_z;
+    const ella_real eta_H_2 = t2 + J_Teta_42 * h_carried_f_x + J_Teta_52 * h_carried_f_y + J_Teta_62 * h_carried_f_z;
+    const ella_real eta_H_3 = t3 + J_Teta_43 * h_carried_f_x + J_Teta_53 * h_carried_f_y + J_Teta_63 * h_carried_f_z;
+    const ella_real eta_H_4 = t4 + J_Teta_44 * h_carried_f_x + J_Teta_54 * h_carried_f_y + J_Teta_64 * h_carried_f_z;
+    const ella_real eta_H_5 = t5 + J_Teta_45 * h_carried_f_x + J_Teta_55 * h_carried_f_y + J_Teta_65 * h_carried_f_z;
+    const ella_real eta_H_6 = t6 + J_Teta_46 * h_carried_f_x + J_Teta_56 * h_carried_f_y + J_Teta_66 * h_carried_f_z;
 
     /* V_W: external wrench in the twist rows (100) */
     const ella_real t61 = J_TV_41 * w_ext[3] + J_TV_51 * w_ext[4] + J_TV_61 * w_ext[5] + link->R_T[0] * w_ext[0]
         + link->R_T[1] * w_ext[1];
-    const ella_real V_W_1 = t61 + link->R_T[2] * w_ext[2];
+    const ella_real V_W_tau_x = t61 + link->R_T[2] * w_ext[2];
     const ella_real t62 = J_TV_42 * w_ext[3] + J_TV_52 * w_ext[4] + J_TV_62 * w_ext[5] + link->R_T[3] * w_ext[0]
         + link->R_T[4] * w_ext[1];
-    const ella_real V_W_2 = t62 + link->R_T[5] * w_ext[2];
+    const ella_real V_W_tau_y = t62 + link->R_T[5] * w_ext[2];
     const ella_real t63 = J_TV_43 * w_ext[3] + J_TV_53 * w_ext[4] + J_TV_63 * w_ext[5] + link->R_T[6] * w_ext[0]
         + link->R_T[7] * w_ext[1];
-    const ella_real V_W_3 = t63 + link->R_T[8] * w_ext[2];
-    const ella_real V_W_4 = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
-    const ella_real V_W_5 = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
-    const ella_real V_W_6 = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
+    const ella_real V_W_tau_z = t63 + link->R_T[8] * w_ext[2];
+    const ella_real V_W_f_x = link->R_T[0] * w_ext[3] + link->R_T[1] * w_ext[4] + link->R_T[2] * w_ext[5];
+    const ella_real V_W_f_y = link->R_T[3] * w_ext[3] + link->R_T[4] * w_ext[4] + link->R_T[5] * w_ext[5];
+    const ella_real V_W_f_z = link->R_T[6] * w_ext[3] + link->R_T[7] * w_ext[4] + link->R_T[8] * w_ext[5];
 
     /* eta_W: external wrench in the modal rows (100) */
     const ella_real t64 = J_Teta_11 * w_ext[0] + J_Teta_21 * w_ext[1] + J_Teta_31 * w_ext[2] + J_Teta_41 * w_ext[3]
@@ -6026,12 +5996,12 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     M[place[156]] = eta_eta_56;
     M[place[157]] = eta_eta_66;
     M[place[158]] = m_eta[6];
-    H[6] = V_H_1;
-    H[7] = V_H_2;
-    H[8] = V_H_3;
-    H[9] = V_H_4;
-    H[10] = V_H_5;
-    H[11] = V_H_6;
+    V_H[0] = V_H_tau_x;
+    V_H[1] = V_H_tau_y;
+    V_H[2] = V_H_tau_z;
+    V_H[3] = V_H_f_x;
+    V_H[4] = V_H_f_y;
+    V_H[5] = V_H_f_z;
     eta_H[0] = eta_H_1;
     eta_H[1] = eta_H_2;
     eta_H[2] = eta_H_3;
@@ -6039,12 +6009,12 @@ ELLA_PART ella_status link_rows_forearm(const ella_link_constants *c, const ella
     eta_H[4] = eta_H_5;
     eta_H[5] = eta_H_6;
     eta_H[6] = f_eta[6];
-    W[6] = V_W_1;
-    W[7] = V_W_2;
-    W[8] = V_W_3;
-    W[9] = V_W_4;
-    W[10] = V_W_5;
-    W[11] = V_W_6;
+    V_W[0] = V_W_tau_x;
+    V_W[1] = V_W_tau_y;
+    V_W[2] = V_W_tau_z;
+    V_W[3] = V_W_f_x;
+    V_W[4] = V_W_f_y;
+    V_W[5] = V_W_f_z;
     eta_W[0] = eta_W_1;
     eta_W[1] = eta_W_2;
     eta_W[2] = eta_W_3;
@@ -6095,11 +6065,11 @@ static ELLA_TARGETS ella_status dae_dynamics_accelerate(const ella_constants *c,
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q,
-            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->new_qddot + q,
+            call->new_wrench ? call->new_wrench + 6 * i : 0, call->new_alpha + 6 * i, call->new_etaddot + e);
     default:
-        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->qddot + q,
-            call->wrench ? call->wrench + 6 * i : 0, call->alpha + 6 * i, call->etaddot + e);
+        return accelerate_forearm(&chain->links[i], &chain->nodes[i], call->new_qddot + q,
+            call->new_wrench ? call->new_wrench + 6 * i : 0, call->new_alpha + 6 * i, call->new_etaddot + e);
     }
 }
 
@@ -6108,8 +6078,8 @@ static ELLA_TARGETS ella_status dae_dynamics_twist_rates(const ella_constants *c
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
-    return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->given_alpha + 6 * i,
-        call->twist + 6 * i, call->Vdot + 6 * i);
+    return twist_rates_upper_arm(call->quaternion + 4 * i, call->gravity, call->alpha + 6 * i, call->twist + 6 * i,
+        call->new_Vdot + 6 * i);
 }
 
 static ELLA_TARGETS ella_status projection_project(const ella_constants *c, const ella_call *call, ella_chain *chain,
@@ -6171,11 +6141,11 @@ static ELLA_TARGETS ella_status inverse_inverse_outward(const ella_constants *c,
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
-            call->given_etaddot + e);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q,
+            call->etaddot + e);
     default:
         return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->given_qddot + q, call->given_etaddot + e);
+            call->qddot + q, call->etaddot + e);
     }
 }
 
@@ -6187,13 +6157,13 @@ static ELLA_TARGETS ella_status inverse_inverse_inward(const ella_constants *c, 
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e,
-            call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->force_eta + e,
-            call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+        return inverse_inward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->etaddot + e,
+            call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e,
+            call->new_force_eta + e, call->new_force + q, call->new_wrench ? call->new_wrench + 6 * i : 0);
     default:
         return inverse_inward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->given_etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e,
-            call->f_eta + e, call->force_eta + e, call->force + q, call->wrench ? call->wrench + 6 * i : 0);
+            call->etaddot + e, call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e,
+            call->new_force_eta + e, call->new_force + q, call->new_wrench ? call->new_wrench + 6 * i : 0);
     }
 }
 
@@ -6219,11 +6189,11 @@ static ELLA_TARGETS ella_status inertia_inverse_outward(const ella_constants *c,
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_qddot + q,
-            call->given_etaddot + e);
+        return inverse_outward_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->qddot + q,
+            call->etaddot + e);
     default:
         return inverse_outward_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->given_qddot + q, call->given_etaddot + e);
+            call->qddot + q, call->etaddot + e);
     }
 }
 
@@ -6235,11 +6205,11 @@ static ELLA_TARGETS ella_status inertia_inverse_inward(const ella_constants *c, 
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->given_etaddot + e,
-            call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+        return inverse_inward_upper_arm_2(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->etaddot + e,
+            call->eta + e, call->m_eta + e, call->new_force_eta + e, call->new_force + q);
     default:
         return inverse_inward_forearm_2(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->given_etaddot + e, call->eta + e, call->m_eta + e, call->force_eta + e, call->force + q);
+            call->etaddot + e, call->eta + e, call->m_eta + e, call->new_force_eta + e, call->new_force + q);
     }
 }
 
@@ -6267,11 +6237,11 @@ static ELLA_TARGETS ella_status motion_of_poses(const ella_constants *c, const e
     (void)c, (void)call, (void)chain, (void)q, (void)e;
     switch (CLASS[i]) {
     case 0:
-        return poses_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->rotation + 9 * i,
-            call->position + 3 * i);
+        return poses_upper_arm(&c->links[i], &chain->nodes[i + 1], call->q + q, call->eta + e, call->new_R + 9 * i,
+            call->new_r + 3 * i);
     default:
         return poses_forearm(&c->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->q + q, call->eta + e,
-            call->rotation + 9 * i, call->position + 3 * i);
+            call->new_R + 9 * i, call->new_r + 3 * i);
     }
 }
 
@@ -6280,7 +6250,7 @@ static ELLA_TARGETS ella_status motion_of_tip_twist(const ella_constants *c, con
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
-    return tip_twist_upper_arm(&chain->nodes[i + 1], call->tip_twist + 6 * i);
+    return tip_twist_upper_arm(&chain->nodes[i + 1], call->new_tip_twist + 6 * i);
 }
 
 static ELLA_TARGETS ella_status measuring_measure(const ella_constants *c, const ella_call *call, ella_chain *chain,
@@ -6288,8 +6258,8 @@ static ELLA_TARGETS ella_status measuring_measure(const ella_constants *c, const
 {
     const int q = Q_OFFSET[i], e = ETA_OFFSET[i];
     (void)c, (void)call, (void)chain, (void)q, (void)e;
-    return measure_upper_arm(&c->links[i], call->given_motion + 4 * i, call->given_wrench + 6 * i, call->eta + e,
-        call->measures + 4 * i);
+    return measure_upper_arm(&c->links[i], call->eta + e, call->motion + 4 * i, call->wrench + 6 * i,
+        call->new_measures + 4 * i);
 }
 
 static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, const ella_call *call, ella_chain *chain,
@@ -6302,11 +6272,11 @@ static ELLA_TARGETS ella_status assembly_joint_rows(const ella_constants *c, con
     case 0:
         return joint_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->twist + 6 * i,
             call->q + q, call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q,
-            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+            call->H + 12 * i, call->W + 12 * i, M_PLACE + M_OFFSET[i], call->M);
     default:
         return joint_rows_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], call->twist + 6 * i, call->q + q,
-            call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q,
-            M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+            call->quaternion + 4 * i, call->gravity, call->eta + e, call->etadot + e, call->tau + q, call->H + 12 * i,
+            call->W + 12 * i, M_PLACE + M_OFFSET[i], call->M);
     }
 }
 
@@ -6319,11 +6289,12 @@ static ELLA_TARGETS ella_status assembly_link_rows(const ella_constants *c, cons
     switch (CLASS[i]) {
     case 0:
         return link_rows_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->m_eta + e,
-            call->f_eta + e, call->w_ext + 6 * i, call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M,
-            call->H + 12 * i, call->W + 12 * i);
+            call->f_eta + e, call->w_ext + 6 * i, call->H + 12 * i + 6, call->H + 12 * ELLA_NLINKS + e,
+            call->W + 12 * i + 6, call->W + 12 * ELLA_NLINKS + e, M_PLACE + M_OFFSET[i], call->M);
     default:
         return link_rows_forearm(&c->links[i], &chain->links[i], call->m_eta + e, call->f_eta + e, call->w_ext + 6 * i,
-            call->H + 24 + e, call->W + 24 + e, M_PLACE + M_OFFSET[i], call->M, call->H + 12 * i, call->W + 12 * i);
+            call->H + 12 * i + 6, call->H + 12 * ELLA_NLINKS + e, call->W + 12 * i + 6, call->W + 12 * ELLA_NLINKS + e,
+            M_PLACE + M_OFFSET[i], call->M);
     }
 }
 
@@ -6332,7 +6303,7 @@ static void start(const ella_call *call, ella_chain *chain)
 {
     int k;
     for (k = 0; k < 3; ++k) {
-        chain->nodes[0].alpha_0[k + 3] = -call->gravity[k];
+        chain->nodes[0].acc_0[k + 3] = -call->gravity[k];
     }
 }
 

@@ -4,14 +4,15 @@
 
 #include "ella_real.h"
 
-/* The inputs and outputs of a call; every array starts at the first link. */
+/* The inputs and outputs (new_) of a call, by the names of the signals; every array starts at the first link. */
 typedef struct {
     const ella_real *gravity, *q, *qdot, *eta, *etadot, *tau, *w_ext, *m_eta, *f_eta;
-    const ella_real *quaternion, *twist, *given_alpha, *given_qddot, *given_etaddot;
-    const ella_real *given_wrench, *given_motion;
-    ella_real *qddot, *etaddot, *wrench, *alpha, *Vdot, *new_qdot, *new_q, *new_quaternion, *new_position, *new_twist;
-    ella_real *force, *force_eta, *M, *H, *W, *rotation, *position, *tip_twist, *motion, *measures;
-    int tip_pose; /* whether the tip's pose is wanted; wrench and motion are wanted if not null */
+    const ella_real *quaternion, *twist, *alpha, *qddot, *etaddot, *wrench, *motion;
+    ella_real *new_qddot, *new_etaddot, *new_wrench, *new_alpha, *new_Vdot, *new_qdot, *new_q, *new_quaternion,
+        *new_position;
+    ella_real *new_twist, *new_force, *new_force_eta, *new_R, *new_r, *new_tip_twist, *new_motion, *new_measures, *M,
+        *H, *W;
+    int tip_pose; /* whether the tip's pose is wanted; new_wrench and new_motion are wanted if not null */
 } ella_call;
 
 /* Results of the forward dynamics that a caller may want besides vdot. */
@@ -20,6 +21,18 @@ enum { ELLA_WRENCHES = 1, ELLA_TIP_POSE = 2, ELLA_MOTION = 4 };
 /* Joint form: vdot and the wanted results; the rest of output is unchanged. fault is set with ELLA_SINGULAR. */
 ella_status ella_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     const ella_real *m_eta, ella_work *work, int wanted, ella_output *output);
+
+/* Rotation and position of a tip section. */
+static inline void ella_pose_of(const ella_node *tip, ella_real rotation[3][3], ella_real position[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) {
+        rotation[k][0] = tip->R[3 * k];
+        rotation[k][1] = tip->R[3 * k + 1];
+        rotation[k][2] = tip->R[3 * k + 2];
+        position[k] = tip->r[k];
+    }
+}
 
 /* DAE form: rates of the twists, wrenches, joint rates, by the same elimination. */
 ella_status ella_dae_dynamics(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);

@@ -8,22 +8,22 @@ void ella_parameters_default(ella_parameters *p)
     memset(p, 0, sizeof *p);
     p->gravity[0] = 0;
     p->gravity[1] = 0;
-    p->gravity[2] = REAL(-9.81);
-    p->links[0].length = REAL(0.95);
-    p->links[0].rhoA = REAL(1.6302);
+    p->gravity[2] = ELLA_REAL(-9.81);
+    p->links[0].length = ELLA_REAL(0.95);
+    p->links[0].rhoA = ELLA_REAL(1.6302);
     p->links[0].EIy = 2120;
     p->links[0].EIz = 3670;
     p->links[0].GJ = 1650;
-    p->links[0].rhoIp = REAL(0.000215);
-    p->links[0].bodies[0].mass = REAL(3.3);
-    p->links[1].length = REAL(0.93);
-    p->links[1].rhoA = REAL(1.6302);
-    p->links[1].EA = REAL(43890000.0);
-    p->links[1].EIy = REAL(2119.9500000000003);
-    p->links[1].EIz = REAL(3669.96);
-    p->links[1].GJ = REAL(1647.708);
-    p->links[1].rhoIp = REAL(0.00021505380000000002);
-    p->links[1].bodies[0].mass = REAL(2.1);
+    p->links[0].rhoIp = ELLA_REAL(0.000215);
+    p->links[0].bodies[0].mass = ELLA_REAL(3.3);
+    p->links[1].length = ELLA_REAL(0.93);
+    p->links[1].rhoA = ELLA_REAL(1.6302);
+    p->links[1].EA = ELLA_REAL(43890000.0);
+    p->links[1].EIy = ELLA_REAL(2119.9500000000003);
+    p->links[1].EIz = ELLA_REAL(3669.96);
+    p->links[1].GJ = ELLA_REAL(1647.708);
+    p->links[1].rhoIp = ELLA_REAL(0.00021505380000000002);
+    p->links[1].bodies[0].mass = ELLA_REAL(2.1);
 }
 
 /* links like upper_arm; returns the sum of all, which is finite if they are */
@@ -36,24 +36,23 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
     /* J_0: second moment, undeformed */
     const ella_real t1 = p->length * p->length;
     const ella_real t2 = t1 * p->length;
-    const ella_real J_0_xx = t2 * REAL(0.3333333333333333) * p->rhoA;
+    const ella_real J_0_xx = t2 * ELLA_REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const ella_real Psi_c_y4 = REAL(-2.754638950054297) / p->length;
-    const ella_real Psi_c_y5 = REAL(-9.829048135266044) / p->length;
-    const ella_real Psi_c_y6 = REAL(-51.65076743872705) / p->length;
-    const ella_real Psi_c_z1 = REAL(2.754638950054297) / p->length;
-    const ella_real Psi_c_z2 = REAL(9.829048135266044) / p->length;
-    const ella_real Psi_c_z3 = REAL(51.65076743872705) / p->length;
+    const ella_real Psi_c_y4 = ELLA_REAL(-2.754638950054297) / p->length;
+    const ella_real Psi_c_y5 = ELLA_REAL(-9.829048135266044) / p->length;
+    const ella_real Psi_c_y6 = ELLA_REAL(-51.65076743872705) / p->length;
+    const ella_real Psi_c_z1 = ELLA_REAL(2.754638950054297) / p->length;
+    const ella_real Psi_c_z2 = ELLA_REAL(9.829048135266044) / p->length;
+    const ella_real Psi_c_z3 = ELLA_REAL(51.65076743872705) / p->length;
 
     /* S_0: first moment, undeformed (27) */
-    const ella_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+    const ella_real S_0_x = t1 * ELLA_REAL(0.5) * p->rhoA;
 
     /* chi: first moment of each mode shape */
-    const ella_real chi_1 = t1 * REAL(0.5688984735013527) * p->rhoA;
-    const ella_real minus_chi_2 = t1 * REAL(0.0900071035382269) * p->rhoA;
-    const ella_real t3 = -minus_chi_2;
-    const ella_real chi_3 = t1 * REAL(0.027445366831025438) * p->rhoA;
+    const ella_real chi_1 = t1 * ELLA_REAL(0.5688984735013527) * p->rhoA;
+    const ella_real chi_2 = -(t1 * ELLA_REAL(0.0900071035382269) * p->rhoA);
+    const ella_real chi_3 = t1 * ELLA_REAL(0.027445366831025438) * p->rhoA;
 
     /* mu: mass of the beam */
     const ella_real mu = p->length * p->rhoA;
@@ -62,37 +61,37 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
     const ella_real EI_ratio = p->EIz / p->EIy;
 
     /* EI_gap: relative difference of EIy and EIz, squared */
-    const ella_real t4 = 1 - EI_ratio;
-    const ella_real EI_gap = t4 * t4;
+    const ella_real t3 = 1 - EI_ratio;
+    const ella_real EI_gap = t3 * t3;
 
     /* compliance: 1/EI of the softer plane */
-    const ella_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + ella_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const ella_real compliance = (ELLA_REAL(0.5) + EI_ratio * ELLA_REAL(0.5)
+        + ella_sqrt(EI_gap) * ELLA_REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
-    const ella_real per_acceleration = compliance * REAL(0.1275941908610559) * t2 * p->rhoA;
+    const ella_real per_acceleration = compliance * ELLA_REAL(0.1275941908610559) * t2 * p->rhoA;
 
     /* per_force: inverse buckling load */
-    const ella_real per_force = compliance * 4 * t1 * REAL(0.10132118364233778);
+    const ella_real per_force = compliance * 4 * t1 * ELLA_REAL(0.10132118364233778);
 
     /* per_turn: rotation by the square of the turn */
     const ella_real per_turn = compliance * (t2 * p->length) * p->rhoA;
 
     /* sigma_t: spin momentum of each torsion mode */
-    const ella_real sigma_t_7 = p->length * REAL(0.8660254037844386) * p->rhoIp;
+    const ella_real sigma_t_7 = p->length * ELLA_REAL(0.8660254037844386) * p->rhoIp;
 
     /* sigma: momentum of each mode (B1) */
-    const ella_real sigma_y1 = p->length * REAL(0.7834687621100629) * p->rhoA;
-    const ella_real minus_sigma_y2 = p->length * REAL(0.4302128963930683) * p->rhoA;
-    const ella_real t5 = -minus_sigma_y2;
-    const ella_real sigma_y3 = p->length * REAL(0.2027154719670228) * p->rhoA;
+    const ella_real sigma_y1 = p->length * ELLA_REAL(0.7834687621100629) * p->rhoA;
+    const ella_real sigma_y2 = -(p->length * ELLA_REAL(0.4302128963930683) * p->rhoA);
+    const ella_real sigma_y3 = p->length * ELLA_REAL(0.2027154719670228) * p->rhoA;
 
-    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const ella_real K_full_11 = p->EIz * REAL(12.36982403868891) / t2;
-    const ella_real K_full_22 = p->EIz * REAL(494.322388600536) / t2;
-    const ella_real K_full_33 = p->EIz * REAL(13958.107787360776) / t2;
-    const ella_real K_full_44 = p->EIy * REAL(12.36982403868891) / t2;
-    const ella_real K_full_55 = p->EIy * REAL(494.322388600536) / t2;
-    const ella_real K_full_66 = p->EIy * REAL(13958.107787360776) / t2;
+    /* K_full: stiffness of the modes (torsion: N*m) (88) */
+    const ella_real K_full_11 = p->EIz * ELLA_REAL(12.36982403868891) / t2;
+    const ella_real K_full_22 = p->EIz * ELLA_REAL(494.322388600536) / t2;
+    const ella_real K_full_33 = p->EIz * ELLA_REAL(13958.107787360776) / t2;
+    const ella_real K_full_44 = p->EIy * ELLA_REAL(12.36982403868891) / t2;
+    const ella_real K_full_55 = p->EIy * ELLA_REAL(494.322388600536) / t2;
+    const ella_real K_full_66 = p->EIy * ELLA_REAL(13958.107787360776) / t2;
     const ella_real K_full_77 = p->GJ * 3 / p->length;
 
     /* outputs */
@@ -107,7 +106,7 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
     c->S_0_x = S_0_x;
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
-    c->chi_2 = t3;
+    c->chi_2 = chi_2;
     c->chi_3 = chi_3;
     c->length = p->length;
     c->mu = mu;
@@ -116,7 +115,7 @@ static ella_real constants_of_upper_arm(const ella_link_parameters *p, ella_link
     c->per_turn = per_turn;
     c->sigma_t_7 = sigma_t_7;
     c->sigma_y1 = sigma_y1;
-    c->sigma_y2 = t5;
+    c->sigma_y2 = sigma_y2;
     c->sigma_y3 = sigma_y3;
     M_eta[0] = mu;
     M_eta[1] = mu;
@@ -160,24 +159,23 @@ static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_c
     /* J_0: second moment, undeformed */
     const ella_real t1 = p->length * p->length;
     const ella_real t2 = t1 * p->length;
-    const ella_real J_0_xx = t2 * REAL(0.3333333333333333) * p->rhoA;
+    const ella_real J_0_xx = t2 * ELLA_REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const ella_real Psi_c_y4 = REAL(-2.754638950054297) / p->length;
-    const ella_real Psi_c_y5 = REAL(-9.829048135266044) / p->length;
-    const ella_real Psi_c_y6 = REAL(-51.65076743872705) / p->length;
-    const ella_real Psi_c_z1 = REAL(2.754638950054297) / p->length;
-    const ella_real Psi_c_z2 = REAL(9.829048135266044) / p->length;
-    const ella_real Psi_c_z3 = REAL(51.65076743872705) / p->length;
+    const ella_real Psi_c_y4 = ELLA_REAL(-2.754638950054297) / p->length;
+    const ella_real Psi_c_y5 = ELLA_REAL(-9.829048135266044) / p->length;
+    const ella_real Psi_c_y6 = ELLA_REAL(-51.65076743872705) / p->length;
+    const ella_real Psi_c_z1 = ELLA_REAL(2.754638950054297) / p->length;
+    const ella_real Psi_c_z2 = ELLA_REAL(9.829048135266044) / p->length;
+    const ella_real Psi_c_z3 = ELLA_REAL(51.65076743872705) / p->length;
 
     /* S_0: first moment, undeformed (27) */
-    const ella_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+    const ella_real S_0_x = t1 * ELLA_REAL(0.5) * p->rhoA;
 
     /* chi: first moment of each mode shape */
-    const ella_real chi_1 = t1 * REAL(0.5688984735013527) * p->rhoA;
-    const ella_real minus_chi_2 = t1 * REAL(0.0900071035382269) * p->rhoA;
-    const ella_real t3 = -minus_chi_2;
-    const ella_real chi_3 = t1 * REAL(0.027445366831025438) * p->rhoA;
+    const ella_real chi_1 = t1 * ELLA_REAL(0.5688984735013527) * p->rhoA;
+    const ella_real chi_2 = -(t1 * ELLA_REAL(0.0900071035382269) * p->rhoA);
+    const ella_real chi_3 = t1 * ELLA_REAL(0.027445366831025438) * p->rhoA;
 
     /* mu: mass of the beam */
     const ella_real mu = p->length * p->rhoA;
@@ -186,37 +184,37 @@ static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_c
     const ella_real EI_ratio = p->EIz / p->EIy;
 
     /* EI_gap: relative difference of EIy and EIz, squared */
-    const ella_real t4 = 1 - EI_ratio;
-    const ella_real EI_gap = t4 * t4;
+    const ella_real t3 = 1 - EI_ratio;
+    const ella_real EI_gap = t3 * t3;
 
     /* compliance: 1/EI of the softer plane */
-    const ella_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + ella_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const ella_real compliance = (ELLA_REAL(0.5) + EI_ratio * ELLA_REAL(0.5)
+        + ella_sqrt(EI_gap) * ELLA_REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
-    const ella_real per_acceleration = compliance * REAL(0.1275941908610559) * t2 * p->rhoA;
+    const ella_real per_acceleration = compliance * ELLA_REAL(0.1275941908610559) * t2 * p->rhoA;
 
     /* per_force: inverse buckling load */
-    const ella_real per_force = compliance * 4 * t1 * REAL(0.10132118364233778);
+    const ella_real per_force = compliance * 4 * t1 * ELLA_REAL(0.10132118364233778);
 
     /* per_turn: rotation by the square of the turn */
     const ella_real per_turn = compliance * (t2 * p->length) * p->rhoA;
 
     /* sigma_t: spin momentum of each torsion mode */
-    const ella_real sigma_t_7 = p->length * REAL(0.8660254037844386) * p->rhoIp;
+    const ella_real sigma_t_7 = p->length * ELLA_REAL(0.8660254037844386) * p->rhoIp;
 
     /* sigma: momentum of each mode (B1) */
-    const ella_real sigma_y1 = p->length * REAL(0.7834687621100629) * p->rhoA;
-    const ella_real minus_sigma_y2 = p->length * REAL(0.4302128963930683) * p->rhoA;
-    const ella_real t5 = -minus_sigma_y2;
-    const ella_real sigma_y3 = p->length * REAL(0.2027154719670228) * p->rhoA;
+    const ella_real sigma_y1 = p->length * ELLA_REAL(0.7834687621100629) * p->rhoA;
+    const ella_real sigma_y2 = -(p->length * ELLA_REAL(0.4302128963930683) * p->rhoA);
+    const ella_real sigma_y3 = p->length * ELLA_REAL(0.2027154719670228) * p->rhoA;
 
-    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const ella_real K_full_11 = p->EIz * REAL(12.36982403868891) / t2;
-    const ella_real K_full_22 = p->EIz * REAL(494.322388600536) / t2;
-    const ella_real K_full_33 = p->EIz * REAL(13958.107787360776) / t2;
-    const ella_real K_full_44 = p->EIy * REAL(12.36982403868891) / t2;
-    const ella_real K_full_55 = p->EIy * REAL(494.322388600536) / t2;
-    const ella_real K_full_66 = p->EIy * REAL(13958.107787360776) / t2;
+    /* K_full: stiffness of the modes (torsion: N*m) (88) */
+    const ella_real K_full_11 = p->EIz * ELLA_REAL(12.36982403868891) / t2;
+    const ella_real K_full_22 = p->EIz * ELLA_REAL(494.322388600536) / t2;
+    const ella_real K_full_33 = p->EIz * ELLA_REAL(13958.107787360776) / t2;
+    const ella_real K_full_44 = p->EIy * ELLA_REAL(12.36982403868891) / t2;
+    const ella_real K_full_55 = p->EIy * ELLA_REAL(494.322388600536) / t2;
+    const ella_real K_full_66 = p->EIy * ELLA_REAL(13958.107787360776) / t2;
     const ella_real K_full_77 = p->GJ * 3 / p->length;
 
     /* outputs */
@@ -231,7 +229,7 @@ static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_c
     c->S_0_x = S_0_x;
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
-    c->chi_2 = t3;
+    c->chi_2 = chi_2;
     c->chi_3 = chi_3;
     c->length = p->length;
     c->mu = mu;
@@ -240,7 +238,7 @@ static ella_real constants_of_forearm(const ella_link_parameters *p, ella_link_c
     c->per_turn = per_turn;
     c->sigma_t_7 = sigma_t_7;
     c->sigma_y1 = sigma_y1;
-    c->sigma_y2 = t5;
+    c->sigma_y2 = sigma_y2;
     c->sigma_y3 = sigma_y3;
     M_eta[0] = mu;
     M_eta[1] = mu;
@@ -300,7 +298,7 @@ ella_status ella_prepare(const ella_parameters *p, ella_constants *c)
     }
     sum += constants_of_upper_arm(&p->links[0], &c->links[0], c->M_eta + 0, c->K + 0, c->D + 0);
     sum += constants_of_forearm(&p->links[1], &c->links[1], c->M_eta + 7, c->K + 7, c->D + 7);
-    for (k = 0; k < ELLA_NMODES; ++k) {
+    for (k = ELLA_NGIVEN - ELLA_NMODES; k < ELLA_NGIVEN; ++k) {
         if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || !(c->D[k] >= 0)) {
             return ELLA_BAD_ARGUMENT;
         }

@@ -8,9 +8,9 @@ static ella_call call_for(const ella_state *state, ella_motion *motion)
     call.qdot = state->v;
     call.eta = state->q + ELLA_NTAU;
     call.etadot = state->v + ELLA_NTAU;
-    call.rotation = &motion->rotation[0][0][0];
-    call.position = &motion->position[0][0];
-    call.tip_twist = &motion->tip_twist[0][0];
+    call.new_R = &motion->rotation[0][0][0];
+    call.new_r = &motion->position[0][0];
+    call.new_tip_twist = &motion->tip_twist[0][0];
     return call;
 }
 
@@ -25,22 +25,15 @@ static int finite_motion(const ella_state *s, const ella_motion *m)
 static ella_status fill(const ella_constants *c, const ella_state *state, ella_chain *chain, ella_motion *motion)
 {
     const ella_call call = call_for(state, motion);
-    int i, k, fault = 0;
+    int i, fault = 0;
     const ella_status status = ella_motion_of(c, &call, chain, &fault);
     for (i = 0; i < ELLA_NLINKS; ++i) {
-        const ella_node *tip = &chain->nodes[i + 1];
-        for (k = 0; k < 3; ++k) {
-            motion->tip_rotation[i][k][0] = tip->R[3 * k];
-            motion->tip_rotation[i][k][1] = tip->R[3 * k + 1];
-            motion->tip_rotation[i][k][2] = tip->R[3 * k + 2];
-            motion->tip_position[i][k] = tip->r[k];
-        }
+        ella_pose_of(&chain->nodes[i + 1], motion->tip_rotation[i], motion->tip_position[i]);
     }
     return status == ELLA_OK && !finite_motion(state, motion) ? ELLA_NONFINITE : status;
 }
 
-ella_status ella_kinematics(const ella_constants *c, const ella_state *state, ella_chain *chain,
-    ella_motion *motion)
+ella_status ella_kinematics(const ella_constants *c, const ella_state *state, ella_chain *chain, ella_motion *motion)
 {
     return c && state && chain && motion ? fill(c, state, chain, motion) : ELLA_BAD_ARGUMENT;
 }

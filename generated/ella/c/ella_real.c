@@ -12,11 +12,11 @@ ELLA_TARGETS ella_sincos ella_sine_cosine(ella_real x)
 #ifndef ELLA_LIBM
     static const ella_real TURN[5] = { 0, 1, 0, -1, 0 }; /* sine of whole quarter turns; their cosine is one further */
     if (x >= -ELLA_FAR && x <= ELLA_FAR) {
-        const int whole = x < -REAL(0.785) || x > REAL(0.785);
+        const int whole = x < -ELLA_REAL(0.785) || x > ELLA_REAL(0.785);
         unsigned turn = 0;
         ella_real r = x, rest = 0;
         if (whole != 0) {
-            const ella_real shifted = x * REAL(0.63661977236758134308) + ELLA_ROUND;
+            const ella_real shifted = x * ELLA_REAL(0.63661977236758134308) + ELLA_ROUND;
             const ella_real k = shifted - ELLA_ROUND;
             const ella_real a = x - k * ELLA_QUARTER_1, b = k * ELLA_QUARTER_2, ab = a - b;
             const ella_real d = k * ELLA_QUARTER_3, left = ab - d;
@@ -25,8 +25,8 @@ ELLA_TARGETS ella_sincos ella_sine_cosine(ella_real x)
             rest = (((a - ab) - b) + ((ab - left) - d)) - k * ELLA_QUARTER_4;
         }
         {
-            const ella_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
-            const ella_real s = r - ((z * (rest * REAL(0.5) - cube * ELLA_SINE(z, w)) - rest) + cube * ELLA_SIXTH);
+            const ella_real z = r * r, w = z * z, half = z * ELLA_REAL(0.5), cube = z * r, nearly = 1 - half;
+            const ella_real s = r - ((z * (rest * ELLA_REAL(0.5) - cube * ELLA_SINE(z, w)) - rest) + cube * ELLA_SIXTH);
             const ella_real c = nearly + (((1 - nearly) - half) + (z * (z * ELLA_COSINE(z, w)) - r * rest));
             y.sine = s;
             y.cosine = c;
@@ -46,45 +46,45 @@ ELLA_TARGETS ella_sincos ella_sine_cosine(ella_real x)
 ELLA_TARGETS ella_real ella_c4(ella_real x)
 {
     const ella_real square = x * x;
-    ella_real tail = REAL(4.779477332387385e-14);
+    ella_real tail = ELLA_REAL(4.779477332387385e-14);
     if (x >= 4) {
         const ella_real angle = ella_sqrt(x);
         return (ella_libm_cos(angle) - 1 + x / 2) / (x * x);
     }
-    if (x >= REAL(0.25)) {
-        tail = REAL(3.7699876288159054e-33);
-        tail = REAL(3.279889237069838e-30) - x * tail;
-        tail = REAL(2.4795962632247976e-27) - x * tail;
-        tail = REAL(1.6117375710961184e-24) - x * tail;
-        tail = REAL(8.896791392450574e-22) - x * tail;
-        tail = REAL(4.110317623312165e-19) - x * tail;
-        tail = REAL(1.5619206968586225e-16) - x * tail;
-        tail = REAL(4.779477332387385e-14) - x * tail;
+    if (x >= ELLA_REAL(0.25)) {
+        tail = ELLA_REAL(3.7699876288159054e-33);
+        tail = ELLA_REAL(3.279889237069838e-30) - x * tail;
+        tail = ELLA_REAL(2.4795962632247976e-27) - x * tail;
+        tail = ELLA_REAL(1.6117375710961184e-24) - x * tail;
+        tail = ELLA_REAL(8.896791392450574e-22) - x * tail;
+        tail = ELLA_REAL(4.110317623312165e-19) - x * tail;
+        tail = ELLA_REAL(1.5619206968586225e-16) - x * tail;
+        tail = ELLA_REAL(4.779477332387385e-14) - x * tail;
     }
-    return (REAL(0.041666666666666664) - x * REAL(0.001388888888888889))
-        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07))
-            + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
+    return (ELLA_REAL(0.041666666666666664) - x * ELLA_REAL(0.001388888888888889))
+        + square * ((ELLA_REAL(2.48015873015873e-05) - x * ELLA_REAL(2.755731922398589e-07))
+            + square * ((ELLA_REAL(2.08767569878681e-09) - x * ELLA_REAL(1.1470745597729725e-11)) + square * tail));
 }
 
 ELLA_TARGETS ella_real ella_c5(ella_real x)
 {
     const ella_real square = x * x;
-    ella_real tail = REAL(2.8114572543455206e-15);
+    ella_real tail = ELLA_REAL(2.8114572543455206e-15);
     if (x >= 4) {
         const ella_real angle = ella_sqrt(x);
         return (ella_libm_sin(angle) - angle + angle * x / 6) / (x * x * angle);
     }
-    if (x >= REAL(0.25)) {
-        tail = REAL(1.216125041553518e-34);
-        tail = REAL(1.1309962886447716e-31) - x * tail;
-        tail = REAL(9.183689863795546e-29) - x * tail;
-        tail = REAL(6.446950284384474e-26) - x * tail;
-        tail = REAL(3.868170170630684e-23) - x * tail;
-        tail = REAL(1.9572941063391263e-20) - x * tail;
-        tail = REAL(8.22063524662433e-18) - x * tail;
-        tail = REAL(2.8114572543455206e-15) - x * tail;
+    if (x >= ELLA_REAL(0.25)) {
+        tail = ELLA_REAL(1.216125041553518e-34);
+        tail = ELLA_REAL(1.1309962886447716e-31) - x * tail;
+        tail = ELLA_REAL(9.183689863795546e-29) - x * tail;
+        tail = ELLA_REAL(6.446950284384474e-26) - x * tail;
+        tail = ELLA_REAL(3.868170170630684e-23) - x * tail;
+        tail = ELLA_REAL(1.9572941063391263e-20) - x * tail;
+        tail = ELLA_REAL(8.22063524662433e-18) - x * tail;
+        tail = ELLA_REAL(2.8114572543455206e-15) - x * tail;
     }
-    return (REAL(0.008333333333333333) - x * REAL(0.0001984126984126984))
-        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08))
-            + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
+    return (ELLA_REAL(0.008333333333333333) - x * ELLA_REAL(0.0001984126984126984))
+        + square * ((ELLA_REAL(2.7557319223985893e-06) - x * ELLA_REAL(2.505210838544172e-08))
+            + square * ((ELLA_REAL(1.6059043836821613e-10) - x * ELLA_REAL(7.647163731819816e-13)) + square * tail));
 }

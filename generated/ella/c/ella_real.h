@@ -20,7 +20,7 @@
 #endif
 
 #ifdef ELLA_REAL_FLOAT
-#define REAL(x) x##f
+#define ELLA_REAL(x) x##f
 #define ELLA_REAL_EPSILON FLT_EPSILON
 #define ella_libm_sin(x) sinf(x)
 #define ella_libm_cos(x) cosf(x)
@@ -35,7 +35,7 @@
 #define ELLA_SINE(z, w) (8.332158e-3f - (z) * 1.9514958e-4f)
 #define ELLA_COSINE(z, w) (4.1666646e-2f - (z) * 1.3887313e-3f + (w) * 2.4432786e-5f)
 #else
-#define REAL(x) x
+#define ELLA_REAL(x) x
 #define ELLA_REAL_EPSILON DBL_EPSILON
 #define ella_libm_sin(x) sin(x)
 #define ella_libm_cos(x) cos(x)
@@ -124,6 +124,13 @@ static inline int ella_moderate(const ella_real *x, int n)
         sum += cube - cube;
     }
     return sum <= 0;
+}
+
+/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
+static inline int ella_sound(const ella_state *s, const ella_input *u)
+{
+    return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES) && ella_moderate(s->v, ELLA_NV)
+        && ella_finite(u->tau, ELLA_NTAU) && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 
 #endif

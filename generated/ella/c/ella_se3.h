@@ -20,9 +20,9 @@ static inline void exponential(const ella_real Q[4], const ella_real p[3], const
     ella_real p_new[3])
 {
     const ella_real x = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], quarter = x / 4;
-    const ella_real c3 = (REAL(1.0) / 6) - x * ella_c5(x), c2 = REAL(0.5) - x * ella_c4(x);
-    const ella_real w = 1 - quarter * (REAL(0.5) - quarter * ella_c4(quarter));
-    const ella_real s = (1 - quarter * ((REAL(1.0) / 6) - quarter * ella_c5(quarter))) / 2;
+    const ella_real c3 = (ELLA_REAL(1.0) / 6) - x * ella_c5(x), c2 = ELLA_REAL(0.5) - x * ella_c4(x);
+    const ella_real w = 1 - quarter * (ELLA_REAL(0.5) - quarter * ella_c4(quarter));
+    const ella_real s = (1 - quarter * ((ELLA_REAL(1.0) / 6) - quarter * ella_c5(quarter))) / 2;
     const ella_real a = s * u[0], b = s * u[1], d = s * u[2];
     const ella_real cross[3] = { u[1] * u[5] - u[2] * u[4], u[2] * u[3] - u[0] * u[5], u[0] * u[4] - u[1] * u[3] };
     const ella_real shift[3] = {
@@ -62,7 +62,7 @@ static inline void algebra_rate(const ella_real u[6], const ella_real V[6], ella
     bracket(u, V, first);
     bracket(u, first, second);
     for (k = 0; k < 6; ++k) {
-        rate[k] = V[k] + first[k] / 2 + second[k] * (REAL(1.0) / 12);
+        rate[k] = V[k] + first[k] / 2 + second[k] * (ELLA_REAL(1.0) / 12);
     }
 }
 

@@ -6,27 +6,19 @@
  */
 static const ella_real *modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
 {
-    const ella_real *eta = s->q + ELLA_NTAU, *etadot = s->v + ELLA_NTAU;
+    const ella_real *eta = s->q + (ELLA_NQ - ELLA_NGIVEN), *etadot = s->v + (ELLA_NQ - ELLA_NGIVEN);
     int k;
     if (!(dt > 0)) {
-        for (k = 0; k < ELLA_NMODES; ++k) {
+        for (k = 0; k < ELLA_NGIVEN; ++k) {
             work->f_eta[k] = c->K[k] * eta[k] + c->D[k] * etadot[k];
         }
         return c->M_eta;
     }
-    for (k = 0; k < ELLA_NMODES; ++k) {
+    for (k = 0; k < ELLA_NGIVEN; ++k) {
         work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
         work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
     }
     return work->m_eta;
-}
-
-/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
-static int sound(const ella_state *s, const ella_input *u, const ella_real *m_eta)
-{
-    return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES)
-        && ella_moderate(s->v, ELLA_NV) && ella_finite(u->tau, ELLA_NTAU)
-        && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS) && ella_finite(m_eta, ELLA_NMODES);
 }
 
 /* vdot at s with the modal terms m_eta and work->f_eta, and the wanted results; they may be non-finite. */
@@ -34,7 +26,7 @@ static ella_status accelerate(const ella_constants *c, const ella_state *s, cons
     const ella_real *m_eta, ella_work *work, int wanted, ella_output *y)
 {
     const ella_status status = ella_dynamics(c, s, u, m_eta, work, wanted, y);
-    return status == ELLA_OK || sound(s, u, m_eta) ? status : ELLA_NONFINITE;
+    return status == ELLA_OK || (ella_sound(s, u) && ella_finite(m_eta, ELLA_NGIVEN)) ? status : ELLA_NONFINITE;
 }
 
 /* vdot at a state and the wanted results, checked to be finite. */
@@ -125,8 +117,8 @@ static ella_status accept(const ella_state *next, const ella_input *input, ella_
 }
 
 /* euler: forward Euler, explicit, order 1. */
-ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
+ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
 {
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -141,8 +133,8 @@ ella_status ella_step_euler(const ella_constants *c, ella_state *state, const el
 }
 
 /* semi_implicit: rates first, then coordinates with the new rates, order 1. */
-ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
+ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
 {
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -157,8 +149,8 @@ ella_status ella_step_semi_implicit(const ella_constants *c, ella_state *state, 
 }
 
 /* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
-ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
+ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
 {
     ella_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -173,8 +165,8 @@ ella_status ella_step_modal_implicit(const ella_constants *c, ella_state *state,
 }
 
 /* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
-ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
+ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
 {
     const ella_real half = dt / 2;
     ella_status status;
@@ -197,8 +189,8 @@ ella_status ella_step_modal_midpoint(const ella_constants *c, ella_state *state,
 }
 
 /* rk4: classical Runge-Kutta, four forward dynamics, order 4. */
-ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input,
-    ella_real dt, ella_work *work)
+ella_status ella_step_rk4(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
+    ella_work *work)
 {
     const ella_real half = dt / 2, third = dt / 3, sixth = dt / 6;
     ella_status status;

@@ -38,6 +38,7 @@ enum {
     SIX_LINK_NMODES = 9, /* modal coordinates */
     SIX_LINK_NQ = 15, /* coordinates: joints, then modes, both link by link */
     SIX_LINK_NV = 15, /* their rates */
+    SIX_LINK_NGIVEN = 15, /* coordinates with an inertia, spring and damper of their own, the last ones: all */
     SIX_LINK_NX = 102, /* states of the DAE form */
     SIX_LINK_NZ = 81, /* unknowns of the DAE form, rows of M_sys */
     SIX_LINK_NNZ = 625, /* structural nonzeros of M_sys */
@@ -166,9 +167,9 @@ typedef struct {
     six_link_real gravity[3]; /* m/s^2: acceleration of free fall, inertial frame */
     six_link_link_constants links[SIX_LINK_NLINKS];
     /* of every joint coordinate (its armature, spring and damper: kg*m^2, N*m/rad, N*m*s/rad), then of every mode */
-    six_link_real M_eta[SIX_LINK_NV]; /* kg (torsion: kg*m^2): inertia */
-    six_link_real K[SIX_LINK_NV]; /* N/m (torsion: N*m/rad): stiffness */
-    six_link_real D[SIX_LINK_NV]; /* N*s/m (torsion: N*m*s/rad): damping */
+    six_link_real M_eta[SIX_LINK_NGIVEN]; /* kg (torsion: kg*m^2): inertia */
+    six_link_real K[SIX_LINK_NGIVEN]; /* N/m (torsion: N*m/rad): stiffness */
+    six_link_real D[SIX_LINK_NGIVEN]; /* N*s/m (torsion: N*m*s/rad): damping */
 } six_link_constants;
 
 /* Prepare the constants, once per change of a parameter; they are invalid unless the result is SIX_LINK_OK. */
@@ -195,39 +196,40 @@ six_link_status six_link_prepare(const six_link_parameters *p, six_link_constant
  * joint coordinates in rad, modal ones in m (torsion: rad).
  */
 typedef struct {
-    six_link_real q[SIX_LINK_LENGTH(SIX_LINK_NQ)];
-    six_link_real v[SIX_LINK_LENGTH(SIX_LINK_NV)];
+    six_link_real q[SIX_LINK_LENGTH(SIX_LINK_NQ)]; /* rad, m: coordinates */
+    six_link_real v[SIX_LINK_LENGTH(SIX_LINK_NV)]; /* rad/s, m/s: their rates */
 } six_link_state;
 
 typedef struct {
     six_link_real tau[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* N*m: torque about each joint axis, in the order of q */
-    six_link_real w_ext[SIX_LINK_NLINKS][6]; /* N*m, N: [tau; F] on each tip section, tip-frame components */
+    six_link_real w_ext[SIX_LINK_NLINKS][6]; /* N*m, N: [tau; F] on each tip section, in the tip frame */
 } six_link_input;
 
 typedef struct {
     six_link_real vdot[SIX_LINK_LENGTH(SIX_LINK_NV)]; /* rad/s^2, m/s^2: rate of v */
     six_link_real wrench[SIX_LINK_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
-    six_link_real tip_rotation[3][3]; /* last tip frame to the inertial frame */
-    six_link_real tip_position[3]; /* m: last tip point, inertial frame */
+    six_link_real tip_rotation[3][3]; /* rotation of the last tip frame, in the inertial frame */
+    six_link_real tip_position[3]; /* m: last tip point, in the inertial frame */
 } six_link_output;
 
 /* Poses of all links and tips, and twists of the tips. */
 typedef struct {
-    six_link_real rotation[SIX_LINK_NLINKS][3][3]; /* F_i to the inertial frame */
-    six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, inertial frame */
-    six_link_real tip_rotation[SIX_LINK_NLINKS][3][3]; /* tip frame of each link to the inertial frame */
-    six_link_real tip_position[SIX_LINK_NLINKS][3]; /* m: tip point of each link, inertial frame */
-    /* rad/s, m/s: [omega; v] of tip section and tip point, inertial frame */
+    six_link_real rotation[SIX_LINK_NLINKS][3][3]; /* rotation of F_i, in the inertial frame */
+    six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, in the inertial frame */
+    /* rotation of the tip frame of each link, in the inertial frame */
+    six_link_real tip_rotation[SIX_LINK_NLINKS][3][3];
+    six_link_real tip_position[SIX_LINK_NLINKS][3]; /* m: tip point of each link, in the inertial frame */
+    /* rad/s, m/s: [omega; v] of tip section and tip point, in the inertial frame */
     six_link_real tip_twist[SIX_LINK_NLINKS][6];
 } six_link_motion;
 
 /* DAE form: poses, twists and modal coordinates are the state; the joint coordinates are redundant. */
 typedef struct {
-    six_link_real quaternion[SIX_LINK_NLINKS][4]; /* (w, x, y, z): F_i to the inertial frame */
-    six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, inertial frame */
-    six_link_real eta[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* modal coordinates */
-    six_link_real twist[SIX_LINK_NLINKS][6]; /* rad/s, m/s: [omega; v] in F_i */
-    six_link_real etadot[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* modal rates */
+    six_link_real quaternion[SIX_LINK_NLINKS][4]; /* rotation of F_i, (w, x, y, z), in the inertial frame */
+    six_link_real position[SIX_LINK_NLINKS][3]; /* m: origin of F_i, in the inertial frame */
+    six_link_real eta[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* m (torsion: rad): modal coordinates */
+    six_link_real twist[SIX_LINK_NLINKS][6]; /* rad/s, m/s: [omega; v], in F_i */
+    six_link_real etadot[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* m/s (torsion: rad/s): modal rates */
     six_link_real q[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* rad: joint coordinates */
 } six_link_dae_state;
 
@@ -246,7 +248,7 @@ typedef struct {
     /* -, m: map from the twist of the tip to that of the next joint point, in F_i of the next link */
     six_link_real X[36];
     /* rad/s^2, m/s^2: acceleration while no joint and no mode accelerates, in F_i of the node's link */
-    six_link_real alpha_0[6];
+    six_link_real acc_0[6];
     six_link_real b[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     /* rad/s^2, m/s^2: part of the acceleration due to joints and modes, in F_i of the node's link */
     six_link_real delta[6];
@@ -267,7 +269,7 @@ typedef struct {
     six_link_real M_V[8]; /* kg*m^2, kg*m, kg: inertia in the twist rows, in F_i */
     six_link_real R_P[9]; /* rotation of F_i, in the parent's F_i */
     six_link_real R_T[9]; /* rotation of the tip frame, in F_i */
-    six_link_real alpha_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
+    six_link_real acc_0[6]; /* rad/s^2, m/s^2: acceleration of F_i while no joint and no mode accelerates, in F_i */
     six_link_real b_T[6]; /* rad/s^2, m/s^2: velocity-dependent acceleration of the tip section, in the tip frame */
     six_link_real delta[6]; /* rad/s^2, m/s^2: part of the acceleration of F_i due to joints and modes, in F_i */
     six_link_real h_T[6]; /* N*m, N: bias force of the bodies at the tip, in the tip frame */
@@ -292,9 +294,10 @@ typedef struct {
 /* Scratch of the joint form; only fault is valid after a call, and motion for six_link_validity. */
 typedef struct {
     int fault; /* after SIX_LINK_SINGULAR: the link whose joint cannot be solved for, from 0 */
-    six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
-    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
-    /* rad/s, rad/s, m/s^2, N, in F_i: angular velocity y, z; acceleration and force along x */
+    /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
+    six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)];
+    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: their stress and damping */
+    /* rad/s, rad/s, m/s^2, N: angular velocity about y and z, axial motion and force, in F_i */
     six_link_real motion[SIX_LINK_NLINKS][4];
     six_link_state stage, next;
     six_link_output output;
@@ -303,11 +306,15 @@ typedef struct {
 /* Scratch of the DAE form. */
 typedef struct {
     int fault; /* as in six_link_work */
-    six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
-    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NV)];
-    six_link_real qdot[SIX_LINK_LENGTH(SIX_LINK_NTAU)], qddot[SIX_LINK_LENGTH(SIX_LINK_NTAU)];
-    six_link_real etaddot[SIX_LINK_LENGTH(SIX_LINK_NMODES)];
-    six_link_real alpha[SIX_LINK_NLINKS][6], Vdot[SIX_LINK_NLINKS][6], wrench[SIX_LINK_NLINKS][6];
+    /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
+    six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)];
+    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: their stress and damping */
+    six_link_real qdot[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* rad/s: joint rates */
+    six_link_real qddot[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* rad/s^2: joint accelerations */
+    six_link_real etaddot[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* m/s^2 (torsion: rad/s^2): modal accelerations */
+    six_link_real alpha[SIX_LINK_NLINKS][6]; /* rad/s^2, m/s^2: acceleration of F_i, in F_i */
+    six_link_real Vdot[SIX_LINK_NLINKS][6]; /* rad/s^2, m/s^2: rate of the twist, in F_i */
+    six_link_real wrench[SIX_LINK_NLINKS][6]; /* N*m, N: of the joint on link i, at the joint point, in F_i */
     six_link_dae_state stage, next;
     six_link_real stage_turn[SIX_LINK_NLINKS][6], next_turn[SIX_LINK_NLINKS][6]; /* vectors u of pose exp(u) */
     six_link_chain chain;
@@ -323,7 +330,7 @@ six_link_status six_link_forward_dynamics(const six_link_constants *c, const six
 /* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
  * and
  * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
- * frequency. A link without bending modes has zeros.
+ * frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
  */
 enum {
     SIX_LINK_DEFLECTION, /* transverse deflection of the tip over the length */
@@ -398,14 +405,11 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
 six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work);
 six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work);
+    const six_link_input *input, six_link_real dt, six_link_work *work);
 six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work);
+    const six_link_input *input, six_link_real dt, six_link_work *work);
 six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work);
+    const six_link_input *input, six_link_real dt, six_link_work *work);
 six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work);
 
@@ -413,8 +417,7 @@ six_link_status six_link_step_rk4(const six_link_constants *c, six_link_state *s
 
 /* The state of the DAE form from coordinates and rates. */
 six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state,
-    six_link_dae_work *work,
-    six_link_dae_state *dae);
+    six_link_dae_work *work, six_link_dae_state *dae);
 
 /* Rates of q and eta (vdot) and joint wrenches at a state of the DAE form. */
 six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const six_link_dae_state *state,

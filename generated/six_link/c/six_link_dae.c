@@ -2,13 +2,13 @@
 #include "six_link_links.h"
 #include "six_link_se3.h"
 
-/* Inertia and force of the coordinates x, implicit over dt; `first` is the first of their columns. */
-static void own_terms(const six_link_constants *c, int first, int count, const six_link_real *x,
-    const six_link_real *xdot,
-    six_link_real dt, six_link_dae_work *work)
+/* Inertia and force of n coordinates x, implicit over dt; `first` is the first of their columns. */
+static void own_terms(const six_link_constants *c, int first, int n, const six_link_real *x, const six_link_real *xdot,
+    six_link_real dt,
+    six_link_dae_work *work)
 {
     int k;
-    for (k = 0; k < count; ++k) {
+    for (k = 0; k < n; ++k) {
         const six_link_real K = c->K[first + k], D = c->D[first + k];
         work->m_eta[first + k] = c->M_eta[first + k] + dt * (D + dt * K);
         work->f_eta[first + k] = K * (x[k] + dt * xdot[k]) + D * xdot[k];
@@ -18,7 +18,7 @@ static void own_terms(const six_link_constants *c, int first, int count, const s
 static void modal_terms(const six_link_constants *c, const six_link_dae_state *s, six_link_real dt,
     six_link_dae_work *work)
 {
-    own_terms(c, SIX_LINK_NTAU, SIX_LINK_NMODES, s->eta, s->etadot, dt, work);
+    own_terms(c, SIX_LINK_NGIVEN - SIX_LINK_NMODES, SIX_LINK_NMODES, s->eta, s->etadot, dt, work);
 }
 
 static six_link_call call_of(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u,
@@ -33,8 +33,8 @@ static six_link_call call_of(const six_link_constants *c, const six_link_dae_sta
     call.twist = &s->twist[0][0];
     call.m_q = work->m_eta;
     call.f_q = work->f_eta;
-    call.m_eta = &work->m_eta[SIX_LINK_NTAU];
-    call.f_eta = &work->f_eta[SIX_LINK_NTAU];
+    call.m_eta = work->m_eta + (SIX_LINK_NGIVEN - SIX_LINK_NMODES);
+    call.f_eta = work->f_eta + (SIX_LINK_NGIVEN - SIX_LINK_NMODES);
     call.new_qdot = work->qdot;
     call.qdot = work->qdot;
     if (u) {
@@ -57,7 +57,7 @@ static int moderate_state(const six_link_dae_state *s, const six_link_dae_work *
 {
     return six_link_moderate(&s->twist[0][0], 6 * SIX_LINK_NLINKS) && six_link_moderate(s->eta, SIX_LINK_NMODES)
         && six_link_moderate(s->etadot, SIX_LINK_NMODES)
-            && six_link_finite(&work->m_eta[SIX_LINK_NTAU], SIX_LINK_NMODES);
+            && six_link_finite(work->m_eta + (SIX_LINK_NGIVEN - SIX_LINK_NMODES), SIX_LINK_NMODES);
 }
 
 static int finite_input(const six_link_dae_state *s, const six_link_input *u)
@@ -75,12 +75,12 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_da
 {
     six_link_status status;
     six_link_call call = call_of(c, s, u, work);
-    call.qddot = work->qddot;
-    call.etaddot = work->etaddot;
-    call.wrench = &work->wrench[0][0];
+    call.new_qddot = work->qddot;
+    call.new_etaddot = work->etaddot;
+    call.new_wrench = &work->wrench[0][0];
+    call.new_alpha = &work->alpha[0][0];
     call.alpha = &work->alpha[0][0];
-    call.given_alpha = &work->alpha[0][0];
-    call.Vdot = &work->Vdot[0][0];
+    call.new_Vdot = &work->Vdot[0][0];
     if (!finite_input(s, u)) {
         return SIX_LINK_NONFINITE;
     }
@@ -119,8 +119,7 @@ static six_link_status project(const six_link_constants *c, six_link_dae_state *
 }
 
 six_link_status six_link_dae_from_state(const six_link_constants *c, const six_link_state *state,
-    six_link_dae_work *work,
-    six_link_dae_state *dae)
+    six_link_dae_work *work, six_link_dae_state *dae)
 {
     six_link_call call;
     six_link_status status;
@@ -191,8 +190,7 @@ six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const
 
 /* y = x + dt * rates for all but the poses; the rates of eta are the given state's etadot. */
 static void advance(const six_link_dae_state *x, six_link_real dt, const six_link_real *etadot,
-    const six_link_dae_work *work,
-    six_link_dae_state *y)
+    const six_link_dae_work *work, six_link_dae_state *y)
 {
     int i, k;
     for (k = 0; k < SIX_LINK_NMODES; ++k) {

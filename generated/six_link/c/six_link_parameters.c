@@ -8,98 +8,98 @@ void six_link_parameters_default(six_link_parameters *p)
     memset(p, 0, sizeof *p);
     p->gravity[0] = 0;
     p->gravity[1] = 0;
-    p->gravity[2] = REAL(-9.81);
-    p->links[0].length = REAL(0.16);
+    p->gravity[2] = SIX_LINK_REAL(-9.81);
+    p->links[0].length = SIX_LINK_REAL(0.16);
     p->links[0].rhoA = 22;
-    p->links[0].rhoIp = REAL(0.11);
+    p->links[0].rhoIp = SIX_LINK_REAL(0.11);
     p->links[0].joint.mount_xyz[0] = 0;
     p->links[0].joint.mount_xyz[1] = 0;
-    p->links[0].joint.mount_xyz[2] = REAL(0.45);
-    p->links[0].joint.armature[0] = REAL(1.6);
+    p->links[0].joint.mount_xyz[2] = SIX_LINK_REAL(0.45);
+    p->links[0].joint.armature[0] = SIX_LINK_REAL(1.6);
     p->links[0].joint.damping[0] = 14;
-    p->links[0].bodies[0].mass = REAL(12.5);
+    p->links[0].bodies[0].mass = SIX_LINK_REAL(12.5);
     p->links[0].bodies[0].com[0] = 0;
-    p->links[0].bodies[0].com[1] = REAL(-0.06);
+    p->links[0].bodies[0].com[1] = SIX_LINK_REAL(-0.06);
     p->links[0].bodies[0].com[2] = 0;
-    p->links[0].bodies[0].inertia[0] = REAL(0.075);
-    p->links[0].bodies[0].inertia[1] = REAL(0.051);
-    p->links[0].bodies[0].inertia[2] = REAL(0.075);
+    p->links[0].bodies[0].inertia[0] = SIX_LINK_REAL(0.075);
+    p->links[0].bodies[0].inertia[1] = SIX_LINK_REAL(0.051);
+    p->links[0].bodies[0].inertia[2] = SIX_LINK_REAL(0.075);
     p->links[0].bodies[0].inertia[3] = 0;
     p->links[0].bodies[0].inertia[4] = 0;
     p->links[0].bodies[0].inertia[5] = 0;
-    p->links[1].length = REAL(1.2);
-    p->links[1].rhoA = REAL(3.9366000000000003);
-    p->links[1].EA = REAL(100602000.0);
-    p->links[1].EIy = REAL(169394.99999999997);
-    p->links[1].EIz = REAL(169394.99999999997);
-    p->links[1].GJ = REAL(127659.99999999999);
-    p->links[1].rhoIp = REAL(0.013257);
-    p->links[1].damping_ratio = REAL(0.008);
+    p->links[1].length = SIX_LINK_REAL(1.2);
+    p->links[1].rhoA = SIX_LINK_REAL(3.9366000000000003);
+    p->links[1].EA = SIX_LINK_REAL(100602000.0);
+    p->links[1].EIy = SIX_LINK_REAL(169394.99999999997);
+    p->links[1].EIz = SIX_LINK_REAL(169394.99999999997);
+    p->links[1].GJ = SIX_LINK_REAL(127659.99999999999);
+    p->links[1].rhoIp = SIX_LINK_REAL(0.013257);
+    p->links[1].damping_ratio = SIX_LINK_REAL(0.008);
     p->links[1].joint.mount_xyz[0] = 0;
-    p->links[1].joint.mount_xyz[1] = REAL(0.11);
+    p->links[1].joint.mount_xyz[1] = SIX_LINK_REAL(0.11);
     p->links[1].joint.mount_xyz[2] = 0;
-    p->links[1].joint.armature[0] = REAL(1.9);
+    p->links[1].joint.armature[0] = SIX_LINK_REAL(1.9);
     p->links[1].joint.damping[0] = 16;
-    p->links[1].bodies[0].mass = REAL(7.8);
-    p->links[1].bodies[0].com[0] = REAL(0.02);
-    p->links[1].bodies[0].com[1] = REAL(-0.04);
+    p->links[1].bodies[0].mass = SIX_LINK_REAL(7.8);
+    p->links[1].bodies[0].com[0] = SIX_LINK_REAL(0.02);
+    p->links[1].bodies[0].com[1] = SIX_LINK_REAL(-0.04);
     p->links[1].bodies[0].com[2] = 0;
-    p->links[1].bodies[0].inertia[0] = REAL(0.031);
-    p->links[1].bodies[0].inertia[1] = REAL(0.024);
-    p->links[1].bodies[0].inertia[2] = REAL(0.031);
+    p->links[1].bodies[0].inertia[0] = SIX_LINK_REAL(0.031);
+    p->links[1].bodies[0].inertia[1] = SIX_LINK_REAL(0.024);
+    p->links[1].bodies[0].inertia[2] = SIX_LINK_REAL(0.031);
     p->links[1].bodies[0].inertia[3] = 0;
     p->links[1].bodies[0].inertia[4] = 0;
     p->links[1].bodies[0].inertia[5] = 0;
     p->links[2].length = 1;
-    p->links[2].rhoA = REAL(1.70505);
-    p->links[2].EA = REAL(43573500.0);
+    p->links[2].rhoA = SIX_LINK_REAL(1.70505);
+    p->links[2].EA = SIX_LINK_REAL(43573500.0);
     p->links[2].EIy = 24495;
     p->links[2].EIz = 24495;
-    p->links[2].rhoIp = REAL(0.0019169999999999999);
-    p->links[2].damping_ratio = REAL(0.008);
+    p->links[2].rhoIp = SIX_LINK_REAL(0.0019169999999999999);
+    p->links[2].damping_ratio = SIX_LINK_REAL(0.008);
     p->links[2].joint.mount_xyz[0] = 0;
-    p->links[2].joint.mount_xyz[1] = REAL(-0.09);
+    p->links[2].joint.mount_xyz[1] = SIX_LINK_REAL(-0.09);
     p->links[2].joint.mount_xyz[2] = 0;
     p->links[2].joint.mount_rpy[0] = 0;
-    p->links[2].joint.mount_rpy[1] = REAL(1.5707963267948966);
+    p->links[2].joint.mount_rpy[1] = SIX_LINK_REAL(1.5707963267948966);
     p->links[2].joint.mount_rpy[2] = 0;
-    p->links[2].joint.armature[0] = REAL(0.85);
+    p->links[2].joint.armature[0] = SIX_LINK_REAL(0.85);
     p->links[2].joint.damping[0] = 8;
-    p->links[2].bodies[0].mass = REAL(4.2);
-    p->links[2].bodies[0].com[0] = REAL(0.05);
+    p->links[2].bodies[0].mass = SIX_LINK_REAL(4.2);
+    p->links[2].bodies[0].com[0] = SIX_LINK_REAL(0.05);
     p->links[2].bodies[0].com[1] = 0;
     p->links[2].bodies[0].com[2] = 0;
-    p->links[2].bodies[0].inertia[0] = REAL(0.006);
-    p->links[2].bodies[0].inertia[1] = REAL(0.012);
-    p->links[2].bodies[0].inertia[2] = REAL(0.012);
+    p->links[2].bodies[0].inertia[0] = SIX_LINK_REAL(0.006);
+    p->links[2].bodies[0].inertia[1] = SIX_LINK_REAL(0.012);
+    p->links[2].bodies[0].inertia[2] = SIX_LINK_REAL(0.012);
     p->links[2].bodies[0].inertia[3] = 0;
     p->links[2].bodies[0].inertia[4] = 0;
     p->links[2].bodies[0].inertia[5] = 0;
-    p->links[3].length = REAL(0.1);
+    p->links[3].length = SIX_LINK_REAL(0.1);
     p->links[3].rhoA = 11;
-    p->links[3].rhoIp = REAL(0.016);
-    p->links[3].joint.armature[0] = REAL(0.12);
-    p->links[3].joint.damping[0] = REAL(1.4);
-    p->links[4].length = REAL(0.08);
-    p->links[4].rhoA = REAL(9.5);
-    p->links[4].rhoIp = REAL(0.011);
-    p->links[4].joint.armature[0] = REAL(0.1);
-    p->links[4].joint.damping[0] = REAL(1.2);
-    p->links[5].length = REAL(0.06);
+    p->links[3].rhoIp = SIX_LINK_REAL(0.016);
+    p->links[3].joint.armature[0] = SIX_LINK_REAL(0.12);
+    p->links[3].joint.damping[0] = SIX_LINK_REAL(1.4);
+    p->links[4].length = SIX_LINK_REAL(0.08);
+    p->links[4].rhoA = SIX_LINK_REAL(9.5);
+    p->links[4].rhoIp = SIX_LINK_REAL(0.011);
+    p->links[4].joint.armature[0] = SIX_LINK_REAL(0.1);
+    p->links[4].joint.damping[0] = SIX_LINK_REAL(1.2);
+    p->links[5].length = SIX_LINK_REAL(0.06);
     p->links[5].rhoA = 8;
-    p->links[5].rhoIp = REAL(0.008);
-    p->links[5].joint.armature[0] = REAL(0.04);
-    p->links[5].joint.damping[0] = REAL(0.7);
+    p->links[5].rhoIp = SIX_LINK_REAL(0.008);
+    p->links[5].joint.armature[0] = SIX_LINK_REAL(0.04);
+    p->links[5].joint.damping[0] = SIX_LINK_REAL(0.7);
     p->links[5].bodies[0].mass = 6;
-    p->links[5].bodies[0].com[0] = REAL(0.12);
-    p->links[5].bodies[0].com[1] = REAL(0.01);
-    p->links[5].bodies[0].com[2] = REAL(-0.015);
-    p->links[5].bodies[0].inertia[0] = REAL(0.021);
-    p->links[5].bodies[0].inertia[1] = REAL(0.034);
-    p->links[5].bodies[0].inertia[2] = REAL(0.038);
-    p->links[5].bodies[0].inertia[3] = REAL(-0.0012);
-    p->links[5].bodies[0].inertia[4] = REAL(0.002);
-    p->links[5].bodies[0].inertia[5] = REAL(0.0005);
+    p->links[5].bodies[0].com[0] = SIX_LINK_REAL(0.12);
+    p->links[5].bodies[0].com[1] = SIX_LINK_REAL(0.01);
+    p->links[5].bodies[0].com[2] = SIX_LINK_REAL(-0.015);
+    p->links[5].bodies[0].inertia[0] = SIX_LINK_REAL(0.021);
+    p->links[5].bodies[0].inertia[1] = SIX_LINK_REAL(0.034);
+    p->links[5].bodies[0].inertia[2] = SIX_LINK_REAL(0.038);
+    p->links[5].bodies[0].inertia[3] = SIX_LINK_REAL(-0.0012);
+    p->links[5].bodies[0].inertia[4] = SIX_LINK_REAL(0.002);
+    p->links[5].bodies[0].inertia[5] = SIX_LINK_REAL(0.0005);
 }
 
 /* links like shoulder; returns the sum of all, which is finite if they are */
@@ -107,9 +107,9 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
-    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
-    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
-    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
     const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
     const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
         - p->bodies[0].inertia[3];
@@ -130,10 +130,10 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
 
     /* J_0: second moment, undeformed */
     const six_link_real t4 = p->length * p->length;
-    const six_link_real J_0_xx = t4 * p->length * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = t4 * p->length * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* S_T: their first moment about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
@@ -180,9 +180,9 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
-    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
-    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
-    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
     const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
     const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
         - p->bodies[0].inertia[3];
@@ -204,16 +204,16 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     /* J_0: second moment, undeformed */
     const six_link_real t4 = p->length * p->length;
     const six_link_real t5 = t4 * p->length;
-    const six_link_real J_0_xx = t5 * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = t5 * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const six_link_real Psi_c_y3 = REAL(-2.7818912044528052) / p->length;
-    const six_link_real Psi_c_y4 = REAL(-21.453696215957475) / p->length;
-    const six_link_real Psi_c_z1 = REAL(2.7818912044528052) / p->length;
-    const six_link_real Psi_c_z2 = REAL(21.453696215957475) / p->length;
+    const six_link_real Psi_c_y3 = SIX_LINK_REAL(-2.7818912044528052) / p->length;
+    const six_link_real Psi_c_y4 = SIX_LINK_REAL(-21.453696215957475) / p->length;
+    const six_link_real Psi_c_z1 = SIX_LINK_REAL(2.7818912044528052) / p->length;
+    const six_link_real Psi_c_z2 = SIX_LINK_REAL(21.453696215957475) / p->length;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* S_T: their first moment about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
@@ -221,9 +221,8 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
 
     /* chi: first moment of each mode shape */
-    const six_link_real chi_1 = t4 * REAL(0.5677375371714452) * p->rhoA;
-    const six_link_real minus_chi_2 = t4 * REAL(0.08760187718594785) * p->rhoA;
-    const six_link_real t6 = -minus_chi_2;
+    const six_link_real chi_1 = t4 * SIX_LINK_REAL(0.5677375371714452) * p->rhoA;
+    const six_link_real chi_2 = -(t4 * SIX_LINK_REAL(0.08760187718594785) * p->rhoA);
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
@@ -232,43 +231,43 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     const six_link_real EI_ratio = p->EIz / p->EIy;
 
     /* EI_gap: relative difference of EIy and EIz, squared */
-    const six_link_real t7 = 1 - EI_ratio;
-    const six_link_real EI_gap = t7 * t7;
+    const six_link_real t6 = 1 - EI_ratio;
+    const six_link_real EI_gap = t6 * t6;
 
     /* compliance: 1/EI of the softer plane */
-    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const six_link_real compliance = (SIX_LINK_REAL(0.5) + EI_ratio * SIX_LINK_REAL(0.5)
+        + six_link_sqrt(EI_gap) * SIX_LINK_REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
-    const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;
+    const six_link_real per_acceleration = compliance * SIX_LINK_REAL(0.1275941908610559) * t5 * p->rhoA;
 
     /* per_force: inverse buckling load */
-    const six_link_real per_force = compliance * 4 * t4 * REAL(0.10132118364233778);
+    const six_link_real per_force = compliance * 4 * t4 * SIX_LINK_REAL(0.10132118364233778);
 
     /* per_turn: rotation by the square of the turn */
     const six_link_real per_turn = compliance * (t5 * p->length) * p->rhoA;
 
     /* sigma_t: spin momentum of each torsion mode */
-    const six_link_real sigma_t_5 = p->length * REAL(0.8660254037844386) * p->rhoIp;
+    const six_link_real sigma_t_5 = p->length * SIX_LINK_REAL(0.8660254037844386) * p->rhoIp;
 
     /* sigma: momentum of each mode (B1) */
-    const six_link_real sigma_y1 = p->length * REAL(0.777935872096674) * p->rhoA;
-    const six_link_real minus_sigma_y2 = p->length * REAL(0.38054668426513355) * p->rhoA;
-    const six_link_real t8 = -minus_sigma_y2;
+    const six_link_real sigma_y1 = p->length * SIX_LINK_REAL(0.777935872096674) * p->rhoA;
+    const six_link_real sigma_y2 = -(p->length * SIX_LINK_REAL(0.38054668426513355) * p->rhoA);
 
-    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const six_link_real K_full_11 = p->EIz * REAL(12.480192153753773) / t5;
-    const six_link_real K_full_22 = p->EIz * REAL(1211.5198078462463) / t5;
-    const six_link_real K_full_33 = p->EIy * REAL(12.480192153753773) / t5;
-    const six_link_real K_full_44 = p->EIy * REAL(1211.5198078462463) / t5;
+    /* K_full: stiffness of the modes (torsion: N*m) (88) */
+    const six_link_real K_full_11 = p->EIz * SIX_LINK_REAL(12.480192153753773) / t5;
+    const six_link_real K_full_22 = p->EIz * SIX_LINK_REAL(1211.5198078462463) / t5;
+    const six_link_real K_full_33 = p->EIy * SIX_LINK_REAL(12.480192153753773) / t5;
+    const six_link_real K_full_44 = p->EIy * SIX_LINK_REAL(1211.5198078462463) / t5;
     const six_link_real K_full_55 = p->GJ * 3 / p->length;
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
-    const six_link_real t9 = p->damping_ratio * 2;
-    const six_link_real D_1 = t9 * six_link_sqrt(K_full_11 * mu);
-    const six_link_real D_2 = t9 * six_link_sqrt(K_full_22 * mu);
-    const six_link_real D_3 = t9 * six_link_sqrt(K_full_33 * mu);
-    const six_link_real D_4 = t9 * six_link_sqrt(K_full_44 * mu);
-    const six_link_real D_5 = t9 * six_link_sqrt(K_full_55 * I_s);
+    const six_link_real t7 = p->damping_ratio * 2;
+    const six_link_real D_1 = t7 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t7 * six_link_sqrt(K_full_22 * mu);
+    const six_link_real D_3 = t7 * six_link_sqrt(K_full_33 * mu);
+    const six_link_real D_4 = t7 * six_link_sqrt(K_full_44 * mu);
+    const six_link_real D_5 = t7 * six_link_sqrt(K_full_55 * I_s);
 
     /* outputs */
     c->I_T_xx = I_T_xx;
@@ -290,7 +289,7 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     c->armature_1 = p->joint.armature[0];
     c->body0_mass = p->bodies[0].mass;
     c->chi_1 = chi_1;
-    c->chi_2 = t6;
+    c->chi_2 = chi_2;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->mount_xyz_x = p->joint.mount_xyz[0];
@@ -302,7 +301,7 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     c->per_turn = per_turn;
     c->sigma_t_5 = sigma_t_5;
     c->sigma_y1 = sigma_y1;
-    c->sigma_y2 = t8;
+    c->sigma_y2 = sigma_y2;
     M_eta[0] = mu;
     M_eta[1] = mu;
     M_eta[2] = mu;
@@ -342,9 +341,9 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real I_s = p->length * p->rhoIp;
 
     /* J_B: their second moment about the joint point */
-    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
-    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
-    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
     const six_link_real J_B_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
     const six_link_real J_B_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
         - p->bodies[0].inertia[3];
@@ -358,13 +357,13 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     /* J_0: second moment, undeformed */
     const six_link_real t4 = p->length * p->length;
     const six_link_real t5 = t4 * p->length;
-    const six_link_real J_0_xx = J_B_xx + t5 * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = J_B_xx + t5 * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* Psi_c: turn of the tip section by each mode */
-    const six_link_real Psi_c_y3 = REAL(-2.7818912044528052) / p->length;
-    const six_link_real Psi_c_y4 = REAL(-21.453696215957475) / p->length;
-    const six_link_real Psi_c_z1 = REAL(2.7818912044528052) / p->length;
-    const six_link_real Psi_c_z2 = REAL(21.453696215957475) / p->length;
+    const six_link_real Psi_c_y3 = SIX_LINK_REAL(-2.7818912044528052) / p->length;
+    const six_link_real Psi_c_y4 = SIX_LINK_REAL(-21.453696215957475) / p->length;
+    const six_link_real Psi_c_z1 = SIX_LINK_REAL(2.7818912044528052) / p->length;
+    const six_link_real Psi_c_z2 = SIX_LINK_REAL(21.453696215957475) / p->length;
 
     /* R_m: rotation of the mount */
     const six_link_sincos turn = six_link_sine_cosine(p->joint.mount_rpy[1]);
@@ -390,12 +389,11 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real S_B_z = p->bodies[0].com[2] * p->bodies[0].mass;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = S_B_x + t4 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = S_B_x + t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* chi: first moment of each mode shape */
-    const six_link_real chi_1 = t4 * REAL(0.5677375371714452) * p->rhoA;
-    const six_link_real minus_chi_2 = t4 * REAL(0.08760187718594785) * p->rhoA;
-    const six_link_real t13 = -minus_chi_2;
+    const six_link_real chi_1 = t4 * SIX_LINK_REAL(0.5677375371714452) * p->rhoA;
+    const six_link_real chi_2 = -(t4 * SIX_LINK_REAL(0.08760187718594785) * p->rhoA);
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
@@ -407,38 +405,38 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real EI_ratio = p->EIz / p->EIy;
 
     /* EI_gap: relative difference of EIy and EIz, squared */
-    const six_link_real t14 = 1 - EI_ratio;
-    const six_link_real EI_gap = t14 * t14;
+    const six_link_real t13 = 1 - EI_ratio;
+    const six_link_real EI_gap = t13 * t13;
 
     /* compliance: 1/EI of the softer plane */
-    const six_link_real compliance = (REAL(0.5) + EI_ratio * REAL(0.5) + six_link_sqrt(EI_gap) * REAL(0.5)) / p->EIz;
+    const six_link_real compliance = (SIX_LINK_REAL(0.5) + EI_ratio * SIX_LINK_REAL(0.5)
+        + six_link_sqrt(EI_gap) * SIX_LINK_REAL(0.5)) / p->EIz;
 
     /* per_acceleration: axial load by acceleration */
-    const six_link_real per_acceleration = compliance * REAL(0.1275941908610559) * t5 * p->rhoA;
+    const six_link_real per_acceleration = compliance * SIX_LINK_REAL(0.1275941908610559) * t5 * p->rhoA;
 
     /* per_force: inverse buckling load */
-    const six_link_real per_force = compliance * 4 * t4 * REAL(0.10132118364233778);
+    const six_link_real per_force = compliance * 4 * t4 * SIX_LINK_REAL(0.10132118364233778);
 
     /* per_turn: rotation by the square of the turn */
     const six_link_real per_turn = compliance * (t5 * p->length) * p->rhoA;
 
     /* sigma: momentum of each mode (B1) */
-    const six_link_real sigma_y1 = p->length * REAL(0.777935872096674) * p->rhoA;
-    const six_link_real minus_sigma_y2 = p->length * REAL(0.38054668426513355) * p->rhoA;
-    const six_link_real t15 = -minus_sigma_y2;
+    const six_link_real sigma_y1 = p->length * SIX_LINK_REAL(0.777935872096674) * p->rhoA;
+    const six_link_real sigma_y2 = -(p->length * SIX_LINK_REAL(0.38054668426513355) * p->rhoA);
 
-    /* K_full: stiffness of the modes (torsion: N*m), diagonal (88) */
-    const six_link_real K_full_11 = p->EIz * REAL(12.480192153753773) / t5;
-    const six_link_real K_full_22 = p->EIz * REAL(1211.5198078462463) / t5;
-    const six_link_real K_full_33 = p->EIy * REAL(12.480192153753773) / t5;
-    const six_link_real K_full_44 = p->EIy * REAL(1211.5198078462463) / t5;
+    /* K_full: stiffness of the modes (torsion: N*m) (88) */
+    const six_link_real K_full_11 = p->EIz * SIX_LINK_REAL(12.480192153753773) / t5;
+    const six_link_real K_full_22 = p->EIz * SIX_LINK_REAL(1211.5198078462463) / t5;
+    const six_link_real K_full_33 = p->EIy * SIX_LINK_REAL(12.480192153753773) / t5;
+    const six_link_real K_full_44 = p->EIy * SIX_LINK_REAL(1211.5198078462463) / t5;
 
     /* D: damping of each mode (torsion: N*m*s/rad) */
-    const six_link_real t16 = p->damping_ratio * 2;
-    const six_link_real D_1 = t16 * six_link_sqrt(K_full_11 * mu);
-    const six_link_real D_2 = t16 * six_link_sqrt(K_full_22 * mu);
-    const six_link_real D_3 = t16 * six_link_sqrt(K_full_33 * mu);
-    const six_link_real D_4 = t16 * six_link_sqrt(K_full_44 * mu);
+    const six_link_real t14 = p->damping_ratio * 2;
+    const six_link_real D_1 = t14 * six_link_sqrt(K_full_11 * mu);
+    const six_link_real D_2 = t14 * six_link_sqrt(K_full_22 * mu);
+    const six_link_real D_3 = t14 * six_link_sqrt(K_full_33 * mu);
+    const six_link_real D_4 = t14 * six_link_sqrt(K_full_44 * mu);
 
     /* outputs */
     c->I_s = I_s;
@@ -466,7 +464,7 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     c->S_B_z = S_B_z;
     c->armature_1 = p->joint.armature[0];
     c->chi_1 = chi_1;
-    c->chi_2 = t13;
+    c->chi_2 = chi_2;
     c->joint_damping_1 = p->joint.damping[0];
     c->length = p->length;
     c->m = m;
@@ -481,7 +479,7 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     c->per_force = per_force;
     c->per_turn = per_turn;
     c->sigma_y1 = sigma_y1;
-    c->sigma_y2 = t15;
+    c->sigma_y2 = sigma_y2;
     M_eta[0] = mu;
     M_eta[1] = mu;
     M_eta[2] = mu;
@@ -519,10 +517,10 @@ static six_link_real constants_of_wrist_roll(const six_link_link_parameters *p, 
 
     /* J_0: second moment, undeformed */
     const six_link_real t1 = p->length * p->length;
-    const six_link_real J_0_xx = t1 * p->length * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = t1 * p->length * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = t1 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
@@ -552,10 +550,10 @@ static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p,
 
     /* J_0: second moment, undeformed */
     const six_link_real t1 = p->length * p->length;
-    const six_link_real J_0_xx = t1 * p->length * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = t1 * p->length * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = t1 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = t1 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* mu: mass of the beam */
     const six_link_real mu = p->length * p->rhoA;
@@ -581,9 +579,9 @@ static six_link_real constants_of_flange(const six_link_link_parameters *p, six_
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
     /* J_T: their second moment about the tip point */
-    const six_link_real t1 = p->bodies[0].inertia[1] * REAL(0.5);
-    const six_link_real t2 = p->bodies[0].inertia[2] * REAL(0.5);
-    const six_link_real t3 = p->bodies[0].inertia[0] * REAL(0.5);
+    const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
+    const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
+    const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
     const six_link_real J_T_xx = t1 + t2 + p->bodies[0].com[0] * p->bodies[0].com[0] * p->bodies[0].mass - t3;
     const six_link_real J_T_xy = p->bodies[0].com[0] * p->bodies[0].com[1] * p->bodies[0].mass
         - p->bodies[0].inertia[3];
@@ -604,10 +602,10 @@ static six_link_real constants_of_flange(const six_link_link_parameters *p, six_
 
     /* J_0: second moment, undeformed */
     const six_link_real t4 = p->length * p->length;
-    const six_link_real J_0_xx = t4 * p->length * REAL(0.3333333333333333) * p->rhoA;
+    const six_link_real J_0_xx = t4 * p->length * SIX_LINK_REAL(0.3333333333333333) * p->rhoA;
 
     /* S_0: first moment, undeformed (27) */
-    const six_link_real S_0_x = t4 * REAL(0.5) * p->rhoA;
+    const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
     /* S_T: their first moment about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
@@ -686,7 +684,7 @@ six_link_status six_link_prepare(const six_link_parameters *p, six_link_constant
         c->M_eta + 4, c->K + 4, c->D + 4);
     sum += constants_of_flange(&p->links[5], &c->links[5],
         c->M_eta + 5, c->K + 5, c->D + 5);
-    for (k = SIX_LINK_NTAU; k < SIX_LINK_NV; ++k) {
+    for (k = SIX_LINK_NGIVEN - SIX_LINK_NMODES; k < SIX_LINK_NGIVEN; ++k) {
         if (!(c->M_eta[k] > 0) || !(c->K[k] > 0) || !(c->D[k] >= 0)) {
             return SIX_LINK_BAD_ARGUMENT;
         }

@@ -8,9 +8,9 @@ static six_link_call call_for(const six_link_state *state, six_link_motion *moti
     call.qdot = state->v;
     call.eta = state->q + SIX_LINK_NTAU;
     call.etadot = state->v + SIX_LINK_NTAU;
-    call.rotation = &motion->rotation[0][0][0];
-    call.position = &motion->position[0][0];
-    call.tip_twist = &motion->tip_twist[0][0];
+    call.new_R = &motion->rotation[0][0][0];
+    call.new_r = &motion->position[0][0];
+    call.new_tip_twist = &motion->tip_twist[0][0];
     return call;
 }
 
@@ -28,16 +28,10 @@ static six_link_status fill(const six_link_constants *c, const six_link_state *s
     six_link_motion *motion)
 {
     const six_link_call call = call_for(state, motion);
-    int i, k, fault = 0;
+    int i, fault = 0;
     const six_link_status status = six_link_motion_of(c, &call, chain, &fault);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
-        const six_link_node *tip = &chain->nodes[i + 1];
-        for (k = 0; k < 3; ++k) {
-            motion->tip_rotation[i][k][0] = tip->R[3 * k];
-            motion->tip_rotation[i][k][1] = tip->R[3 * k + 1];
-            motion->tip_rotation[i][k][2] = tip->R[3 * k + 2];
-            motion->tip_position[i][k] = tip->r[k];
-        }
+        six_link_pose_of(&chain->nodes[i + 1], motion->tip_rotation[i], motion->tip_position[i]);
     }
     return status == SIX_LINK_OK && !finite_motion(state, motion) ? SIX_LINK_NONFINITE : status;
 }

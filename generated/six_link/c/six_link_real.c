@@ -13,11 +13,11 @@ SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
     /* sine of whole quarter turns; their cosine is one further */
     static const six_link_real TURN[5] = { 0, 1, 0, -1, 0 };
     if (x >= -SIX_LINK_FAR && x <= SIX_LINK_FAR) {
-        const int whole = x < -REAL(0.785) || x > REAL(0.785);
+        const int whole = x < -SIX_LINK_REAL(0.785) || x > SIX_LINK_REAL(0.785);
         unsigned turn = 0;
         six_link_real r = x, rest = 0;
         if (whole != 0) {
-            const six_link_real shifted = x * REAL(0.63661977236758134308) + SIX_LINK_ROUND;
+            const six_link_real shifted = x * SIX_LINK_REAL(0.63661977236758134308) + SIX_LINK_ROUND;
             const six_link_real k = shifted - SIX_LINK_ROUND;
             const six_link_real a = x - k * SIX_LINK_QUARTER_1, b = k * SIX_LINK_QUARTER_2, ab = a - b;
             const six_link_real d = k * SIX_LINK_QUARTER_3, left = ab - d;
@@ -26,9 +26,9 @@ SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
             rest = (((a - ab) - b) + ((ab - left) - d)) - k * SIX_LINK_QUARTER_4;
         }
         {
-            const six_link_real z = r * r, w = z * z, half = z * REAL(0.5), cube = z * r, nearly = 1 - half;
+            const six_link_real z = r * r, w = z * z, half = z * SIX_LINK_REAL(0.5), cube = z * r, nearly = 1 - half;
             const six_link_real s = r
-                - ((z * (rest * REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
+                - ((z * (rest * SIX_LINK_REAL(0.5) - cube * SIX_LINK_SINE(z, w)) - rest) + cube * SIX_LINK_SIXTH);
             const six_link_real c = nearly + (((1 - nearly) - half) + (z * (z * SIX_LINK_COSINE(z, w)) - r * rest));
             y.sine = s;
             y.cosine = c;
@@ -48,45 +48,47 @@ SIX_LINK_TARGETS six_link_sincos six_link_sine_cosine(six_link_real x)
 SIX_LINK_TARGETS six_link_real six_link_c4(six_link_real x)
 {
     const six_link_real square = x * x;
-    six_link_real tail = REAL(4.779477332387385e-14);
+    six_link_real tail = SIX_LINK_REAL(4.779477332387385e-14);
     if (x >= 4) {
         const six_link_real angle = six_link_sqrt(x);
         return (six_link_libm_cos(angle) - 1 + x / 2) / (x * x);
     }
-    if (x >= REAL(0.25)) {
-        tail = REAL(3.7699876288159054e-33);
-        tail = REAL(3.279889237069838e-30) - x * tail;
-        tail = REAL(2.4795962632247976e-27) - x * tail;
-        tail = REAL(1.6117375710961184e-24) - x * tail;
-        tail = REAL(8.896791392450574e-22) - x * tail;
-        tail = REAL(4.110317623312165e-19) - x * tail;
-        tail = REAL(1.5619206968586225e-16) - x * tail;
-        tail = REAL(4.779477332387385e-14) - x * tail;
+    if (x >= SIX_LINK_REAL(0.25)) {
+        tail = SIX_LINK_REAL(3.7699876288159054e-33);
+        tail = SIX_LINK_REAL(3.279889237069838e-30) - x * tail;
+        tail = SIX_LINK_REAL(2.4795962632247976e-27) - x * tail;
+        tail = SIX_LINK_REAL(1.6117375710961184e-24) - x * tail;
+        tail = SIX_LINK_REAL(8.896791392450574e-22) - x * tail;
+        tail = SIX_LINK_REAL(4.110317623312165e-19) - x * tail;
+        tail = SIX_LINK_REAL(1.5619206968586225e-16) - x * tail;
+        tail = SIX_LINK_REAL(4.779477332387385e-14) - x * tail;
     }
-    return (REAL(0.041666666666666664) - x * REAL(0.001388888888888889))
-        + square * ((REAL(2.48015873015873e-05) - x * REAL(2.755731922398589e-07))
-            + square * ((REAL(2.08767569878681e-09) - x * REAL(1.1470745597729725e-11)) + square * tail));
+    return (SIX_LINK_REAL(0.041666666666666664) - x * SIX_LINK_REAL(0.001388888888888889))
+        + square * ((SIX_LINK_REAL(2.48015873015873e-05) - x * SIX_LINK_REAL(2.755731922398589e-07))
+            + square * ((SIX_LINK_REAL(2.08767569878681e-09) - x * SIX_LINK_REAL(1.1470745597729725e-11))
+            + square * tail));
 }
 
 SIX_LINK_TARGETS six_link_real six_link_c5(six_link_real x)
 {
     const six_link_real square = x * x;
-    six_link_real tail = REAL(2.8114572543455206e-15);
+    six_link_real tail = SIX_LINK_REAL(2.8114572543455206e-15);
     if (x >= 4) {
         const six_link_real angle = six_link_sqrt(x);
         return (six_link_libm_sin(angle) - angle + angle * x / 6) / (x * x * angle);
     }
-    if (x >= REAL(0.25)) {
-        tail = REAL(1.216125041553518e-34);
-        tail = REAL(1.1309962886447716e-31) - x * tail;
-        tail = REAL(9.183689863795546e-29) - x * tail;
-        tail = REAL(6.446950284384474e-26) - x * tail;
-        tail = REAL(3.868170170630684e-23) - x * tail;
-        tail = REAL(1.9572941063391263e-20) - x * tail;
-        tail = REAL(8.22063524662433e-18) - x * tail;
-        tail = REAL(2.8114572543455206e-15) - x * tail;
+    if (x >= SIX_LINK_REAL(0.25)) {
+        tail = SIX_LINK_REAL(1.216125041553518e-34);
+        tail = SIX_LINK_REAL(1.1309962886447716e-31) - x * tail;
+        tail = SIX_LINK_REAL(9.183689863795546e-29) - x * tail;
+        tail = SIX_LINK_REAL(6.446950284384474e-26) - x * tail;
+        tail = SIX_LINK_REAL(3.868170170630684e-23) - x * tail;
+        tail = SIX_LINK_REAL(1.9572941063391263e-20) - x * tail;
+        tail = SIX_LINK_REAL(8.22063524662433e-18) - x * tail;
+        tail = SIX_LINK_REAL(2.8114572543455206e-15) - x * tail;
     }
-    return (REAL(0.008333333333333333) - x * REAL(0.0001984126984126984))
-        + square * ((REAL(2.7557319223985893e-06) - x * REAL(2.505210838544172e-08))
-            + square * ((REAL(1.6059043836821613e-10) - x * REAL(7.647163731819816e-13)) + square * tail));
+    return (SIX_LINK_REAL(0.008333333333333333) - x * SIX_LINK_REAL(0.0001984126984126984))
+        + square * ((SIX_LINK_REAL(2.7557319223985893e-06) - x * SIX_LINK_REAL(2.505210838544172e-08))
+            + square * ((SIX_LINK_REAL(1.6059043836821613e-10) - x * SIX_LINK_REAL(7.647163731819816e-13))
+            + square * tail));
 }

@@ -20,7 +20,7 @@
 #endif
 
 #ifdef SIX_LINK_REAL_FLOAT
-#define REAL(x) x##f
+#define SIX_LINK_REAL(x) x##f
 #define SIX_LINK_REAL_EPSILON FLT_EPSILON
 #define six_link_libm_sin(x) sinf(x)
 #define six_link_libm_cos(x) cosf(x)
@@ -35,7 +35,7 @@
 #define SIX_LINK_SINE(z, w) (8.332158e-3f - (z) * 1.9514958e-4f)
 #define SIX_LINK_COSINE(z, w) (4.1666646e-2f - (z) * 1.3887313e-3f + (w) * 2.4432786e-5f)
 #else
-#define REAL(x) x
+#define SIX_LINK_REAL(x) x
 #define SIX_LINK_REAL_EPSILON DBL_EPSILON
 #define six_link_libm_sin(x) sin(x)
 #define six_link_libm_cos(x) cos(x)
@@ -124,6 +124,14 @@ static inline int six_link_moderate(const six_link_real *x, int n)
         sum += cube - cube;
     }
     return sum <= 0;
+}
+
+/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
+static inline int six_link_sound(const six_link_state *s, const six_link_input *u)
+{
+    return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
+        && six_link_moderate(s->v, SIX_LINK_NV)
+        && six_link_finite(u->tau, SIX_LINK_NTAU) && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }
 
 #endif

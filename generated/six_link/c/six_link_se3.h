@@ -21,9 +21,10 @@ static inline void exponential(const six_link_real Q[4], const six_link_real p[3
     six_link_real p_new[3])
 {
     const six_link_real x = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], quarter = x / 4;
-    const six_link_real c3 = (REAL(1.0) / 6) - x * six_link_c5(x), c2 = REAL(0.5) - x * six_link_c4(x);
-    const six_link_real w = 1 - quarter * (REAL(0.5) - quarter * six_link_c4(quarter));
-    const six_link_real s = (1 - quarter * ((REAL(1.0) / 6) - quarter * six_link_c5(quarter))) / 2;
+    const six_link_real c3 = (SIX_LINK_REAL(1.0) / 6) - x * six_link_c5(x),
+        c2 = SIX_LINK_REAL(0.5) - x * six_link_c4(x);
+    const six_link_real w = 1 - quarter * (SIX_LINK_REAL(0.5) - quarter * six_link_c4(quarter));
+    const six_link_real s = (1 - quarter * ((SIX_LINK_REAL(1.0) / 6) - quarter * six_link_c5(quarter))) / 2;
     const six_link_real a = s * u[0], b = s * u[1], d = s * u[2];
     const six_link_real cross[3] = { u[1] * u[5] - u[2] * u[4], u[2] * u[3] - u[0] * u[5], u[0] * u[4] - u[1] * u[3] };
     const six_link_real shift[3] = {
@@ -63,7 +64,7 @@ static inline void algebra_rate(const six_link_real u[6], const six_link_real V[
     bracket(u, V, first);
     bracket(u, first, second);
     for (k = 0; k < 6; ++k) {
-        rate[k] = V[k] + first[k] / 2 + second[k] * (REAL(1.0) / 12);
+        rate[k] = V[k] + first[k] / 2 + second[k] * (SIX_LINK_REAL(1.0) / 12);
     }
 }
 

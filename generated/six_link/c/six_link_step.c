@@ -8,27 +8,19 @@
 static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt,
     six_link_work *work)
 {
-    const six_link_real *eta = s->q, *etadot = s->v;
+    const six_link_real *eta = s->q + (SIX_LINK_NQ - SIX_LINK_NGIVEN), *etadot = s->v + (SIX_LINK_NQ - SIX_LINK_NGIVEN);
     int k;
     if (!(dt > 0)) {
-        for (k = 0; k < SIX_LINK_NV; ++k) {
+        for (k = 0; k < SIX_LINK_NGIVEN; ++k) {
             work->f_eta[k] = c->K[k] * eta[k] + c->D[k] * etadot[k];
         }
         return c->M_eta;
     }
-    for (k = 0; k < SIX_LINK_NV; ++k) {
+    for (k = 0; k < SIX_LINK_NGIVEN; ++k) {
         work->m_eta[k] = c->M_eta[k] + dt * (c->D[k] + dt * c->K[k]);
         work->f_eta[k] = c->K[k] * (eta[k] + dt * etadot[k]) + c->D[k] * etadot[k];
     }
     return work->m_eta;
-}
-
-/* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
-static int sound(const six_link_state *s, const six_link_input *u, const six_link_real *m_eta)
-{
-    return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
-        && six_link_moderate(s->v, SIX_LINK_NV) && six_link_finite(u->tau, SIX_LINK_NTAU)
-        && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS) && six_link_finite(m_eta, SIX_LINK_NV);
 }
 
 /* vdot at s with the modal terms m_eta and work->f_eta, and the wanted results; they may be non-finite. */
@@ -36,7 +28,8 @@ static six_link_status accelerate(const six_link_constants *c, const six_link_st
     const six_link_real *m_eta, six_link_work *work, int wanted, six_link_output *y)
 {
     const six_link_status status = six_link_dynamics(c, s, u, m_eta, work, wanted, y);
-    return status == SIX_LINK_OK || sound(s, u, m_eta) ? status : SIX_LINK_NONFINITE;
+    return status == SIX_LINK_OK
+        || (six_link_sound(s, u) && six_link_finite(m_eta, SIX_LINK_NGIVEN)) ? status : SIX_LINK_NONFINITE;
 }
 
 /* vdot at a state and the wanted results, checked to be finite. */
@@ -150,8 +143,7 @@ six_link_status six_link_step_euler(const six_link_constants *c, six_link_state 
 
 /* semi_implicit: rates first, then coordinates with the new rates, order 1. */
 six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work)
+    const six_link_input *input, six_link_real dt, six_link_work *work)
 {
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -167,8 +159,7 @@ six_link_status six_link_step_semi_implicit(const six_link_constants *c, six_lin
 
 /* modal_implicit: semi_implicit with the elastic forces at the step's end, stable for stiff modes, order 1. */
 six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work)
+    const six_link_input *input, six_link_real dt, six_link_work *work)
 {
     six_link_status status;
     if (bad_step(c, state, input, dt, work)) {
@@ -184,8 +175,7 @@ six_link_status six_link_step_modal_implicit(const six_link_constants *c, six_li
 
 /* modal_midpoint: midpoint rule with implicit elastic forces, stable for stiff modes, two forward dynamics, order 2. */
 six_link_status six_link_step_modal_midpoint(const six_link_constants *c, six_link_state *state,
-    const six_link_input *input,
-    six_link_real dt, six_link_work *work)
+    const six_link_input *input, six_link_real dt, six_link_work *work)
 {
     const six_link_real half = dt / 2;
     six_link_status status;

@@ -66,18 +66,18 @@ class Sums(NamedTuple):
 
 
 class _Soft:
-    """The functions of a robot in doubles, with inertia, stiffness and damping (n_given,) of softened modes."""
+    """The functions of a robot in doubles, with inertia, stiffness and damping (n_inertia,) of softened modes."""
 
     def __init__(self, chain: Chain, case: Case):
         gravity = [p.value for p in parameters(chain.robot)[:3]]
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, _apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
-        self.M, self.K, self.D = np.zeros((3, chain.n_given))
+        self.M, self.K, self.D = np.zeros((3, chain.n_inertia))
         for i, constants in enumerate(self.functions.constants):
             for part, span in chain.given(i).items():
                 for column, name in zip((self.M, self.K, self.D), COLUMNS[part], strict=True):
                     column[span] = constants[name]
-        modes = slice(chain.n_given - chain.n_modes, None)
+        modes = slice(chain.n_given - chain.n_modes, chain.n_given)
         fastest = np.sqrt(max(self.K[modes] / self.M[modes], default=0.0))
         self.softness = min(1.0, float(FASTEST / (LONGEST * fastest))) if fastest else 1.0
         self.K, self.D = self.K * self.softness**2, self.D * self.softness
@@ -93,7 +93,7 @@ class _Soft:
         return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
 
     def _force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
-        return self.K * (x + h * rate) + self.D * rate
+        return self.chain.modal_product(self.K, x + h * rate) + self.chain.modal_product(self.D, rate)
 
     def dae(self) -> DaeDynamics:
         """The DAE form of the same functions."""

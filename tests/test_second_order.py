@@ -20,8 +20,8 @@ COMPILED = range(4)
 
 @cache
 def case_of(seed: int) -> Case:
-    """Orders 1 and 2 mixed in one arm, all features of robot files."""
-    return drawn(700 + seed, 1 + seed % 4, second_order=0.7)
+    """Orders 1 and 2 and sections that vary mixed in one arm, all features of robot files."""
+    return drawn(700 + seed, 1 + seed % 4, second_order=0.7, stations=0.3)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

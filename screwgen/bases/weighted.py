@@ -13,7 +13,7 @@ from functools import cache
 import mpmath
 from mpmath import mpf
 
-from .functions import ClosedForm, polynomial_form
+from .functions import ClosedForm, inner, polynomial_form
 from .shapes import Shapes, rounded, working_digits
 
 LINEAR, POLYNOMIAL = "linear", "polynomial"
@@ -72,6 +72,44 @@ def weighted_products(weights: Weights, a: Shapes, b: Shapes, order: int = 0) ->
             return tuple(tuple(product(k, l) for l in range(b.count)) for k in range(a.count))
         lower = [[product(k, l) for l in range(k + 1)] for k in range(a.count)]
         return tuple(tuple(lower[max(k, l)][min(k, l)] for l in range(b.count)) for k in range(a.count))
+
+
+@cache
+def weighted_integrals(
+    weights: Weights, a: Shapes, b: Shapes, first: int, second: int, times: int, power: int
+) -> tuple[tuple[tuple[float, ...], ...], ...]:
+    """The integrals of ``s^power F`` times each weight function: a.count x b.count x stations.
+
+    ``F`` is psi_k^(first) of ``a`` times psi_l^(second) of ``b``, integrated ``times`` from 0. So each is one integral
+    of this product times a polynomial, which differs from one interval to the next.
+    """
+    with mpmath.workdps(working_digits(max(a.count, b.count))):
+        pieces = weights.pieces()
+        sizes = [end - start for start, end, _ in pieces]
+        kernels = [_kernel(pieces, station, times, power) for station in range(len(weights.places))]
+        left, right = ([_local(pieces, psi.derivative(n)) for psi in x.functions] for x, n in ((a, first), (b, second)))
+
+        def constants(f: list[ClosedForm], g: list[ClosedForm]) -> tuple[float, ...]:
+            strains = [x * y for x, y in zip(f, g, strict=True)]
+            parts = (zip(sizes, kernel, strains, strict=True) for kernel in kernels)
+            return rounded(mpmath.fsum(size * inner(p, x) for size, p, x in own) for own in parts)
+
+        return tuple(tuple(constants(f, g) for g in right) for f in left)
+
+
+def _kernel(pieces: list[Piece], station: int, times: int, power: int) -> list[ClosedForm]:
+    """The polynomials p with ``∫ w s^power ∫…∫ f = ∫ p f``, one in each interval, for a station's weight function w."""
+    none = polynomial_form([mpf(0)])
+    kernel = [_monomial(power).within(a, b) * dict(functions).get(station, none) for a, b, functions in pieces]
+    for _ in range(times):
+        rest = mpf(0)
+        for k in reversed(range(len(pieces))):
+            size = pieces[k][1] - pieces[k][0]
+            coefficients = [size * c / (n + 1) for n, c in enumerate(kernel[k].terms[mpf(0)])]
+            whole = mpmath.fsum(coefficients)
+            kernel[k] = polynomial_form([rest + whole, *(-c for c in coefficients)])
+            rest += whole
+    return kernel
 
 
 def _local(pieces: list[Piece], form: ClosedForm) -> list[ClosedForm]:

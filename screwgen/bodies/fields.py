@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
+
 import numpy as np
 import sympy as sp
 
-from ..bases import ORDER, products
+from ..bases import ORDER, integrals, products
 from ..spec.link_class import LinkClass
 from .moments import XI, Moments
-from .second_order import shapes
+from .second_order import Part, parts
 
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
@@ -23,7 +26,7 @@ class Fields(Moments):
         self.phi = [sp.Symbol(f"phi_{k + 1}", real=True) for k in range(key.modes)]
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
         self._constants = {d: key.shapes(d) for d, _ in key.directions}
-        self.second = shapes(key, length) if key.order == 2 else {}
+        self.second = parts(key) if key.order == 2 else {}
         super().__init__([XI, *self.phi, *self.strain_shape, *self.second])
 
     # the shapes as matrices -------------------------------------------------------------------
@@ -80,8 +83,8 @@ class Fields(Moments):
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) > 1 + powers:
                 return sp.S.Zero
-            whole, moment = self.second[second[0]]
-            return l * (whole if powers == 0 else a * whole + l * moment)
+            terms = self._levers(*second, powers)
+            return sp.Add(*(l**n * x * integrals(*part.strains, k)[part.i][part.j] for n, x, part, k in terms))
         if strains:
             return self._stiffness(*strains)
         if not shapes:
@@ -93,6 +96,12 @@ class Fields(Moments):
             integral = number(shape.integral[k])
             return l * integral if powers == 0 else l * (a * integral + l * number(shape.moment[k]))
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
+
+    def _levers(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, Part, int]]:
+        """The integral of a power of ξ times a second-order shape: power of l, factor, part, and power of s."""
+        for part, k in itertools.product(self.second[second], range(powers + 1)):
+            lever = sp.binomial(powers, k) * self.start ** (powers - k)
+            yield k + 1 + part.power, lever * part.factor, part, k
 
     def _shape(self, k: int):
         direction, i = self.key.directions[k]

@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Integral, Symbol, block
-from ..bases import integrals
+from ..bases import Shapes, integrals
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .moments import XI, Moments
@@ -78,14 +78,34 @@ def entries(key: LinkClass, terms: list[Term]) -> Iterator[tuple[int, int, Term,
                 yield modes[term.first[0], i], modes[term.second[0], j], term, i, j
 
 
-def shapes(key: LinkClass, length: sp.Expr) -> dict[sp.Symbol, tuple[sp.Expr, sp.Expr]]:
-    """The entries of the ``H_c(ξ)``, with the integrals of each and of s times each over s from 0 to 1."""
-    out = {}
+class Part(NamedTuple):
+    """A part of an entry of ``H_c(ξ)``: ``factor l^power ∫…∫ psi_i^(.) psi_j^(.) ds``, as its term says."""
+
+    factor: sp.Expr
+    first: Shapes
+    second: Shapes
+    i: int
+    j: int
+    term: Term
+
+    @property
+    def power(self) -> int:
+        return self.term.times - self.term.first[1] - self.term.second[1]
+
+    @property
+    def strains(self) -> tuple[Shapes, Shapes, int, int, int]:
+        """The two families of shapes, the derivatives of each, and how often their product is integrated."""
+        return self.first, self.second, self.term.first[1], self.term.second[1], self.term.times
+
+
+def parts(key: LinkClass) -> dict[sp.Symbol, list[Part]]:
+    """The entries of the ``H_c(ξ)``."""
+    out: dict[sp.Symbol, list[Part]] = {}
     for axis, terms in zip(AXES, PLACE, strict=True):
-        whole, moment = (matrix(key, terms, length, weight) for weight in (0, 1))
-        for k, m in np.ndindex(whole.shape):
-            if k <= m and (whole[k, m] != 0 or moment[k, m] != 0):
-                out[entry(axis, k, m)] = (whole[k, m], moment[k, m])
+        for k, m, term, i, j in entries(key, terms):
+            families = key.shapes(term.first[0]), key.shapes(term.second[0])
+            part = Part(term.factor * (2 if k == m else 1), *families, i, j, term)
+            out.setdefault(entry(axis, k, m), []).append(part)
     return out
 
 
@@ -94,16 +114,13 @@ def entry(axis: str, k: int, m: int) -> sp.Symbol:
     return sp.Symbol(f"h_{axis}_{min(k, m) + 1}_{max(k, m) + 1}", real=True)
 
 
-def matrix(key: LinkClass, terms: list[Term], length: sp.Expr, weight: int | None) -> sp.Matrix:
-    """The symmetric matrix ``H`` with ``1/2 eta^T H eta`` the sum of ``terms``.
-
-    ``weight`` None: at the tip. Otherwise ``∫ s^weight H ds`` over the rod, with s from 0 to 1.
-    """
-    out = sp.zeros(key.modes, key.modes)
+def at_tip(key: LinkClass, terms: list[Term], length: sp.Expr) -> np.ndarray:
+    """The symmetric (r, r) matrix ``H`` with ``1/2 eta^T H eta`` the sum of ``terms`` at the tip."""
+    out = np.full((key.modes, key.modes), sp.S.Zero, dtype=object)
     for k, m, term, i, j in entries(key, terms):
         (first, a), (second, b) = term.first, term.second
-        shapes = key.shapes(first), key.shapes(second)
-        value = term.factor * integrals(*shapes, a, b, term.times, weight)[i][j] * length ** (term.times - a - b)
+        constant = integrals(key.shapes(first), key.shapes(second), a, b, term.times)[i][j]
+        value = term.factor * constant * length ** (term.times - a - b)
         out[k, m] += value
         out[m, k] += value
     return out

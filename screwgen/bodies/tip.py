@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, block, hat, identity, unit, zeros
@@ -12,7 +11,7 @@ from ..spec.link_class import LinkClass
 from .fields import Fields
 from .lumped import lumped
 from .rotation import angle_steps
-from .second_order import PLACE, TURN, matrix
+from .second_order import PLACE, TURN, at_tip
 
 
 def tip_block(key: LinkClass) -> Block:
@@ -101,7 +100,7 @@ def _constants(b: Block, letter: str, terms: list, fields: Fields) -> list[Symbo
     """The matrices ``H_c`` of the second-order shape at the tip, as steps; none at first order."""
     if fields.key.order == 1:
         return []
-    parts = [np.array(matrix(fields.key, t, fields.length, None).tolist(), dtype=object) for t in terms]
+    parts = [at_tip(fields.key, t, fields.length) for t in terms]
     named = zip("xyz", parts, strict=True)
     return [b.step(f"{letter}_{c}", b.field(f"{letter}_{c}_tip", H), symmetric=True) for c, H in named]
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ..bases import ORDER
-from ..bases.weighted import Weights, weighted_powers, weighted_products, weighted_shapes
+from ..bases.weighted import Weights, weighted_integrals, weighted_powers, weighted_products, weighted_shapes
 from ..spec.link_class import LinkClass
 from .fields import XI, Fields, number
 
@@ -33,7 +33,11 @@ class VaryingFields(Fields):
         shapes = [self._shape(self.phi.index(g)) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
         power = sum(g == XI for g in monomial)
-        if len(strains) == 2:
+        if second := [g for g in monomial if g in self.second]:
+            if len(monomial) == 1 + power:
+                for n, factor, part, k in self._levers(*second, power):
+                    yield n, factor, weighted_integrals(self.weights, *part.strains, k)[part.i][part.j]
+        elif len(strains) == 2:
             yield self._strain_term(*strains)
         elif len(shapes) == 2 and not power:
             (a, i), (b, j) = shapes

@@ -33,6 +33,8 @@ class Body(Protocol):
     """Mass per length: the weight of the integrals over the body."""
     fields: Moments
     """The rule that integrates."""
+    moved: Expression
+    """(3, r): the displacement of an element by each mode."""
     stiffness: Expression
     """The (r, r) stiffness of the modes."""
 

@@ -270,7 +270,8 @@ static void check_inverse(int number)
 {
     const six_link_case *r = &six_link_cases[number];
     static six_link_real M[SIX_LINK_LENGTH(SIX_LINK_NV)][SIX_LINK_LENGTH(SIX_LINK_NV)];
-    static six_link_real force[SIX_LINK_LENGTH(SIX_LINK_NV)], bias[SIX_LINK_LENGTH(SIX_LINK_NV)];
+    static six_link_real force[SIX_LINK_LENGTH(SIX_LINK_NV)], bias[SIX_LINK_LENGTH(SIX_LINK_NV)],
+        given[SIX_LINK_LENGTH(SIX_LINK_NV)];
     static const six_link_real still[SIX_LINK_LENGTH(SIX_LINK_NV)] = { 0 };
     static six_link_real wrench[SIX_LINK_NLINKS][6];
     six_link_real scale = 0, error, inertia = 0, size;
@@ -287,9 +288,11 @@ static void check_inverse(int number)
     error = larger(wrench_deviation((const six_link_real(*)[6])wrench, r->output.wrench, 0),
         wrench_deviation((const six_link_real(*)[6])wrench, r->output.wrench, 3));
     verdict("wrenches of the inverse dynamics", number, error <= TOLERANCE);
+    for (k = 0; k < SIX_LINK_NTAU; ++k) {
+        given[k] = r->input.tau[k];
+    }
     error = 0;
     for (k = 0; k < SIX_LINK_NV; ++k) {
-        const six_link_real given = k < SIX_LINK_NTAU ? r->input.tau[k < SIX_LINK_NTAU ? k : 0] : 0;
         six_link_real rest = bias[k] - force[k];
         size = magnitude(bias[k]) + magnitude(force[k]);
         for (j = 0; j < SIX_LINK_NV; ++j) {
@@ -298,7 +301,7 @@ static void check_inverse(int number)
         }
         scale = larger(size, scale);
         inertia = larger(magnitude(rest), inertia);
-        error = larger(magnitude(force[k] - given), error);
+        error = larger(magnitude(force[k] - given[k]), error);
     }
     verdict("forces of the inverse dynamics", number, error <= TOLERANCE * scale);
     verdict("inertial forces", number, inertia <= TOLERANCE * scale);
@@ -328,7 +331,7 @@ static void check_kinematics(void)
     verdict("poses", number, error <= TOLERANCE);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {
-            input.w_ext[i][k] = (k < 3 ? 1 : 2) + (six_link_real)((6 * i + k) % 11) / 11;
+            input.w_ext[i][k] = (six_link_real)(k < 3 ? 1 : 2) + (six_link_real)((6 * i + k) % 11) / 11;
         }
         for (k = 0; k < 6; ++k) {
             for (j = 0; j < 3; ++j) {
@@ -472,7 +475,7 @@ int main(void)
     check_elementary();
     soften(&soft);
     for (i = 0; i < 5; ++i) {
-        if (sizeof(six_link_real) > sizeof(float)) { /* in float rounding hides what is small */
+        if (SIX_LINK_REAL_EPSILON < 1e-10) { /* in float rounding hides what is small */
             check_step(&soft, i, steps[i]);
             check_dae_step(&soft, i, dae_steps[i]);
         }

@@ -63,7 +63,8 @@ static ella_real sum_error(const ella_real *x, int count, ella_real reference)
     ella_real sum = -reference, size = 0;
     int k;
     for (k = 0; k < count; ++k) {
-        const ella_real weight = 1 + (ella_real)(7 * k % 97) / 97;
+        const int place = 7 * k % 97;
+        const ella_real weight = 1 + (ella_real)place / 97;
         sum += weight * x[k];
         size += weight * magnitude(x[k]);
     }
@@ -253,7 +254,8 @@ static void check_elementary(void)
         for (k = 0; k < 2; ++k) {
             ella_real term = k ? ELLA_REAL(1.0) / 120 : ELLA_REAL(1.0) / 24, sum = term;
             for (j = 6 + k; j < 60; j += 2) {
-                term *= -x / (ella_real)(j * (j - 1));
+                const int factor = j * (j - 1);
+                term *= -x / (ella_real)factor;
                 sum += term;
             }
             verdict("Stumpff function", i, magnitude(found[k] - sum) <= 64 * eps * sum);
@@ -326,7 +328,8 @@ static void check_kinematics(void)
     verdict("poses", number, error <= TOLERANCE);
     for (i = 0; i < ELLA_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {
-            input.w_ext[i][k] = (ella_real)(k < 3 ? 1 : 2) + (ella_real)((6 * i + k) % 11) / 11;
+            const int place = (6 * i + k) % 11;
+            input.w_ext[i][k] = (k < 3 ? ELLA_REAL(1.0) : ELLA_REAL(2.0)) + (ella_real)place / 11;
         }
         for (k = 0; k < 6; ++k) {
             for (j = 0; j < 3; ++j) {

@@ -64,7 +64,8 @@ static six_link_real sum_error(const six_link_real *x, int count, six_link_real 
     six_link_real sum = -reference, size = 0;
     int k;
     for (k = 0; k < count; ++k) {
-        const six_link_real weight = 1 + (six_link_real)(7 * k % 97) / 97;
+        const int place = 7 * k % 97;
+        const six_link_real weight = 1 + (six_link_real)place / 97;
         sum += weight * x[k];
         size += weight * magnitude(x[k]);
     }
@@ -257,7 +258,8 @@ static void check_elementary(void)
         for (k = 0; k < 2; ++k) {
             six_link_real term = k ? SIX_LINK_REAL(1.0) / 120 : SIX_LINK_REAL(1.0) / 24, sum = term;
             for (j = 6 + k; j < 60; j += 2) {
-                term *= -x / (six_link_real)(j * (j - 1));
+                const int factor = j * (j - 1);
+                term *= -x / (six_link_real)factor;
                 sum += term;
             }
             verdict("Stumpff function", i, magnitude(found[k] - sum) <= 64 * eps * sum);
@@ -331,7 +333,8 @@ static void check_kinematics(void)
     verdict("poses", number, error <= TOLERANCE);
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {
-            input.w_ext[i][k] = (six_link_real)(k < 3 ? 1 : 2) + (six_link_real)((6 * i + k) % 11) / 11;
+            const int place = (6 * i + k) % 11;
+            input.w_ext[i][k] = (k < 3 ? SIX_LINK_REAL(1.0) : SIX_LINK_REAL(2.0)) + (six_link_real)place / 11;
         }
         for (k = 0; k < 6; ++k) {
             for (j = 0; j < 3; ++j) {

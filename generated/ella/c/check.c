@@ -236,21 +236,20 @@ static void check_dae_step(const ella_constants *soft, int number, dae_step meth
 /* Sine, cosine and Stumpff functions: libm's, and their series or closed forms. */
 static void check_elementary(void)
 {
-    enum { N_ANGLES = 11, N_SQUARES = 8 };
-    static const ella_real ANGLES[N_ANGLES] = { ELLA_REAL(0.0), ELLA_REAL(0.3), ELLA_REAL(-0.7), ELLA_REAL(0.9),
+    static const ella_real ANGLES[11] = { ELLA_REAL(0.0), ELLA_REAL(0.3), ELLA_REAL(-0.7), ELLA_REAL(0.9),
         ELLA_REAL(-2.0), ELLA_REAL(3.141592653589793),
         ELLA_REAL(4.5), ELLA_REAL(-6.1), ELLA_REAL(355.0), ELLA_REAL(103993.0), ELLA_REAL(1.5e6) };
-    static const ella_real SQUARES[N_SQUARES] = { ELLA_REAL(0.0), ELLA_REAL(0.01), ELLA_REAL(0.2), ELLA_REAL(0.3),
+    static const ella_real SQUARES[8] = { ELLA_REAL(0.0), ELLA_REAL(0.01), ELLA_REAL(0.2), ELLA_REAL(0.3),
         ELLA_REAL(1.0), ELLA_REAL(3.9), ELLA_REAL(4.1), ELLA_REAL(20.0) };
     const ella_real eps = ELLA_REAL_EPSILON;
     int i, j, k;
-    for (i = 0; i < N_ANGLES; ++i) {
+    for (i = 0; i < 11; ++i) {
         const ella_real sine = ella_libm_sin(ANGLES[i]), cosine = ella_libm_cos(ANGLES[i]);
         const ella_sincos y = ella_sine_cosine(ANGLES[i]);
         verdict("sine", i, magnitude(y.sine - sine) <= 2 * eps * magnitude(sine));
         verdict("cosine", i, magnitude(y.cosine - cosine) <= 2 * eps * magnitude(cosine));
     }
-    for (i = 0; i < N_SQUARES; ++i) {
+    for (i = 0; i < 8; ++i) {
         const ella_real x = SQUARES[i], found[2] = { ella_c4(x), ella_c5(x) };
         for (k = 0; k < 2; ++k) {
             ella_real term = k ? ELLA_REAL(1.0) / 120 : ELLA_REAL(1.0) / 24, sum = term;

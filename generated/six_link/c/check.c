@@ -240,21 +240,20 @@ static void check_dae_step(const six_link_constants *soft, int number, dae_step 
 /* Sine, cosine and Stumpff functions: libm's, and their series or closed forms. */
 static void check_elementary(void)
 {
-    enum { N_ANGLES = 11, N_SQUARES = 8 };
-    static const six_link_real ANGLES[N_ANGLES] = { SIX_LINK_REAL(0.0), SIX_LINK_REAL(0.3), SIX_LINK_REAL(-0.7),
+    static const six_link_real ANGLES[11] = { SIX_LINK_REAL(0.0), SIX_LINK_REAL(0.3), SIX_LINK_REAL(-0.7),
         SIX_LINK_REAL(0.9), SIX_LINK_REAL(-2.0), SIX_LINK_REAL(3.141592653589793),
         SIX_LINK_REAL(4.5), SIX_LINK_REAL(-6.1), SIX_LINK_REAL(355.0), SIX_LINK_REAL(103993.0), SIX_LINK_REAL(1.5e6) };
-    static const six_link_real SQUARES[N_SQUARES] = { SIX_LINK_REAL(0.0), SIX_LINK_REAL(0.01), SIX_LINK_REAL(0.2),
+    static const six_link_real SQUARES[8] = { SIX_LINK_REAL(0.0), SIX_LINK_REAL(0.01), SIX_LINK_REAL(0.2),
         SIX_LINK_REAL(0.3), SIX_LINK_REAL(1.0), SIX_LINK_REAL(3.9), SIX_LINK_REAL(4.1), SIX_LINK_REAL(20.0) };
     const six_link_real eps = SIX_LINK_REAL_EPSILON;
     int i, j, k;
-    for (i = 0; i < N_ANGLES; ++i) {
+    for (i = 0; i < 11; ++i) {
         const six_link_real sine = six_link_libm_sin(ANGLES[i]), cosine = six_link_libm_cos(ANGLES[i]);
         const six_link_sincos y = six_link_sine_cosine(ANGLES[i]);
         verdict("sine", i, magnitude(y.sine - sine) <= 2 * eps * magnitude(sine));
         verdict("cosine", i, magnitude(y.cosine - cosine) <= 2 * eps * magnitude(cosine));
     }
-    for (i = 0; i < N_SQUARES; ++i) {
+    for (i = 0; i < 8; ++i) {
         const six_link_real x = SQUARES[i], found[2] = { six_link_c4(x), six_link_c5(x) };
         for (k = 0; k < 2; ++k) {
             six_link_real term = k ? SIX_LINK_REAL(1.0) / 120 : SIX_LINK_REAL(1.0) / 24, sum = term;

@@ -1,65 +1,50 @@
 """screwgen: symbolic code generation for flexible robot arms.
 
-One derivation in screw theory gives CasADi functions, standalone C and LaTeX.
+One derivation in screw theory gives CasADi functions, standalone C and LaTeX. Names are imported when they are first
+asked for, so that the command line's help and small scripts start quickly; `__init__.pyi` has them for type checkers.
 """
 
-from .errors import RobotFileError, ScrewgenError, SingularError, UsageError
-from .model import Model, derive
-from .simulation.controllers import PD, Holding
-from .simulation.integrate import DivergedError
-from .simulation.rollout import Rollout, rollout
-from .simulation.runs import Run
-from .simulation.simulate import simulate
-from .simulation.validity import ModelLeftError, ModelValidityWarning, Validity
-from .spec.frequencies import Frequencies
-from .spec.load import dump, load
-from .spec.robot import Body, Damping, Joint, Link, Modes, Mount, Robot
-from .spec.screw import Screw
-from .spec.section import Section
-from .studies.analysis import Analysis, analyse
-from .studies.convergence import Convergence, convergence
-from .studies.equilibrium import Equilibrium, NoEquilibriumError, equilibrium
-from .studies.linear import LinearModel
-from .studies.modes import natural_frequencies
+from importlib import import_module
+from importlib.util import find_spec
+
 from .version import __version__
 
-__all__ = [
-    "PD",
-    "Analysis",
-    "Body",
-    "Convergence",
-    "Damping",
-    "DivergedError",
-    "Equilibrium",
-    "Frequencies",
-    "Holding",
-    "Joint",
-    "LinearModel",
-    "Link",
-    "Model",
-    "ModelLeftError",
-    "ModelValidityWarning",
-    "Modes",
-    "Mount",
-    "NoEquilibriumError",
-    "Robot",
-    "RobotFileError",
-    "Rollout",
-    "Run",
-    "Screw",
-    "ScrewgenError",
-    "Section",
-    "SingularError",
-    "UsageError",
-    "Validity",
-    "__version__",
-    "analyse",
-    "convergence",
-    "derive",
-    "dump",
-    "equilibrium",
-    "load",
-    "natural_frequencies",
-    "rollout",
-    "simulate",
-]
+HOMES = {
+    "errors": ("RobotFileError", "ScrewgenError", "SingularError", "UsageError"),
+    "model": ("Model", "derive"),
+    "simulation.controllers": ("PD", "Holding"),
+    "simulation.integrate": ("DivergedError",),
+    "simulation.rollout": ("Rollout", "rollout"),
+    "simulation.runs": ("Run",),
+    "simulation.simulate": ("simulate",),
+    "simulation.validity": ("ModelLeftError", "ModelValidityWarning", "Validity"),
+    "spec.frequencies": ("Frequencies",),
+    "spec.load": ("dump", "load"),
+    "spec.robot": ("Body", "Damping", "Joint", "Link", "Modes", "Mount", "Robot"),
+    "spec.screw": ("Screw",),
+    "spec.section": ("Section",),
+    "studies.analysis": ("Analysis", "analyse"),
+    "studies.convergence": ("Convergence", "convergence"),
+    "studies.equilibrium": ("Equilibrium", "NoEquilibriumError", "equilibrium"),
+    "studies.linear": ("LinearModel",),
+    "studies.modes": ("natural_frequencies",),
+}
+"""The public names by the module that defines them."""
+
+__all__ = ["__version__", *(name for names in HOMES.values() for name in names)]
+
+
+def __getattr__(name: str):
+    """A public name, or a module of the package."""
+    home = next((module for module, names in HOMES.items() if name in names), None)
+    if home is not None:
+        value = getattr(import_module(f"{__name__}.{home}"), name)
+        globals()[name] = value
+        return value
+    if not name.startswith("_") and find_spec(f"{__name__}.{name}"):
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from importlinter.cli import EXIT_STATUS_SUCCESS, lint_imports
 
+import screwgen
+
 PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 MODULES = sorted(p.relative_to(PACKAGE) for p in PACKAGE.rglob("*.py"))
 
@@ -106,3 +108,15 @@ for name in {modules}:
 assert dict(os.environ) == before, set(os.environ.items()) ^ set(before.items())
 """
     subprocess.run([sys.executable, "-c", script], check=True, cwd=PACKAGE.parent)
+
+
+def test_the_stub_names_what_the_package_offers():
+    """`screwgen/__init__.pyi` is for type checkers; the package imports its names when they are asked for."""
+    stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
+    imported = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
+    homes = {node.module: tuple(alias.name for alias in node.names) for node in imported}
+    assert homes.pop("version") == ("__version__",)
+    assert homes == screwgen.HOMES
+    assert all(getattr(screwgen, name) is not None for name in screwgen.__all__)
+    listed = next(node.value for node in stub.body if isinstance(node, ast.Assign))
+    assert set(ast.literal_eval(listed)) == set(screwgen.__all__)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from ..plugins import Plugin
-from .z_form_blocks import z_form_block, z_rows_block
-from .z_functions import cauchy_names
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
@@ -32,6 +30,24 @@ def _printed(robot):
     return PrintedModel(robot)
 
 
+def _names(model) -> list[str]:
+    from .z_functions import cauchy_names
+
+    return cauchy_names(model.chain)
+
+
+def _blocks(key) -> dict:
+    from .z_form_blocks import z_rows_block
+
+    return {"z_rows": z_rows_block(key)}
+
+
+def _common() -> dict:
+    from .z_form_blocks import z_form_block
+
+    return {"z_form": z_form_block()}
+
+
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
@@ -47,9 +63,9 @@ def _chapter(chain):
 PLUGIN = Plugin(
     commands=_commands,
     formulations={"printed": _printed},
-    attributes={"cauchy_names": lambda model: cauchy_names(model.chain)},
-    blocks=lambda key: {"z_rows": z_rows_block(key)},
-    common=lambda: {"z_form": z_form_block()},
+    attributes={"cauchy_names": _names},
+    blocks=_blocks,
+    common=_common,
     casadi=_casadi,
     casadi_notes=Z_FORM,
     chapter=_chapter,

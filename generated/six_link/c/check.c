@@ -478,7 +478,7 @@ int main(void)
     check_elementary();
     soften(&soft);
     for (i = 0; i < 5; ++i) {
-        if (SIX_LINK_REAL_EPSILON < 1e-10) { /* in float rounding hides what is small */
+        if (SIX_LINK_REAL_EPSILON < SIX_LINK_REAL(1e-10)) { /* in float rounding hides what is small */
             check_step(&soft, i, steps[i]);
             check_dae_step(&soft, i, dae_steps[i]);
         }

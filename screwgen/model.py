@@ -295,8 +295,8 @@ class Model:
     def _latex_files(self) -> dict[str, bytes]:
         from .backends.latex import document as latex
 
-        made = {".tex": latex.document, ".html": latex.html}
-        return {f"{self.robot.name}{end}": make(self.robot, self._plugins).encode() for end, make in made.items()}
+        shown, made = latex.content(self.robot, self._plugins), {".tex": latex.tex, ".html": latex.page}
+        return {f"{self.robot.name}{end}": make(shown).encode() for end, make in made.items()}
 
     def _repr_html_(self) -> str:
         """The equations, as a notebook shows them."""

@@ -35,7 +35,7 @@ class Rod(RodStiffness):
         self.r_b = field("r_b", column(XI, 0, 0), r"\mathbf{r}_b")
         self.Phi = field("Phi", f.Phi(), r"\boldsymbol{\phi}")
         self.phi_row = field("phi_row", f.translational(), r"\boldsymbol{\varphi}^{\top}")
-        self.lever = field("lever", XI * f.translational(), r"\xi\boldsymbol{\varphi}^{\top}")
+        self.lever = field("xi_phi", XI * f.translational(), r"\xi\boldsymbol{\varphi}^{\top}")
         self.phi_t = field("phi_t", f.twist_row(), r"\boldsymbol{\phi}_t")
         self.strain = field("strain", f.strain(), r"\boldsymbol{\phi}_{\varepsilon}")
         self.moved = self.Phi

@@ -1,6 +1,7 @@
 """Shapes of cross-sections: tubes, rods and boxes of one material, uniform or tapered, as line properties."""
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Self
 
@@ -32,7 +33,7 @@ def dimension(value: Any) -> tuple[float, float]:
 Dimension = Annotated[tuple[float, float], PlainValidator(dimension)]
 
 
-class Shape(Part):
+class Shape(Part, ABC):
     """A cross-section whose dimensions are linear in s; y and z are its axes of symmetry."""
 
     def at(self, s: float) -> dict[str, float]:
@@ -45,9 +46,9 @@ class Shape(Part):
         """Whether a dimension differs from base to tip."""
         return self.at(0.0) != self.at(1.0)
 
+    @abstractmethod
     def moments(self, s: float) -> tuple[float, float, float, float]:
         """Area (m²), second moments of area about y and z, and torsion constant (m⁴) at s."""
-        raise NotImplementedError
 
 
 class Rod(Shape):

@@ -35,6 +35,8 @@ class Body(Protocol):
     """The rule that integrates."""
     moved: Expression
     """(3, r): the displacement of an element by each mode."""
+    bend: Expression
+    """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
     stiffness: Expression
     """The (r, r) stiffness of the modes."""
 

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 import numpy as np
-import sympy as sp
 
-from ..algebra.expression import Diagonal, Expression, Integral, Trace, add, block, hat, identity, stack, unit, zeros
+from ..algebra.expression import (
+    Diagonal,
+    Expression,
+    Integral,
+    Trace,
+    add,
+    block,
+    hat,
+    identity,
+    is_zero,
+    stack,
+    unit,
+    zeros,
+)
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .contract import Body
@@ -47,8 +59,8 @@ class LinkBlock(Block):
         self.g = state("g", (3, 1))
         self.eta = state("eta", (r, 1))
         self.etadot = state("etadot", (r, 1))
-        self.rho = self.field("rho", _column(*sp.symbols("rho_x:z", real=True)), r"\mathbf{r}_{ib}")
-        self.udot = self.field("udot", _column(*sp.symbols("udot_x:z", real=True)), r"\dot{\mathbf{r}}_{\xi}")
+        self.rho = self.generators("rho")
+        self.udot = self.generators("udot")
 
     def _body(self) -> Body:
         if not self.key.beam:
@@ -133,8 +145,9 @@ class LinkBlock(Block):
         coriolis = hat(omega) @ udot
         half = self.integral(stack(hat(rho) @ coriolis, coriolis)) if self.key.modes else zeros(6)
         h_c = self.step("h_c", half)
-        bend = self.integral(stack(hat(rho) @ self.body.bend, self.body.bend)) if self.key.order == 2 else zeros(6)
-        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t"), bend))
+        bend = self.body.bend
+        curved = zeros(6) if is_zero(bend) else self.integral(stack(hat(rho) @ bend, bend))
+        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t"), curved))
         field = a_0 + Omega @ rho
         rigid = self.integral(stack(hat(rho) @ field, field))
         H = self.step("H_star", add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()))
@@ -186,7 +199,3 @@ class LinkBlock(Block):
             second = self.values[generators[1].name].ravel()[j]
             if second != 0:
                 self.body.fields.name_moment("rhoA", value, first[i], second)
-
-
-def _column(*entries) -> np.ndarray:
-    return np.array([[sp.sympify(e)] for e in entries], dtype=object)

@@ -24,7 +24,7 @@ class Rigid:
         self.fields = Moments(self.b.values["rho"].flat)
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
         self.sigma, self.sigma_t, self.K, self.D = zeros(3, 0), zeros(1, 0), zeros(0), zeros(0)
-        self.moved = zeros(3, 0)
+        self.moved, self.bend = zeros(3, 0), zeros(3)
 
     stiffness = zeros(0, 0)
 

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, identity, is_zero, unit, zeros
-from ..ir.block import Block
+from ..ir.block import Binding, Block
 from ..spec.link_class import LinkClass
 from .contract import Moments6
 from .fields import AXIS, XI, Fields
@@ -32,20 +32,22 @@ class Rod(RodStiffness):
         a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
         f, field = self.kind(self.key, self.b.values["length"].item(), a), self.b.field
         self.fields = f
-        self.r_b = field("r_b", column(XI, 0, 0), r"\mathbf{r}_b")
-        self.Phi = field("Phi", f.Phi(), r"\boldsymbol{\phi}")
-        self.phi_row = field("phi_row", f.translational(), r"\boldsymbol{\varphi}^{\top}")
-        self.lever = field("xi_phi", XI * f.translational(), r"\xi\boldsymbol{\varphi}^{\top}")
-        self.phi_t = field("phi_t", f.twist_row(), r"\boldsymbol{\phi}_t")
-        self.strain = field("strain", f.strain(), r"\boldsymbol{\phi}_{\varepsilon}")
-        self.moved = self.Phi
+        self.b.bindings[XI] = Binding.CONSTANT
+        self.r_b = field("r_b", column(XI, 0, 0))
+        self.Phi = field("Phi", f.Phi())
+        self.phi_row = field("phi_row", f.translational())
+        self.lever = field("xi_phi", XI * f.translational())
+        self.phi_t = field("phi_t", f.twist_row())
+        self.strain = field("strain", f.strain())
+        self.moved: Symbol = self.Phi
+        self.bend: Expression = zeros(3)
         u, udot = self._field_of("eta"), self._field_of("etadot")
         if self.key.order == 2:
             self.second = SecondOrder(self.b, f, f.second, self.key.modes)
             self.moved, self.bend = self.second.Phi, self.second.bend
             u, udot = u + self.second.u, udot + self.second.udot
-        self.u = field("u", u, r"\mathbf{r}_{\xi}")
-        self.udot_modal = field("udot_modal", udot, r"\dot{\mathbf{r}}_{\xi}")
+        self.u = field("u", u)
+        self.udot_modal = field("udot_modal", udot)
         f.name_coarse(self.b.values["udot"], self.b.values["udot_modal"])
         f.name_coarse(self.b.values["rho"], self.b.values["r_b"] + self.b.values["u"])
 
@@ -118,20 +120,9 @@ class Rod(RodStiffness):
         if not (first and second):
             return
         phi = self.fields.phi
-        left = self.b.field(
-            f"phi_{name[-2]}_of_{name}", _row(phi[k] for k in first), rf"\boldsymbol{{\varphi}}_{name[-2]}^{{\top}}"
-        )
-        right = self.b.field(
-            f"phi_{name[-1]}_of_{name}", _row(phi[k] for k in second), rf"\boldsymbol{{\varphi}}_{name[-1]}^{{\top}}"
-        )
-        self.b.step(
-            name,
-            self.integral(left.T @ right, self.rhoA),
-            rf"\boldsymbol{{\Gamma}}_{{{name[-2:]}}}",
-            unit="kg",
-            meaning=f"products of the shapes in {name[-2]} with those in {name[-1]}",
-            numbered=(0, 1),
-        )
+        rows = zip(name[-2:], (first, second), strict=True)
+        left, right = (self.b.field(f"phi_{axis}", _row(phi[k] for k in modes)) for axis, modes in rows)
+        self.b.step(name, self.integral(left.T @ right, self.rhoA))
         mu = self.b.values["mu"].item()
         for (i, j), value in np.ndenumerate(self.b.values[name]):
             same = not self.key.stations and self.fields.gram(first[i], second[j]) == 1

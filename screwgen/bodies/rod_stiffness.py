@@ -91,4 +91,4 @@ class RodStiffness:
 
     def _ones(self, name: str) -> Symbol:
         ones = np.full((self.key.modes, 1), sp.S.One, dtype=object)
-        return self.b.field(f"{name}_ones", ones, r"\mathbf{1}")
+        return self.b.field(f"{name}_ones", ones, r"\mathbf{1}", unit="-", meaning="column of ones")

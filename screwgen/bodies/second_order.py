@@ -18,7 +18,7 @@ import sympy as sp
 
 from ..algebra.expression import Integral, Symbol, block
 from ..bases import Shapes, integrals
-from ..ir.block import Block
+from ..ir.block import Binding, Block
 from ..spec.link_class import LinkClass
 from .moments import XI, Moments
 
@@ -142,7 +142,7 @@ class SecondOrder:
         Phi_2, Phi_2dot = self.rows.values()
         self.u, self.udot = sp.Rational(1, 2) * Phi_2.dot(eta), Phi_2.dot(etadot)
         self.Phi = b.field("Phi_eta", b.values["Phi"] + Phi_2)
-        self.bend = b.field("bend", np.array([[x] for x in sp.symbols("bend_x:z", real=True)], dtype=object))
+        self.bend = b.generators("bend")
         fields.name_coarse(b.values["bend"], Phi_2dot.dot(etadot))
 
     def _rows(self, name: str, x: np.ndarray) -> np.ndarray:
@@ -151,6 +151,7 @@ class SecondOrder:
         for (i, k), value in np.ndenumerate(out):
             if value != 0:
                 out[i, k] = sp.Symbol(f"{name}_{AXES[i]}_{k + 1}", real=True)
+                self.b.bindings[out[i, k]] = Binding.STATE
                 self.fields.name_coarse([out[i, k]], [value])
         return out
 

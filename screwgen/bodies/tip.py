@@ -77,7 +77,7 @@ def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     if key.length:
         length = b.parameter("length", (1, 1))
     fields = Fields(key, b.values["length"].item() if key.length else sp.S.Zero, sp.S.Zero)
-    Phi: Expression = b.field("Phi_tip", fields.tip(), r"\boldsymbol{\phi}_i(c_i)")
+    Phi: Expression = b.field("Phi_tip", fields.tip())
     moved = _with_slopes(b, key, "Phi_c", Phi, _constants(b, "H", PLACE, fields), eta)
     reach: Expression = length
     if key.frame_at:
@@ -112,7 +112,7 @@ def _rows(b: Block, letter: str, x: Symbol) -> Expression:
 def _tip_rotation(b: Block, key: LinkClass, fields: Fields, eta: Symbol) -> Expression:
     if not key.section_rotation:
         return identity(3)
-    Psi = b.field("Psi_tip", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)")
+    Psi = b.field("Psi_tip", fields.rotation())
     theta = b.step("theta", _with_slopes(b, key, "Psi_c", Psi, _constants(b, "T", TURN, fields), eta))
     _, c1, c2, c3, square = angle_steps(b, theta, "x", "c", "tip section")
     b.step("J_l", identity(3) + c2 @ hat(theta) + c3 @ square)

@@ -98,6 +98,8 @@ class Block:
     steps: dict[str, Step] = field(default_factory=dict)
     values: dict[str, Array] = field(default_factory=dict)
     bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
+    along: dict[str, Signal] = field(default_factory=dict)
+    """What varies along the link and is listed in documents."""
 
     def input(self, name, shape, *words, binding=Binding.STATE, **named) -> Symbol:
         """Declare an input and return the symbol that stands for it.
@@ -126,10 +128,27 @@ class Block:
             out.append(alias)
         return out
 
-    def field(self, name: str, values: Array, display: str | None = None) -> Symbol:
-        """A quantity that varies along the link and occurs only under an integral."""
+    def field(self, name: str, values: Array, display: str | None = None, **words) -> Symbol:
+        """A quantity that varies along the link and occurs only under an integral.
+
+        Its words are those of the table of quantities or given; without them documents do not list it. A symbol of
+        ``values`` that the block does not know is one that parameters determine at a given place.
+        """
         self.values[name] = values
-        return Symbol(name, values.shape, display or QUANTITIES[name].display)
+        known = f"{self.name}.{name}" in QUANTITIES or name in QUANTITIES or "meaning" in words
+        if not known:
+            return Symbol(name, values.shape, display or name)
+        symbols = set().union(*(sp.sympify(entry).free_symbols for entry in values.flat))
+        binding = max((self.bindings.get(s, Binding.PARAMETER) for s in symbols), default=Binding.CONSTANT)
+        quantity = described(self.name, name, {"display": display, **words})
+        self.along[name] = _signal(name, values.shape, quantity, binding)
+        return Symbol(name, values.shape, quantity.display)
+
+    def generators(self, name: str) -> Symbol:
+        """A field of three generators of its own, which depends on the state."""
+        symbols = sp.symbols(f"{name}_x:z", real=True)
+        self.bindings.update(dict.fromkeys(symbols, Binding.STATE))
+        return self.field(name, np.array([[symbol] for symbol in symbols], dtype=object))
 
     def step(self, name, expression, display=None, *, symmetric=False, **words) -> Symbol:
         """Append ``name = expression`` and return the symbol of the new quantity.

@@ -153,11 +153,4 @@ def scalars(block: Block) -> Scalars:
             scalar = signal.shape == (1, 1)
             # scalars before vectors, steps before inputs, the length after the property it multiplies
             rank[symbol] = (int(signal.binding), 0 if scalar else 1 + is_input, (signal.name == "length", order), place)
-    for k, symbol in enumerate(_shapes(block)):
-        names[symbol], rank[symbol] = rf"\varphi_{{{k + 1}}}", (2, 2, (False, 0), k)
     return Scalars(names, rank)
-
-
-def _shapes(block: Block) -> list[sp.Symbol]:
-    fields = getattr(block, "fields", None)
-    return fields.phi if fields is not None else []

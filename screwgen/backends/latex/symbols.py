@@ -2,40 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from ...algebra.expression import Symbol
 from ...algebra.notation import latex
 from ...ir.block import Binding, Block, Signal
-from ...ir.quantities import QUANTITIES
 from .content import Named, frame, unit, words
 from .steps import BlockView
 
 CONSTANT, PARAMETER, STATE = Binding
-
-FIELDS = {
-    "r_b": ("undeformed position of the element at ξ", "m", CONSTANT),
-    "rho": ("position of the element at ξ", "m", STATE),
-    "u": ("elastic displacement of the element at ξ", "m", STATE),
-    "udot": ("rate of the elastic displacement", "m/s", STATE),
-    "udot_modal": ("rate of the elastic displacement", "m/s", STATE),
-    "Phi": ("displacement shapes, a column for each mode", "-", PARAMETER),
-    "phi_row": ("displacement shapes in a row, whatever their direction", "-", PARAMETER),
-    "phi_t": ("torsion shapes in a row", "-", PARAMETER),
-    "strain": ("strains of each mode: u_x', u_y'', u_z'', rate of twist", "-", PARAMETER),
-    "Phi_tip": ("displacement shapes at the tip", "-", CONSTANT),
-    "Psi_tip": ("turn of the section at the tip by each mode", "1/m", PARAMETER),
-    "x_of": ("axial shapes in a row", "-", PARAMETER),
-    "y_of": ("shapes of bending in y in a row", "-", PARAMETER),
-    "z_of": ("shapes of bending in z in a row", "-", PARAMETER),
-    "ones": ("column of ones", "-", CONSTANT),
-}
-"""What varies along the link, and has no signal of its own: meaning, unit, binding at a given place."""
-
-MOVING = ("Phi_eta", "bend")
-"""Fields of the second order that depend on the state."""
 
 TWIST, WRENCH = "rad/s, m/s", "N*m, N"
 ALL = r"(6 + r_i) × (6 + r_i)"
@@ -116,19 +92,8 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
     for used in view.used:
         if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
             yield block.signal(used.name)
-        elif (key := field_key(used.name)) is not None:
-            meaning, unit_, binding = FIELDS[key]
-            frame_ = "F_i" if used.shape[0] == 3 and key != "ones" else "-"
-            yield Signal(used.name, used.shape, used.display, unit_, frame_, meaning, binding)
-        elif q := QUANTITIES.get(used.name):
-            binding = STATE if used.name in MOVING else PARAMETER
-            yield Signal(used.name, used.shape, used.display, q.unit, q.frame, q.meaning, binding)
-
-
-def field_key(name: str) -> str | None:
-    """The field of that name; shapes of one direction and columns of ones have names of their own."""
-    keys = (name, *re.findall(r"^phi_([xyz]_of)_", name), *re.findall(r"_(ones)$", name))
-    return next((key for key in keys if key in FIELDS), None)
+        elif used.name in block.along:
+            yield block.along[used.name]
 
 
 def _entry(display: str, signals: list[Signal]) -> Entry:

@@ -138,20 +138,26 @@ def integrals(a: Shapes, b: Shapes, first: int, second: int, times: int, weight:
     """
     digits = working_digits(max(a.count, b.count))
     with mpmath.workdps(digits):
-        kernel = polynomial_form(_kernel(times, weight))
-        left = [kernel * psi.derivative(first) for psi in a.functions]
+        kernel = [[mpf(0)] * (weight or 0) + [mpf(1)]]
+        for _ in range(times - (weight is None)):
+            kernel = to_the_end(kernel, [mpf(1)])
+        left = [polynomial_form(*kernel) * psi.derivative(first) for psi in a.functions]
         right = [psi.derivative(second) for psi in b.functions]
         return tuple(rounded(inner(f, g) for g in right) for f in left)
 
 
-def _kernel(times: int, weight: int | None) -> list[mpf]:
-    """The polynomial p with ``∫ s^weight ∫…∫ f = ∫ p f``; with `weight` None ``(1 - s)^(times - 1) / (times - 1)!``."""
-    p = [mpf(0)] * (weight or 0) + [mpf(1)]
-    for _ in range(times if weight is not None else times - 1):
-        primitive = [mpf(0), *(c / (n + 1) for n, c in enumerate(p))]
-        p = [-c for c in primitive]
-        p[0] += mpmath.fsum(primitive)
-    return p
+def to_the_end(pieces: Sequence[Sequence[mpf]], sizes: Sequence[mpf]) -> list[list[mpf]]:
+    """The integral from s to 1 of a function of s that is polynomial in intervals, in the same form.
+
+    `pieces`: for every interval the coefficients in t from 0 to 1 along it; `sizes`: their lengths. This moves an
+    integral from one factor to the other, ``∫ g(s) ∫_0^s f = ∫ f(s) ∫_s^1 g``.
+    """
+    out, rest = [], mpf(0)
+    for piece, size in zip(reversed(pieces), reversed(sizes), strict=True):
+        primitive = [size * c / (n + 1) for n, c in enumerate(piece)]
+        rest += mpmath.fsum(primitive)
+        out.append([rest, *(-c for c in primitive)])
+    return out[::-1]
 
 
 def latex_number(value: mpf, digits: int = 7) -> str:

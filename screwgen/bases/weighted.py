@@ -14,7 +14,7 @@ import mpmath
 from mpmath import mpf
 
 from .functions import ClosedForm, inner, polynomial_form
-from .shapes import Shapes, rounded, working_digits
+from .shapes import Shapes, rounded, to_the_end, working_digits
 
 LINEAR, POLYNOMIAL = "linear", "polynomial"
 Piece = tuple[mpf, mpf, tuple[tuple[int, ClosedForm], ...]]
@@ -86,7 +86,7 @@ def weighted_integrals(
     with mpmath.workdps(working_digits(max(a.count, b.count))):
         pieces = weights.pieces()
         sizes = [end - start for start, end, _ in pieces]
-        kernels = [_kernel(pieces, station, times, power) for station in range(len(weights.places))]
+        kernels = [_kernel(pieces, sizes, station, times, power) for station in range(len(weights.places))]
         left, right = ([_local(pieces, psi.derivative(n)) for psi in x.functions] for x, n in ((a, first), (b, second)))
 
         def constants(f: list[ClosedForm], g: list[ClosedForm]) -> tuple[float, ...]:
@@ -97,19 +97,14 @@ def weighted_integrals(
         return tuple(tuple(constants(f, g) for g in right) for f in left)
 
 
-def _kernel(pieces: list[Piece], station: int, times: int, power: int) -> list[ClosedForm]:
+def _kernel(pieces: list[Piece], sizes: list[mpf], station: int, times: int, power: int) -> list[ClosedForm]:
     """The polynomials p with ``∫ w s^power ∫…∫ f = ∫ p f``, one in each interval, for a station's weight function w."""
     none = polynomial_form([mpf(0)])
-    kernel = [_monomial(power).within(a, b) * dict(functions).get(station, none) for a, b, functions in pieces]
+    forms = [_monomial(power).within(a, b) * dict(functions).get(station, none) for a, b, functions in pieces]
+    kernel = [list(form.terms[mpf(0)]) for form in forms]
     for _ in range(times):
-        rest = mpf(0)
-        for k in reversed(range(len(pieces))):
-            size = pieces[k][1] - pieces[k][0]
-            coefficients = [size * c / (n + 1) for n, c in enumerate(kernel[k].terms[mpf(0)])]
-            whole = mpmath.fsum(coefficients)
-            kernel[k] = polynomial_form([rest + whole, *(-c for c in coefficients)])
-            rest += whole
-    return kernel
+        kernel = to_the_end(kernel, sizes)
+    return [polynomial_form(piece) for piece in kernel]
 
 
 def _local(pieces: list[Piece], form: ClosedForm) -> list[ClosedForm]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
+from ..backends.numpy.own_forces import OwnForces
 from ..errors import DivergedError
 from ..integrators.method import Method, Motion
 from ..integrators.methods import method_of
@@ -72,30 +73,17 @@ class Evaluator:
 
 
 class Dynamics:
-    """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints.
-
-    `M`, `K`, `D` (n_inertia,): inertia, stiffness and damping of the last coordinates of `q`: of the modes, or of all
-    coordinates if any joint has a spring or a damper; the diagonal, then the entries below it where modes are coupled.
-    """
+    """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints."""
 
     def __init__(self, model: Model, p: Sequence[float]):
         functions = model.modal_functions
-        self.p, self.n_given, self.n_links = np.array(p, float), model.chain.n_given, model.n_links
-        self.times = model.chain.modal_product
+        self.p, self.n_links = np.array(p, float), model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
-        self.M, self.K, self.D = Evaluator(functions["modal_properties"])(self.p)
+        self.own = OwnForces(model.chain, *Evaluator(functions["modal_properties"])(self.p))
 
-    def own(self, x: np.ndarray) -> np.ndarray:
-        """The part of `q` or `v` with stiffness and damping."""
-        return x[len(x) - self.n_given :]
-
-    def inertia(self, h: float) -> np.ndarray:
-        """The inertia of these coordinates with their forces implicit over `h` seconds: `M + h D + h² K`."""
-        return self.M + h * self.D + h**2 * self.K
-
-    def force(self, q: np.ndarray, v: np.ndarray, h: float, K: np.ndarray, D: np.ndarray) -> np.ndarray:
-        """Their force `h` after `q`, `v` (nq, ...) without the accelerations' part; `K` and `D` of matching shape."""
-        return self.times(K, self.own(q) + h * self.own(v)) + self.times(D, self.own(v))
+    def force(self, q: np.ndarray, v: np.ndarray, h: float) -> np.ndarray:
+        """The force of modes and sprung joints `h` after `q`, `v` (nq, ...), without the accelerations' part."""
+        return self.own.force(self.own.of(q), self.own.of(v), h)
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nq,) and the joint wrenches (6 n,)."""
@@ -103,12 +91,11 @@ class Dynamics:
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
-        return self.M, self.force(q, v, 0.0, self.K, self.D)
+        return self.own.M, self.force(q, v, 0.0)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
         """`vdot` (nq,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
-        force = self.force(q, v, h, self.K, self.D)
-        return self.evaluate(*there, tau, w_ext, self.inertia(h), force, self.p)[0]
+        return self.evaluate(*there, tau, w_ext, self.own.inertia(h), self.force(q, v, h), self.p)[0]
 
 
 class Held(NamedTuple):

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...integrators.method import Method, Move, Stage, times, weighted
 from ...topology.chain import Chain
+from .own_forces import OwnForces
 from .python import c4, c5
 
 Function = Callable[..., Sequence]
@@ -31,8 +32,7 @@ class DaeDynamics:
         self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
     ):
         n, r = chain.n, chain.n_modes
-        self.M, self.K, self.D = properties
-        self.times = chain.modal_product
+        self.forces = OwnForces(chain, *properties)
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
@@ -44,9 +44,7 @@ class DaeDynamics:
     def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> Sequence[np.ndarray]:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         own, rate = self.own(x if start is None else start)
-        inertia = self.M + h * self.D + h**2 * self.K
-        force = self.times(self.K, own + h * rate) + self.times(self.D, rate)
-        return self.solve(x, tau, w_ext, inertia, force)
+        return self.solve(x, tau, w_ext, self.forces.inertia(h), self.forces.force(own, rate, h))
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The coordinates with stiffness and damping (modes, sprung joints), and their rates."""

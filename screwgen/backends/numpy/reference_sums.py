@@ -26,6 +26,7 @@ from ...ir.replay import run
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae
+from .own_forces import OwnForces
 from .reference import Case
 
 LONGEST = 0.05
@@ -72,28 +73,24 @@ class _Soft:
         gravity = [p.value for p in parameters(chain.robot)[:3]]
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, _apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
-        self.M, self.K, self.D = np.zeros((3, chain.n_inertia))
+        M, K, D = np.zeros((3, chain.n_inertia))
         for i, constants in enumerate(self.functions.constants):
             for part, span in chain.given(i).items():
-                for column, name in zip((self.M, self.K, self.D), COLUMNS[part], strict=True):
+                for column, name in zip((M, K, D), COLUMNS[part], strict=True):
                     column[span] = constants[name]
         modes = slice(chain.n_given - chain.n_modes, chain.n_given)
-        fastest = np.sqrt(max(self.K[modes] / self.M[modes], default=0.0))
+        fastest = np.sqrt(max(K[modes] / M[modes], default=0.0))
         self.softness = min(1.0, float(FASTEST / (LONGEST * fastest))) if fastest else 1.0
-        self.K, self.D = self.K * self.softness**2, self.D * self.softness
+        self.own = OwnForces(chain, M, K * self.softness**2, D * self.softness)
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
-        first = self.chain.nq - self.chain.n_given
-        inertia = self.M + h * (self.D + h * self.K)
-        self.functions.given = (inertia.tolist(), self._force(q[first:], v[first:], h).tolist())
+        own = self.own
+        self.functions.given = (own.inertia(h).tolist(), own.force(own.of(q), own.of(v), h).tolist())
         at_q, at_v = there or (q, v)
         return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
-
-    def _force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
-        return self.chain.modal_product(self.K, x + h * rate) + self.chain.modal_product(self.D, rate)
 
     def dae(self) -> DaeDynamics:
         """The DAE form of the same functions."""
@@ -109,7 +106,7 @@ class _Soft:
         def joint_rates(x):
             return (np.array(f.joint_rates(x.tolist())),)
 
-        return DaeDynamics(self.chain, (self.M, self.K, self.D), solve, project, joint_rates)
+        return DaeDynamics(self.chain, (self.own.M, self.own.K, self.own.D), solve, project, joint_rates)
 
 
 def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:

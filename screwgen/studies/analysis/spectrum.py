@@ -158,7 +158,7 @@ class Linearised:
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
         """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
         a, d = self.slopes(h), self.dynamics
-        force = d.force(q, v, h, d.K[:, None], d.D[:, None])
+        force = d.force(q, v, h)
         at_q, at_v = there or (q, v)
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
 
@@ -172,8 +172,9 @@ class Linearised:
     def _heavier(self, h: float) -> Slopes:
         """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
         d, M = self.dynamics, self.mass_matrix
-        added, own = np.zeros_like(M), slice(self.model.nq - d.n_given, None)
-        added[own, own] = d.times((h * d.D + h**2 * d.K)[:, None], np.eye(d.n_given))
+        n = self.model.chain.n_given
+        added, own = np.zeros_like(M), slice(self.model.nq - n, None)
+        added[own, own] = self.model.chain.modal_product(d.own.added(h)[:, None], np.eye(n))
         factor = np.linalg.solve(M + added, M)
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
@@ -181,15 +182,15 @@ class Linearised:
         if not self.model.nq:
             return Slopes(*4 * [np.zeros((0, 0))])
         d, (nq, m, n) = self.dynamics, (self.model.nq, self.model.n_joints, self.model.n_links)
-        force, torque = d.force(self.q, self.v, h, d.K, d.D), self.tau
+        force, torque = d.force(self.q, self.v, h), self.tau
         if self.trim is not None:
-            modes = np.append(np.zeros(d.n_given - nq + m), self.trim[m:])
+            modes = np.append(np.zeros(self.model.chain.n_given - nq + m), self.trim[m:])
             force, torque = force + modes, torque - self.trim[:m]
-        parts = np.cumsum([nq, nq, m, d.n_given])
+        parts = np.cumsum([nq, nq, m, self.model.chain.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
         still = [np.zeros((parts[-1], k)) for k in (6 * n, self.model.chain.n_inertia, len(self.p))]
         results = (np.zeros(nq), np.zeros((n, 6)))
-        place = (self.q, self.v, torque, self.w_ext, d.inertia(h), force, self.p)
+        place = (self.q, self.v, torque, self.w_ext, d.own.inertia(h), force, self.p)
         q, v, tau, f = seeds
         columns = self.directional(*place, *results, q, v, tau, still[0], still[1], f, still[2])[0]
         if not np.isfinite(columns).all():

@@ -57,4 +57,5 @@ def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndar
     eta = q[..., offset : offset + model.chain.keys[i].modes]
     shapes = (values[f"{name}_shapes"] for name in MEASURES[:2])
     rows = (np.array([[float(x.subs(unit)) for x in row] for row in shape]) for shape in shapes)
-    return [np.linalg.norm(eta @ row.T, axis=2) / length for row in rows]
+    with np.errstate(invalid="ignore"):  # a scenario that stopped may hold an infinite state
+        return [np.linalg.norm(eta @ row.T, axis=2) / length for row in rows]

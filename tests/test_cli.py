@@ -131,8 +131,10 @@ def test_modes_prints_hertz(capsys, folder):
     Path("posture.json").write_text("[-0.4928, 0.6922, 0.4270]")
     expected = natural_frequencies(derive(load("ella.toml")), [-0.4928, 0.6922, 0.4270] + [0.0] * 6)
     found = json.loads(run(capsys, "modes", "ella.toml", "--posture", "posture.json", "--json"))
-    assert list(found) == ["frequencies_hz", "one_more_mode", "short_of", "validity"]
+    assert list(found) == ["frequencies_hz", "growth_per_s", "one_more_mode", "short_of", "validity"]
     assert np.allclose(found["frequencies_hz"], expected, rtol=1e-12)
+    loaded = json.loads(run(capsys, "modes", "ella.toml", "--rates", "0,3,0", "--loaded", "--json"))["frequencies_hz"]
+    assert np.allclose(loaded, natural_frequencies(derive(load("ella.toml")), rates=[0, 3, 0], loaded=True))
     lines = run(capsys, "modes", "ella.toml", "--posture", "posture.json").splitlines()
     assert [float(line.split()[0]) for line in lines[1:]] == pytest.approx(expected, rel=1e-5)
 

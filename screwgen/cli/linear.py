@@ -27,7 +27,9 @@ def state_in(path: str | None, model: Model) -> State:
     return state_of({}, model) if path is None else read_state(path, model)
 
 
-def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: str | None) -> None:
+def run_modes(
+    robot: str, posture: str | None, joints: str, rates: str | None, loaded: bool, json: bool, plot: str | None
+) -> None:
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
     from ..simulation.runs import check_output, outputs
     from ..studies.convergence import convergence
@@ -37,9 +39,10 @@ def run_modes(robot: str, posture: str | None, joints: str, json: bool, plot: st
         check_output(plot, (".png",))
     model = derive(load_robot(robot))
     q = state_in(posture, model).q
-    found = mode_shapes(model, q, joints)
+    turning = None if rates is None else numbers("v", rates, model.n_joints, "joint rates in rad/s or m/s", "rates")
+    found = mode_shapes(model, q, joints, rates=turning, loaded=loaded)
     found.validity.warn()
-    more = convergence(model, q, joints)
+    more = convergence(model, q, joints, rates=turning, loaded=loaded)
     if plot is not None:
         from ..plotting.mode_plot import png
 
@@ -59,6 +62,7 @@ def modes_record(found: ModeShapes, more: Convergence) -> dict:
     count = range(len(found.frequencies))
     return {
         "frequencies_hz": [*found.rigid * [0.0], *found.frequencies.tolist()],
+        "growth_per_s": [*found.rigid * [0.0], *found.growth.tolist()],
         "one_more_mode": [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
         "short_of": [*found.rigid * [None], *(more.short(k) for k in count)],
         "validity": found.validity.record(),
@@ -68,8 +72,9 @@ def modes_record(found: ModeShapes, more: Convergence) -> dict:
 def modes_table(found: ModeShapes, more: Convergence) -> list[str]:
     """One line per frequency: Hz, its change by one more mode per direction in %, the direction that needs it most."""
     lines = [f"{0:<12g} Hz" for _ in range(found.rigid)]
-    for k, f in enumerate(found.frequencies):
-        lines.append(f"{f:<12.6g} Hz {percent(more.total[k]):>14}   {more.short(k) or ''}".rstrip())
+    for k, (f, growth) in enumerate(zip(found.frequencies, found.growth, strict=True)):
+        change = f"unstable, grows as exp({growth:.4g}/s t)" if growth else f"{percent(more.total[k]):>14}"
+        lines.append(f"{f:<12.6g} Hz {change}   {more.short(k) or ''}".rstrip())
     head = f"{'frequency':15} {'one more mode':>14}   wanted most in"
     return [head, *lines] if lines else []
 
@@ -115,9 +120,9 @@ def run_equilibrium(
     print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
 
 
-def numbers(quantity: str, given: str, size: int, what: str) -> np.ndarray:
+def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:
     """`size` numbers in the range of a quantity out of the option of that name, by commas or blanks."""
-    option, words = f"--{quantity}", given.replace(",", " ").split()
+    option, words = f"--{option or quantity}", given.replace(",", " ").split()
     try:
         out = np.array([float(word) for word in words])
     except ValueError:

@@ -180,15 +180,24 @@ def modes(
         typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
     ] = None,
     joints: Annotated[str, typer.Option(metavar="HOW", help="locked, springs and all, or free.")] = "locked",
+    rates: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NUMBERS", help="Joint rates, rad/s or m/s, of an arm that turns steadily.", show_default=False
+        ),
+    ] = None,
+    loaded: Annotated[bool, typer.Option("--loaded", help="Under gravity: bent by it, stiffened or softened.")] = False,
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
     ] = None,
 ) -> None:
-    """Print the natural frequencies in Hz at rest, without gravity, and how far one more mode would move them."""
+    """Print the natural frequencies in Hz, and how far one more mode would move them: at rest without gravity, or
+    with --rates and --loaded about a steady motion and the deflection under its loads, the joints held by torques.
+    """
     from .linear import run_modes
 
-    run_modes(robot, posture, joints, json, plot)
+    run_modes(robot, posture, joints, rates, loaded, json, plot)
 
 
 @app.command(short_help="Find where the arm rests under gravity.", epilog=EPILOG)

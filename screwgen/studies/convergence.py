@@ -18,6 +18,7 @@ from ..errors import SingularError
 from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
 from ..spec.values import MAX_MODES
 from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
+from .steady import oscillations, steady
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -41,35 +42,55 @@ class Convergence(NamedTuple):
 
 
 def convergence(
-    model: Model, q: Numbers | None = None, joints: str = "locked", p: Numbers | None = None
+    model: Model,
+    q: Numbers | None = None,
+    joints: str = "locked",
+    p: Numbers | None = None,
+    rates: Numbers | None = None,
+    loaded: bool = False,
 ) -> Convergence:
     """How far one more mode per direction would move each frequency of :func:`.modes.mode_shapes`; arguments as there.
 
     A direction without modes counts where the section states its stiffness; links without any modes stay rigid. What
-    cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count.
+    cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
+    deflection under loads is that of the present modes.
     """
-    if locked_from(model, joints) == model.nq:
+    first = locked_from(model, joints)
+    if first == model.nq:
         return Convergence(np.zeros(0), {})
     rich = type(model)(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
-    M = rich.numpy(values).mass_matrix(_space(model, rich, ()) @ posture(model, q))
-    K, first = stiffness_matrix(rich, values), locked_from(model, joints)
-
-    def frequencies(directions: Collection[str]) -> np.ndarray:
-        basis = _space(model, rich, directions)[:, first:]
-        try:
-            left, k = _springs(model, basis, K)
-            rest, springs, _ = without_rigid_motion(left.T @ M @ left, k)
-            return vibrations(rest, springs)[0]
-        except np.linalg.LinAlgError:
-            what = "one more mode per direction: the mass matrix is singular to rounding"
-            raise SingularError(f"{what}; masses or lengths differ by too many orders of magnitude") from None
-
+    q, here = posture(model, q), _space(model, rich, ())
+    if loaded or rates is not None:
+        q = steady(model, q, rates, loaded, np.array(list(names.values())), first).q
+        about = steady(rich, here @ q, rates, loaded, np.array(values), first, settle=False)
+        ritz = lambda basis: oscillations(*(basis.T @ x @ basis for x in (about.M, about.G, about.K))).omega  # noqa: E731
+    else:
+        M, K = rich.numpy(values).mass_matrix(here @ q), stiffness_matrix(rich, values)
+        ritz = lambda basis: _at_rest(model, basis, M, K)  # noqa: E731
+    frequencies = lambda directions: ritz(_space(model, rich, directions)[:, first:])  # noqa: E731
     now = frequencies(())
-    change = lambda directions: frequencies(directions)[: len(now)] / now - 1  # noqa: E731
     more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
+    change = lambda directions: _change(now, frequencies(directions))  # noqa: E731
     return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
+
+
+def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
+    """Relative changes of frequencies; of one that is zero, being of a motion that grows, 0."""
+    then = then[: len(now)]
+    return np.divide(then - now, now, out=np.zeros(len(now)), where=now > 0)
+
+
+def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray) -> np.ndarray:
+    """Circular frequencies of the motions in the columns of a `basis`."""
+    try:
+        left, k = _springs(model, basis, K)
+        rest, springs, _ = without_rigid_motion(left.T @ M @ left, k)
+        return vibrations(rest, springs)[0]
+    except np.linalg.LinAlgError:
+        what = "one more mode per direction: the mass matrix is singular to rounding"
+        raise SingularError(f"{what}; masses or lengths differ by too many orders of magnitude") from None
 
 
 def _springs(model: Model, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

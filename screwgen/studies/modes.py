@@ -1,4 +1,4 @@
-"""Natural frequencies: small vibrations about a posture at rest, without gravity."""
+"""Natural frequencies: small vibrations about a posture, at rest without gravity or turning and loaded."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ import numpy as np
 import scipy.linalg
 
 from ..arguments import Given, Numbers, choice
-from ..errors import SingularError
+from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity, Watch
 from .linear import checked
+from .steady import oscillations, steady
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -18,19 +19,32 @@ if TYPE_CHECKING:
 JOINTS = ("locked", "free")
 
 
-def natural_frequencies(model: Model, q: Numbers | None = None, joints: str = "locked", p: Given = None) -> np.ndarray:
+def natural_frequencies(
+    model: Model,
+    q: Numbers | None = None,
+    joints: str = "locked",
+    p: Given = None,
+    rates: Numbers | None = None,
+    loaded: bool = False,
+) -> np.ndarray:
     """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
 
     `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; "free"
     lets the joints turn on their own springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
     values, the file's by default.
-    Raises UsageError, and SingularError where the mass matrix of what may move is singular.
+    `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
+    under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
+    cases torques hold the joints at `q`, and the vibrations are about the deflection that follows.
+    Raises UsageError, also where the loads change with the motion or where vibrations grow, and SingularError where
+    the mass matrix of what may move is singular.
 
-    Gravity has no part in them; but where the weight that a link bears in this posture, or its bending, is past the
-    bounds of the model, a :class:`ModelValidityWarning` says so.
+    Where the links bear or bend more than the bounds of the model allow, a :class:`ModelValidityWarning` says so: under
+    their weight also where gravity has no part in the frequencies.
     """
-    found = mode_shapes(model, q, joints, p)
+    found = mode_shapes(model, q, joints, p, rates, loaded)
     found.validity.warn()
+    if found.growth.any():
+        raise UsageError(f"{found.unstable}; mode_shapes tells how fast they grow")
     return np.append(np.zeros(found.rigid), found.frequencies)
 
 
@@ -39,20 +53,49 @@ class ModeShapes(NamedTuple):
 
     frequencies: np.ndarray
     shapes: np.ndarray
-    """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary."""
+    """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary. About a turning arm:
+    the displacement when its largest coordinate is at its peak, others being out of phase.
+    """
     rigid: int
     """The number of motions that no spring resists."""
     validity: Validity
-    """How far the posture is from the limits of the model under the weight that it would bear with gravity."""
+    """How far the posture is from the limits of the model, under its weight unless the arm turns without gravity."""
+    growth: np.ndarray
+    """(count,) in 1/s: zero, or how fast an unstable motion grows; one that does not oscillate has frequency 0."""
+
+    @property
+    def unstable(self) -> str:
+        """What grows, in words."""
+        count, fastest = np.count_nonzero(self.growth), max(self.growth)
+        return f"{count} of {len(self.growth)} vibrations grow, the fastest as exp({fastest:.4g}/s t)"
 
 
-def mode_shapes(model: Model, q: Numbers | None = None, joints: str = "locked", p: Given = None) -> ModeShapes:
+def mode_shapes(
+    model: Model,
+    q: Numbers | None = None,
+    joints: str = "locked",
+    p: Given = None,
+    rates: Numbers | None = None,
+    loaded: bool = False,
+) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:
         nothing = Watch([link.name for link in model.robot.links]).validity()
-        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing)
+        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing, np.zeros(0))
+    if loaded or rates is not None:
+        about = steady(model, q, rates, loaded, p, first)
+        omega, growth, columns, rigid = oscillations(*(x[first:, first:] for x in (about.M, about.G, about.K)))
+        shapes = np.vstack([np.zeros((first, len(omega))), columns])
+        return ModeShapes(omega / (2 * np.pi), shapes, rigid, about.validity(model), growth)
+    out, frequencies, rigid = _at_rest(model, q, p, first)
+    validity = model.validity_at_rest(q, parameters=p)
+    return ModeShapes(frequencies / (2 * np.pi), out, rigid, validity, np.zeros(len(frequencies)))
+
+
+def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, first: int) -> tuple[np.ndarray, np.ndarray, int]:
+    """Shapes (nq, count) and circular frequencies at rest without gravity, and the number of rigid motions."""
     M, K = (x[first:, first:] for x in (model.numpy(p).mass_matrix(q), stiffness_matrix(model, p)))
     free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
     out = np.zeros((model.nq, len(held)))
@@ -68,7 +111,7 @@ def mode_shapes(model: Model, q: Numbers | None = None, joints: str = "locked", 
         out[first:] = basis @ out[first:]
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
-    return ModeShapes(frequencies / (2 * np.pi), out, rigid, model.validity_at_rest(q, parameters=p))
+    return out, frequencies, rigid
 
 
 def posture(model: Model, q: Numbers | None) -> np.ndarray:

@@ -121,12 +121,15 @@ class Numeric:
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
-        found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
-        M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
-        M = np.tril(M) + np.tril(M, -1).T
+        M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
         given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
+
+    def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
+        found = slopes(self._functions(INVERSE, SENSITIVITY), *self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext))
+        M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
+        return np.tril(M) + np.tril(M, -1).T, f_q, f_v
 
     def energy(self, q, v) -> tuple[float, float]:
         """Kinetic and potential energy, J."""

@@ -1,0 +1,160 @@
+"""Vibrations about a steady motion: joints that turn at constant rates, links bent by centrifugal forces and weight.
+
+About such a motion the linear equations have constant coefficients, ``M ẍ + G ẋ + K x = 0``: `G` is gyroscopic, and
+`K` has the stiffness that the loads add or take. Damping is left out, as in :mod:`.modes`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import scipy.linalg
+
+from ..arguments import Numbers
+from ..errors import SingularError, UsageError
+from ..simulation.validity import Validity
+from .linear import checked
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+ITERATIONS, SETTLED = 50, 1e-10
+"""Newton steps to the steady deflection at most; a step of this size relative to the deflection is the last."""
+FURTHER, SAME = 0.7, 1e-9
+"""rad or m along the motion at which the loads on the links are compared, and the relative change that is none."""
+NOTHING = 1e-13
+"""Stiffness and gyroscopic coupling, relative to the largest, that are rounding errors."""
+GROWTH = 1e-7
+"""Real part of an eigenvalue, relative to the largest modulus, that is a rounding error."""
+
+
+class Steady(NamedTuple):
+    """Small motions x about a steady motion, ``M ẍ + G ẋ + K x = 0``, (nq, nq) each."""
+
+    q: np.ndarray
+    """(nq,): the joints as given, the links as the loads bend them."""
+    v: np.ndarray
+    """(nq,): the joints' rates, zeros for the modes."""
+    M: np.ndarray
+    G: np.ndarray
+    K: np.ndarray
+    tau: np.ndarray
+    """(n_joints,): what keeps the joints at their rates."""
+    p: np.ndarray
+    """The parameter values, gravity zero where it is left out."""
+
+    def validity(self, model: Model) -> Validity:
+        """How far the motion is from the limits of the model."""
+        return model.validity(self.q, self.v, self.tau, parameters=self.p)
+
+
+def steady(
+    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, first: int, settle: bool = True
+) -> Steady:
+    """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
+
+    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them. The coordinates from `first`
+    on may move. Raises UsageError where there is no such deflection, and where the loads on them change as joints turn.
+    """
+    v = np.zeros(model.nq)
+    v[: model.n_joints] = checked(rates, "rates", model.n_joints)
+    p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
+    q = deflected(model, q, v, p) if settle else q
+    numeric, moving = model.numpy(p), slice(first, model.nq)
+    M, K, C = numeric.slopes(q, v, None, None)
+    force = numeric.inverse_dynamics(q, v, None, None)
+    if v.any():
+        further = q + FURTHER / np.max(np.abs(v)) * v
+        _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
+        _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
+    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, force[: model.n_joints], p)
+
+
+def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """`q` with the modal coordinates at which no mode accelerates, by Newton's method from those of `q`."""
+    numeric, modes, q = model.numpy(p), slice(model.n_joints, model.nq), q.copy()
+    for _ in range(ITERATIONS):
+        K = numeric.slopes(q, v, None, None)[1][modes, modes]
+        step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]
+        q[modes] -= step
+        if not np.isfinite(q).all():
+            break
+        if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[modes]), initial=0.0):
+            return q
+    raise UsageError("the links find no steady deflection under these rates and loads")
+
+
+def _unchanged(here: np.ndarray, there: np.ndarray, scale: float, moving: slice) -> None:
+    """Raise UsageError if forces or masses of what may move differ at two places along the motion."""
+    places = (moving,) * here.ndim
+    change = np.max(np.abs((there - here)[places]), initial=0.0)
+    if change > SAME * max(scale, np.max(np.abs(here))):
+        text = "the loads on what may move change as the joints turn, so there is no steady motion at these rates"
+        raise UsageError(f"{text}; turn one joint about the vertical, or leave gravity out")
+
+
+class Oscillations(NamedTuple):
+    """Natural motions: `omega` (count,) in rad/s, ascending, their `growth` (count,) in 1/s and `shapes` (n, count)."""
+
+    omega: np.ndarray
+    growth: np.ndarray
+    """Zero where a motion does not grow; a motion that grows without oscillating has `omega` = 0 and comes first."""
+    shapes: np.ndarray
+    rigid: int
+    """The number of motions that neither a spring nor a load resists."""
+
+
+def oscillations(M: np.ndarray, G: np.ndarray, K: np.ndarray) -> Oscillations:
+    """The natural motions of ``M ẍ + G ẋ + K x = 0``; raises SingularError where `M` is."""
+    try:
+        root = np.linalg.inv(np.linalg.cholesky((M + M.T) / 2)).T
+    except np.linalg.LinAlgError:
+        raise SingularError("the mass matrix is singular in this posture; lock the joints") from None
+    K, G = root.T @ K @ root, root.T @ G @ root
+    held, space = _resisted(K, G)
+    G = space.T @ G @ space
+    omega, growth, columns = _natural(held, G)
+    return Oscillations(omega, growth, root @ space @ columns, len(K) - len(held))
+
+
+def _resisted(K: np.ndarray, G: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Stiffness in the space of motions that are resisted, and orthonormal columns of that space.
+
+    A motion x_0 with ``K x_0 = 0`` conserves its momentum, ``ẋ_0 + G_0 x = 0``. This adds ``G_0ᵀ G_0`` to the
+    stiffness of the others. Where `G` couples such motions with each other, all motions stay.
+    """
+    k, vectors = np.linalg.eigh(K)
+    free = np.abs(k) <= NOTHING * np.max(np.abs(k), initial=0.0)
+    if np.max(np.abs(vectors[:, free].T @ G @ vectors[:, free]), initial=0.0) > NOTHING * np.max(np.abs(G)):
+        free[:] = False
+    space, coupling = vectors[:, ~free], vectors[:, free].T @ G @ vectors[:, ~free]
+    return np.diag(k[~free]) + coupling.T @ coupling, space
+
+
+def _natural(K: np.ndarray, G: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Circular frequencies, growth and columns of ``ẍ + G ẋ + K x = 0``."""
+    k, vectors = np.linalg.eigh((K + K.T) / 2)
+    if np.max(np.abs(G), initial=0.0) <= NOTHING * np.sqrt(np.max(np.abs(k), initial=0.0)):
+        roots = np.sqrt(np.abs(k))
+        return np.where(k > 0, roots, 0.0), np.where(k > 0, 0.0, roots), vectors
+    n, G = len(k), vectors.T @ G @ vectors
+    if (k > 0).all():
+        # With positive stiffness the motion is stable: the state [√K x, ẋ] has a skew-symmetric matrix.
+        skew = np.block([[np.zeros((n, n)), np.diag(np.sqrt(k))], [-np.diag(np.sqrt(k)), -G]])
+        omega, states = np.linalg.eigh(-1j * skew)
+        x = states[:n, n:] / np.sqrt(k)[:, None]
+        return omega[n:], np.zeros(n), vectors @ _real(x)
+    values, states = scipy.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-np.diag(k), -G]]))
+    size = GROWTH * np.max(np.abs(values))
+    real, turn = np.where(np.abs(values.real) > size, values.real, 0.0), np.where(values.imag > size, values.imag, 0.0)
+    kept = np.flatnonzero((turn > 0) & (real >= 0) | (real > 0) & (np.abs(values.imag) <= size))
+    kept = kept[np.lexsort((real[kept], turn[kept]))]
+    return turn[kept], real[kept], vectors @ _real(states[:n, kept])
+
+
+def _real(x: np.ndarray) -> np.ndarray:
+    """The columns at the phase at which their largest entry is real, of unit length."""
+    largest = np.take_along_axis(x, np.argmax(np.abs(x), axis=0)[None], axis=0)
+    out = (x * np.conj(largest) / np.maximum(np.abs(largest), np.finfo(float).tiny)).real
+    return out / np.linalg.norm(out, axis=0)

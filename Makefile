@@ -1,5 +1,6 @@
 # make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
-# figures and a report. make test: the test suite, every feature. make test-long: the rest of its sweeps.
+# figures and a report. make test: the test suite, every feature. make examples: every example and guide, in short form.
+# make test-long: the rest of the sweeps.
 # All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
@@ -28,8 +29,12 @@ mpc: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
-# What `make test` leaves out: the rest of its sweeps over random robots, layouts, bindings, compilers, bases and numbers
-# of modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
+# The examples in their short forms with their assertions, and every block of the guides, as users run them.
+examples: $(READY)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
+
+# What both leave out: the rest of the sweeps over random robots, layouts, bindings, compilers, bases and numbers of
+# modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
 # the short form of `make firmware`. About half an hour.
 test-long: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
@@ -117,4 +122,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test test-long lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean
+.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean

@@ -3,8 +3,11 @@
 import subprocess
 import sys
 
+import pytest
 from conftest import require_tool
 from helpers import ROOT, arm, link, model_of
+
+pytestmark = pytest.mark.examples
 
 
 def test_demo_runs_over_an_older_folder():

@@ -5,7 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from conftest import require_tool
+
+pytestmark = pytest.mark.examples
 
 ROOT = Path(__file__).resolve().parents[1]
 

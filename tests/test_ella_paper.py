@@ -20,6 +20,8 @@ from ella import arm, document, frequencies, growth, motions, numbers  # noqa: E
 from screwgen import natural_frequencies  # noqa: E402
 from screwgen.simulation.motion import displacements, tip_deformation, tip_position  # noqa: E402
 
+pytestmark = pytest.mark.examples
+
 PAPER = "03_joint_angles 04_coordinates 06_twists 07_end_point 08_deformation 08_spectrum 09_field_link1"
 PAPER += " 10_field_link2 11_modal 12_torques 13_base_wrench 14_joint_wrench"
 FIGURES = [f"fig{name}.png" for name in PAPER.split()]

@@ -14,6 +14,8 @@ from pathlib import Path
 import pytest
 from conftest import require_tool
 
+pytestmark = pytest.mark.examples
+
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 GENERATED = {"errata.md", "misra.md"}

@@ -19,6 +19,8 @@ from mpc.ocp import Dynamics  # noqa: E402
 from mpc.plan import Plan  # noqa: E402
 from mpc.task import rest, settling  # noqa: E402
 
+pytestmark = pytest.mark.examples
+
 PNGS = {"settling.png", "closed_loop.png", "solves.png", "wrench.png"}
 FILES = PNGS | {"report.md", "report.html", "results.json", "MANIFEST.sha256"}
 

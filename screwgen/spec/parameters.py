@@ -79,11 +79,11 @@ FIELDS |= {  # of a section that is stated at stations
 }
 
 SLIDING = {
-    "joint.armature": {"unit": "kg", "description": "drive's inertia seen along the joint axis"},
-    "joint.damping": {"unit": "N·s/m", "description": "viscous damping along the joint axis"},
-    "joint.stiffness": {"unit": "N/m", "description": "stiffness along the joint axis"},
+    "joint.armature": ("kg", "drive's inertia seen along the joint axis"),
+    "joint.damping": ("N·s/m", "viscous damping along the joint axis"),
+    "joint.stiffness": ("N/m", "stiffness along the joint axis"),
 }
-"""Of a slide, in place of a joint that turns."""
+"""Unit and meaning of a slide's parameters, in place of those of a joint that turns."""
 
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
@@ -98,8 +98,10 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
-            sliding = field in SLIDING and not link.joint.screws[parameter.index[0]].turn
-            yield replace(parameter, **SLIDING[field]) if sliding else parameter
+            if field in SLIDING and not link.joint.screws[parameter.index[0]].turn:
+                unit, description = SLIDING[field]
+                parameter = replace(parameter, unit=unit, description=description)
+            yield parameter
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])

@@ -13,7 +13,7 @@ from ...topology.parameters import label
 from .code import literal
 from .fields import Field
 
-SLIDING_UNITS = [of_slide["unit"] for of_slide in SLIDING.values()]
+SLIDING_UNITS = [unit for unit, _ in SLIDING.values()]
 
 
 class Member(NamedTuple):

@@ -17,14 +17,14 @@ from .simulation.validity import ModelLeftError as ModelLeftError
 from .simulation.validity import ModelValidityWarning as ModelValidityWarning
 from .simulation.validity import Validity as Validity
 from .spec.frequencies import Frequencies as Frequencies
+from .spec.joint import Joint as Joint
+from .spec.joint import Mount as Mount
 from .spec.load import dump as dump
 from .spec.load import load as load
 from .spec.robot import Body as Body
 from .spec.robot import Damping as Damping
-from .spec.robot import Joint as Joint
 from .spec.robot import Link as Link
 from .spec.robot import Modes as Modes
-from .spec.robot import Mount as Mount
 from .spec.robot import Robot as Robot
 from .spec.screw import Screw as Screw
 from .spec.section import Section as Section

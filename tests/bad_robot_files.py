@@ -38,8 +38,12 @@ LINE = "{ rhoA = 1.0, EA = 1e7, EIy = 1e3, EIz = 1e3, GJ = 1e3, rhoIp = 1e-3 }"
 MODES = '{ basis = "clamped_free", axial = 1, bending_y = 2, bending_z = 2, torsion = 1 }'
 BODY = '{ at = "tip", mass = 2.0, com = [0.0, 0.0, 0.1], inertia = [1.0, 2.0, 2.5, 0.0, 0.0, 0.0] }'
 INERTIA = "inertia = [1.0, 2.0, 2.5, 0.0, 0.0, 0.0]"
+FREE = 'axes = ["z"]'
+SCREW = 'axes = [{ screw = "z", pitch = 0.1 }]'
+PLANE = 'axes = [{ slide = "x" }, { slide = "y" }, { slide = [1, 1, 0] }]'
 AXES = 'axes = ["y", [0.0, 0.0, 1.0]]'
 UPPER, FORE = "links[0]", "links[1]"
+AXIS = f"{FORE}.joint.axes[0]"
 
 WRONG = [  # what stands in GOOD, what replaces it, the key path of the message, a fragment of it
     # the robot
@@ -132,10 +136,10 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     ("axial = 1", "bending = 1", f"{UPPER}.modes.bending", "did you mean bending_"),
     # the joint
     ('joint = { axes = ["z"] }\n', "", f"{FORE}.joint (link fore)", "is missing; state the joint"),
-    ('{ axes = ["z"] }', "{}", f"{FORE}.joint.axes", "is missing; state the axes of rotation in order"),
+    ('{ axes = ["z"] }', "{}", f"{FORE}.joint.axes", "is missing; state the axes in order"),
     ('{ axes = ["z"] }', "[]", f"{FORE}.joint", "is an array of 0; it must be a table of axes, mount"),
     ('axes = ["z"]', 'axes = "z"', f"{FORE}.joint.axes", 'is "z"; it must be an array of axes'),
-    ('axes = ["z"]', 'axes = ["Z"]', f"{FORE}.joint.axes[0]", 'is "Z"; it must be "x", "y", "z" or an array'),
+    ('axes = ["z"]', 'axes = ["Z"]', f"{FORE}.joint.axes[0]", 'it must be "x", "y", "z", an array of 3 numbers, {'),
     ('axes = ["z"]', 'axes = ["x", "y", "z", "x"]', f"{FORE}.joint.axes", "has 4 axes; at most 3"),
     ('axes = ["z"]', "axes = [[0, 0, 0]]", f"{FORE}.joint.axes[0] (link fore)", "is the zero vector"),
     ('axes = ["z"]', "axes = [[0, 1]]", f"{FORE}.joint.axes[0]", "has length 2"),
@@ -144,6 +148,22 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     (AXES, 'axes = ["z", [0.0, 0.0, 1.0]]', f"{UPPER}.joint.axes[1]", "is parallel to the axis before it"),
     (AXES, 'axes = ["z", [0.0, 0.0, -2.0]]', f"{UPPER}.joint.axes[1]", "is parallel to the axis before it"),
     (AXES, "axes = [[1, 1, 1], [0.577, 0.577, 0.577]]", f"{UPPER}.joint.axes[1]", "is parallel"),
+    # slides and screws
+    (FREE, 'axes = [{ slid = "z" }]', f"{AXIS}.slid", "did you mean slide? known here: slide, screw, pitch"),
+    (FREE, "axes = [{}]", AXIS, 'is neither a slide nor a screw; write { slide = "x" } or { screw = "x", pitch ='),
+    (FREE, "axes = [{ pitch = 0.1 }]", AXIS, "is neither a slide nor a screw; write"),
+    (FREE, SCREW.replace("screw", 'slide = "y", screw'), AXIS, "is a slide and a screw at once; write"),
+    (FREE, SCREW.replace("screw", "slide"), f"{AXIS}.pitch", "is stated of a slide, which does not turn; leave it"),
+    (FREE, 'axes = [{ screw = "z" }]', f"{AXIS}.pitch", "is missing; state how far the link moves along the axis"),
+    (FREE, SCREW.replace("0.1", "0"), f"{AXIS}.pitch", "is 0; an axis about which the link turns alone is written"),
+    (FREE, SCREW.replace("0.1", '"0.1"'), f"{AXIS}.pitch", 'is "0.1"; it must be a number'),
+    (FREE, SCREW.replace("0.1", "inf"), f"{AXIS}.pitch", "it must be a finite number"),
+    (FREE, "axes = [{ slide = [0, 0, 0] }]", f"{AXIS}.slide", "is the zero vector; an axis needs a direction"),
+    (FREE, 'axes = [{ slide = "xy" }]', f"{AXIS}.slide", 'is "xy"; it must be "x", "y", "z" or an array of 3'),
+    (FREE, 'axes = [{ screw = { slide = "x" }, pitch = 1 }]', f"{AXIS}.screw", "is a table; it must be an array of 3"),
+    (AXES, 'axes = [{ slide = "x" }, { slide = [-1, 0, 0] }]', f"{UPPER}.joint.axes[1]", "is parallel to the axis"),
+    (AXES, 'axes = [{ slide = "x" }, "x", { slide = "x" }]', f"{UPPER}.joint.axes[2]", "adds no motion to the axes"),
+    (AXES, PLANE, f"{UPPER}.joint.axes[2]", "adds no motion to the axes before it, in any posture; leave it out"),
     ("armature = [0.1, 0.2]", "armature = [0.1]", f"{UPPER}.joint.armature", "must hold one number per axis"),
     ("armature = [0.1, 0.2]", "armature = 0.1", f"{UPPER}.joint.armature", "it must be an array of numbers"),
     ("armature = [0.1, 0.2]", "armature = [0.1, -0.2]", f"{UPPER}.joint.armature[1]", "it must be >= 0"),

@@ -67,6 +67,22 @@ def unit_axis(axis) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
+class Axis(NamedTuple):
+    """One degree of freedom of a joint: its unit vector, whether the link turns about it, and m along it per unit."""
+
+    direction: np.ndarray
+    turns: bool
+    travel: float
+
+
+def read_axis(axis) -> Axis:
+    """A letter, a vector, the table of a slide or a screw, or an object with axis, turn and travel."""
+    if isinstance(axis, dict):
+        slides = "slide" in axis
+        return Axis(unit_axis(axis["slide" if slides else "screw"]), not slides, 1.0 if slides else axis["pitch"])
+    return Axis(unit_axis(getattr(axis, "axis", axis)), getattr(axis, "turn", True), getattr(axis, "travel", 0.0))
+
+
 LINE = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
 
 
@@ -118,7 +134,8 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     nodes, weights = quadrature(count, parts)
     line = properties_along(link["section"], nodes)
     K, damping = modal_matrices(link, line, shapes, weights)
-    axes = np.array([unit_axis(getattr(axis, "axis", axis)) for axis in joint["axes"]]).reshape(-1, 3)
+    screws = [read_axis(axis) for axis in joint["axes"]]
+    axes = np.array([screw.direction for screw in screws]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
     mount, bodies = joint.get("mount", {}), link.get("bodies", [])
     quadratic = link.get("order", order) == 2 and any(counts.values())
@@ -128,8 +145,8 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
         rhoA=line["rhoA"],
         rhoIp=line["rhoIp"],
         axes=axes,
-        turns=tuple(getattr(axis, "turn", True) for axis in joint["axes"]),
-        travel=np.array([getattr(axis, "travel", 0.0) for axis in joint["axes"]]),
+        turns=tuple(screw.turns for screw in screws),
+        travel=np.array([screw.travel for screw in screws]),
         mount_R=rpy_matrix(mount.get("rpy", [0.0] * 3)),
         mount_xyz=np.array(mount.get("xyz", [0.0] * 3), dtype=float),
         armature=per_axis("armature"),

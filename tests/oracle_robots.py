@@ -2,6 +2,7 @@
 
 import numpy as np
 import random_robots as rr
+from oracle_link import read_axis
 from scipy.spatial.transform import Rotation
 
 G = 9.81
@@ -52,13 +53,21 @@ def pinocchio_model(robot):
         turn = Rotation.from_euler("xyz", mount.get("rpy", [0, 0, 0])).as_matrix()
         place = place * pin.SE3(turn, np.array(mount.get("xyz", [0.0, 0, 0])))
         for k, axis in enumerate(link["joint"]["axes"]):
-            joint = pin.JointModelRevoluteUnaligned(rr._unit(axis))
+            joint = pinocchio_joint(pin, *read_axis(axis))
             parent, place = model.addJoint(parent, joint, place, f"{i}_{k}"), pin.SE3.Identity()
         for inertia in pinocchio_inertias(pin, link):
             model.appendBodyToJoint(parent, inertia, place)
         found.append((parent, place))
         place = place * pin.SE3(np.eye(3), np.array([link["length"], 0, 0]))
     return pin, model, found
+
+
+def pinocchio_joint(pin, direction, turns, travel):
+    if not turns:
+        return pin.JointModelPrismaticUnaligned(direction)
+    if travel:
+        return pin.JointModelHelicalUnaligned(direction, travel)
+    return pin.JointModelRevoluteUnaligned(direction)
 
 
 def pinocchio_inertias(pin, link):

@@ -20,6 +20,7 @@ LIMITS = {
     "material": 0.3,
     "frame_at": 0.25,
     "mount": 0.5,
+    "sliding": 0.0,  # of an axis: a slide or a screw
     "bodies": 0.5,  # of each of: a base body, a tip body
     "armature": 0.4,
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
@@ -173,6 +174,8 @@ def _material(rng, modes: dict) -> dict:
 def random_joint(rng, limits: dict) -> dict:
     count = 0 if chance(rng, limits["welded"]) else int(rng.integers(1, limits["max_axes"] + 1))
     joint: dict = {"axes": random_axes(rng, count)}
+    if limits["sliding"]:
+        joint["axes"] = mixed(rng, joint["axes"], limits["sliding"])
     if chance(rng, limits["mount"]):
         parts = {"xyz": numbers(rng.uniform(-0.2, 0.2, 3)), "rpy": numbers(rng.uniform(-np.pi, np.pi, 3))}
         keys = [["xyz"], ["rpy"], ["xyz", "rpy"]][int(rng.integers(3))]
@@ -185,6 +188,17 @@ def random_joint(rng, limits: dict) -> dict:
         if count and chance(rng, probability):
             joint[key] = numbers(rng.uniform(0, high, count))
     return joint
+
+
+def mixed(rng, axes: list, sliding: float) -> list:
+    """The axes, some of which became slides and screws; two in a row may be one cylindrical joint."""
+    out = [_slid(rng, axis) if chance(rng, sliding) else axis for axis in axes]
+    return [axes[0], {"slide": axes[0]}] if len(axes) == 2 and chance(rng, sliding / 3) else out
+
+
+def _slid(rng, axis) -> dict:
+    pitch = float(rng.uniform(0.01, 0.2) * rng.choice([-1, 1]))
+    return {"slide": axis} if chance(rng, 0.5) else {"screw": axis, "pitch": pitch}
 
 
 def random_axes(rng, count: int) -> list:

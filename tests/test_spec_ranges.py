@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from bad_robot_files import GOOD, MATERIAL, refusal
+from bad_robot_files import FREE, GOOD, MATERIAL, SCREW, refusal
 
 from screwgen import UsageError, derive
 from screwgen.errors import RobotFileError
@@ -34,6 +34,7 @@ MEASURED = GOOD.replace("EIz = 1e3, GJ", "GJ").replace(
 )
 TUBE = "profile = { tube = { outer = 0.1, wall = 0.004 }, E = 2e11, density = 7800.0, nu = 0.3 }"
 TEXTS = {"frequency": MEASURED} | dict.fromkeys(("dimension", "nu"), GOOD.replace(f"section = {MATERIAL}", TUBE))
+TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 
 

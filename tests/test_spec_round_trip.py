@@ -23,7 +23,9 @@ def per_axis(n):
 @st.composite
 def joints(draw):
     first = draw(st.sampled_from(["x", "y", (1.0, 2.0, 3.0), (0.3, -0.1, 0.7)]))
-    axes = draw(st.sampled_from([(), (first,), (first, "z"), (first, "z", "x")]))
+    screw = draw(st.sampled_from([{"slide": "x"}, {"slide": (0.6, 0.0, 0.8)}, {"screw": "y", "pitch": -0.002}]))
+    stated = [(), (first,), (first, "z"), (first, "z", "x"), (screw,), (first, screw), (screw, (1.0, 2.0, -3.0), "z")]
+    axes = draw(st.sampled_from(stated))
     mount = maybe() | st.builds(Mount, xyz=maybe() | vectors, rpy=maybe() | vectors)
     losses = {name: draw(per_axis(len(axes))) for name in ("armature", "damping", "stiffness")}
     return Joint(axes=axes, mount=draw(mount), **losses)

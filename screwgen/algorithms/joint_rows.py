@@ -62,6 +62,7 @@ def _column(a: Expression) -> Expression:
 def _passive(b: Block, key: LinkClass) -> Expression | None:
     """``b qdot + k q``: the generalised forces of damper and spring, or None without them."""
     total: Expression | None = None
+    slides = not all(screw.turn for screw in key.screws)
     for present, name, state, display in (
         (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
         (key.stiffness, "joint_stiffness", "q", r"\mathbf{q}_i"),
@@ -71,14 +72,13 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
                 name,
                 (key.joints, 1),
                 rf"\mathbf{{{name[6]}}}_q",
-                "N*m*s/rad, N*m/rad",
+                "N*m*s/rad, N*m/rad" + slides * ", of slides N*s/m, N/m",
                 "-",
                 name.replace("_", " "),
                 numbered=(0,),
             )
-            motion = b.input(
-                state, (key.joints, 1), display, "rad, rad/s", "-", "joint coordinates or rates", numbered=(0,)
-            )
+            unit = "rad, rad/s" + slides * ", of slides m, m/s"
+            motion = b.input(state, (key.joints, 1), display, unit, "-", "joint coordinates or rates", numbered=(0,))
             term = Diagonal(column) @ motion
             total = term if total is None else total + term
     return total

@@ -111,8 +111,13 @@ def run_equilibrium(
     given = state_in(state, model)
     if given.v.any():
         raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
-    start = given.q if q is None else numbers("q", q, model.n_joints, "joint angles in rad")
-    torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, "joint torques in N·m")
+    angles, loads = (
+        ("joint coordinates", "joint forces")
+        if model.chain.sliding
+        else ("joint angles in rad", "joint torques in N·m")
+    )
+    start = given.q if q is None else numbers("q", q, model.n_joints, angles)
+    torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, loads)
     if hold and (tau is not None or given.tau.any()):
         option = "--tau" if tau is not None else f"{one_line(str(state))}: tau"
         raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
@@ -142,11 +147,16 @@ def record(e: Equilibrium) -> dict:
     return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
 
 
+WORDS = ("joint angles", "torques")
+"""Of a robot without slides: what its joint coordinates are, and their forces."""
+
+
 def text(model: Model, e: Equilibrium) -> str:
     """The report."""
     m = model.n_joints
-    angles = "joint angles, held" if e.held else "joint angles"
-    torques = "torques that hold them" if e.held else "torques given"
+    coordinates, torques = ("joint coordinates", "torques and forces") if model.chain.sliding else WORDS
+    angles = coordinates + ", held" * e.held
+    torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
     named = zip(model.q_names[:m], coordinate_units(model.robot), strict=False)
     units = [f"{unit}, on its spring" if name in e.passive else unit for name, unit in named]

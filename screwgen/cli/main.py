@@ -207,13 +207,15 @@ def equilibrium(
         str | None,
         typer.Option(
             metavar="NUMBERS",
-            help="Joint angles, rad, as 0.1,-0.2: those held, or where the search starts. Zero without.",
+            help="Joint angles, rad (slides: m), as 0.1,-0.2: those held, or where the search starts. Zero without.",
             show_default=False,
         ),
     ] = None,
     tau: Annotated[
         str | None,
-        typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m. Zero without.", show_default=False),
+        typer.Option(
+            metavar="NUMBERS", help="Joint torques that act, N·m (slides: N). Zero without.", show_default=False
+        ),
     ] = None,
     hold: Annotated[bool, typer.Option("--hold", help="Hold joints without springs; the torques follow.")] = False,
     hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,

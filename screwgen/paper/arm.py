@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scipy.spatial.transform import Rotation
 
-from ..spec.robot import Body, Joint, Link, Modes, Mount, Robot
+from ..spec.joint import Joint, Mount
+from ..spec.robot import Body, Link, Modes, Robot
 from ..spec.section import Section
 
 NAMES = ("upper_arm", "forearm")

@@ -115,12 +115,14 @@ def panels(run: Run, controller: Any = None) -> list[Panel]:
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
-    angles = _with(q(".joint["), "goal", _goals(run, controller))
-    torques = _with(_lines(run, run.tau, run.tau_names, ".torque["), "bound", _bounds(controller))
+    tau, goals, bounds = partial(_lines, run, run.tau, run.tau_names), _goals(run, controller), _bounds(controller)
+    turns = np.array([".torque[" in name for name in run.tau_names], bool)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
-        Panel("Joint angles", "q", "rad", angles),
-        Panel("Joint torques", "τ", "N·m", torques),
+        Panel("Joint angles", "q", "rad", _with(q(".joint["), "goal", goals, turns)),
+        Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turns)),
+        Panel("Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
+        Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
         Panel("Bending in y", "η", "m", q(".eta.bending_y[")),
         Panel("Bending in z", "η", "m", q(".eta.bending_z[")),
         Panel("Axial modes", "η", "m", q(".eta.axial[")),
@@ -163,15 +165,15 @@ def _norms(run: Run, part: slice) -> list[Line]:
     return [Line(np.linalg.norm(run.wrench[:, i, part], axis=1), color(i, n)) for i in range(n)]
 
 
-def _with(lines: list[Line], field: str, values: np.ndarray | None) -> list[Line]:
-    """The lines with one field each from `values`, if there are any."""
-    if values is None or len(values) != len(lines):
+def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:
+    """The lines with one field each from the `chosen` ones of `values`, one per joint axis, if there are any."""
+    if values is None or len(values) != len(chosen):
         return lines
-    return [line._replace(**{field: value}) for line, value in zip(lines, values, strict=True)]
+    return [line._replace(**{field: value}) for line, value in zip(lines, values[chosen], strict=True)]
 
 
 def _goals(run: Run, controller: Any) -> np.ndarray | None:
-    """The set points (n_joints, N), rad, of a controller that states them."""
+    """The set points (n_joints, N), rad and m, of a controller that states them."""
     law = started(controller, run.q[0])
     if not hasattr(law, "reference"):
         return None
@@ -180,7 +182,7 @@ def _goals(run: Run, controller: Any) -> np.ndarray | None:
 
 
 def _bounds(controller: Any) -> np.ndarray | None:
-    """The torque limits (n_joints,), N·m, of a controller that states them."""
+    """The limits of torques and forces (n_joints,), N·m and N, of a controller that states them."""
     bounds = getattr(controller, "tau_max", None)
     return None if bounds is None else np.array(bounds, float)
 
@@ -222,7 +224,7 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
     if any(line.goal is not None for line in lines):
         entries.append(("set point", GOAL))
     if any(line.bound is not None for line in lines):
-        entries.append(("torque limit", BOUND))
+        entries.append(("limit of the drive" if any(".force[" in x for x in run.tau_names) else "torque limit", BOUND))
     entries.append(("path of the tip", PATH))
     entries += [(name, MARK | dict(color=shade)) for name, shade in (("its start", START), ("its end", END))]
     if arm:
@@ -249,8 +251,10 @@ def _space(axes: Axes, run: Run, model: Model | None) -> None:
     if model is not None:
         rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
         postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
-        _arm(axes, postures)
-        points.append(postures.reshape(-1, 3))
+        mount = model.robot.links[0].joint.mount
+        foot = np.array(mount.xyz if mount and mount.xyz else np.zeros(3))
+        _arm(axes, postures, foot)
+        points += [postures.reshape(-1, 3), foot[None]]
     cloud = np.concatenate(points)
     _, size, direction = np.linalg.svd(cloud - cloud.mean(axis=0), full_matrices=False)
     elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])
@@ -259,14 +263,18 @@ def _space(axes: Axes, run: Run, model: Model | None) -> None:
     look.fit(axes, cloud, f"{what}, true to scale")
 
 
-def _arm(axes: Axes, postures: np.ndarray) -> None:
-    """Postures (K, n, stations, 3): the earlier ones pale, the last one link by link in their colours."""
+def _arm(axes: Axes, postures: np.ndarray, foot: np.ndarray) -> None:
+    """Postures (K, n, stations, 3): the earlier ones pale, the last one link by link in their colours.
+
+    `foot` (3,): where the arm is mounted, from which the first link may slide away.
+    """
     n = postures.shape[1]
     for links in postures[:-1]:
-        axes.plot(*links.reshape(-1, 3).T, **EARLIER)
+        axes.plot(*np.concatenate([foot[None], links.reshape(-1, 3)]).T, **EARLIER)
         axes.plot(*links[:, 0].T, "o", color=PALE, markersize=3)
+    axes.plot(*np.array([foot, postures[-1, 0, 0]]).T, color=color(0, n), linewidth=2.4)
     for i, link in enumerate(postures[-1]):
         end = postures[-1, i + 1, :1] if i + 1 < n else link[-1:]
         axes.plot(*np.concatenate([link, end]).T, color=color(i, n), linewidth=2.4)
         axes.plot(*link[:1].T, "o", color=color(i, n), markersize=4.5)
-    axes.plot(*postures[0, 0, :1].T, "s", color=INK, markersize=7)
+    axes.plot(*foot[:, None], "s", color=INK, markersize=7)

@@ -46,9 +46,9 @@ class Noise:
     """The noise model of a filter; a single number applies to all entries.
 
     ``density_q``, ``density_v`` (nq): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
-    (modes: m²/s, m²/s³).  ``encoder`` (n_joints, rad), ``strain`` (gauges), ``acceleration`` (3, m/s²): standard
-    deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m, on the side of
-    positive y or z.
+    (modes and slides: m²/s, m²/s³).  ``encoder`` (n_joints, rad or m), ``strain`` (gauges), ``acceleration``
+    (3, m/s²): standard deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m,
+    on the side of positive y or z.
     """
 
     density_v: np.ndarray | float
@@ -107,8 +107,8 @@ class CompiledEstimator:
     def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
-        ``encoder`` (n_joints) in rad, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in tip-frame
-        components, less free fall.
+        ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
+        tip-frame components, less free fall.
         """
         self._input(tau, w_ext)
         for name, given in zip(SENSORS, (encoder, strain, acceleration), strict=True):

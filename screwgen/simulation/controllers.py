@@ -23,7 +23,12 @@ if TYPE_CHECKING:
 
 Controller = Callable[[float, np.ndarray, np.ndarray], Numbers]
 
-UNITS = {"kp": "N·m/rad", "kd": "N·m·s/rad", "q_des": "rad", "tau_max": "N·m"}
+UNITS = {
+    "kp": "N·m/rad (slides: N/m)",
+    "kd": "N·m·s/rad (slides: N·s/m)",
+    "q_des": "rad (slides: m)",
+    "tau_max": "N·m (slides: N)",
+}
 REQUIRED = ("kp", "kd", "q_des")
 KEYS = (*UNITS, "duration", "waypoints", "gravity")
 
@@ -61,8 +66,9 @@ class PD:
     """A proportional-derivative law about a reference, one entry per joint coordinate.
 
     `tau = kp (q_ref − q) + kd (v_ref − v) + gravity(q)`, limited to `±tau_max` where that is given. `kp` in N·m/rad,
-    `kd` in N·m·s/rad, `q_des` in rad. With `duration` (s) the reference travels from `q_start` to `q_des` along a
-    minimum-jerk path; without, it is `q_des` at rest. A run fills `q_start` in through `starting_at`.
+    `kd` in N·m·s/rad, `q_des` in rad; of a slide N/m, N·s/m and m. With `duration` (s) the reference travels from
+    `q_start` to `q_des` along a minimum-jerk path; without, it is `q_des` at rest. A run fills `q_start` in through
+    `starting_at`.
 
     `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
@@ -113,7 +119,7 @@ class PD:
         return ((0.0, self.q_start), *(self.waypoints or ((self.duration, self.q_des),)))
 
     def reference(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Joint coordinates (rad) and rates (rad/s) that the law follows at the time `t` (s)."""
+        """Joint coordinates (rad, of slides m) and rates that the law follows at the time `t` (s)."""
         points = self.set_points
         k = next((k for k in range(1, len(points)) if t < points[k][0]), None)
         if k is None:
@@ -124,7 +130,7 @@ class PD:
         return start + place * (goal - start), rate * (goal - start)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The joint torques, N·m."""
+        """The joint torques, N·m, of slides forces, N."""
         n = len(self.q_des)
         q_ref, v_ref = self.reference(t)
         tau = np.array(self.kp) * (q_ref - q[:n]) + np.array(self.kd) * (v_ref - v[:n])
@@ -189,7 +195,7 @@ def _goal(data: dict[str, Any], n: int) -> dict[str, Any]:
 def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     """One number for each joint, of the unit and the range of a key."""
     check = within("q" if key.startswith("q_") else key)
-    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, 'rad')}", check))
+    return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
 
 
 def _toml(text: str, file: str) -> dict[str, Any]:

@@ -31,7 +31,7 @@ MAX_BYTES = 16 * 2**20
 class State:
     """The state and the inputs of a robot at an instant; SI units, radians.
 
-    `q`, `v` (nq,): coordinates, joints then modes, and their rates; `tau` (n_joints,): joint torques, N·m;
+    `q`, `v` (nq,): coordinates, joints then modes, and their rates; `tau` (n_joints,): joint torques, N·m (slides: N);
     `w_ext` (n, 6): external wrench [τ; F] on each link's tip section, tip-frame components.
     """
 

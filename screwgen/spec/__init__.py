@@ -2,9 +2,10 @@
 
 from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
+from .joint import Joint, Mount
 from .load import dump, load
 from .parameters import Parameter, coordinate_names, parameters
-from .robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot
+from .robot import DIRECTIONS, Body, Damping, Link, Modes, Robot
 from .section import Section
 from .stations import Station, Stations
 

@@ -10,11 +10,12 @@ from pydantic import ValidationError
 
 from ..errors import RobotFileError, UsageError
 from ..files import NotRegularError, open_regular
+from .axes import LETTERS
 from .messages import explain
-from .physics import LETTERS
 from .robot import Robot
-from .screw import Screw
 
+SCREWS = ("slide", "screw")
+"""Keys whose value is an axis."""
 MAX_BYTES = 4 * 2**20
 DEEP_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){32}""")  # tomllib takes quadratic memory
 
@@ -102,7 +103,6 @@ def dump(robot: Robot) -> str:
     """
     for link in robot.links:
         own = {
-            "joint.axes": any(isinstance(axis, Screw) for axis in link.joint.axes),
             "modes.basis": callable(link.modes.basis),
             "body": link.body is not None,
         }
@@ -130,7 +130,7 @@ def entry(key: str, value: Any) -> str:
             inner = ", ".join(f"{k} = {entry(k, v)}" for k, v in value.items())
             return f"{{ {inner} }}" if inner else "{}"
         case tuple() | list():
-            return f"[{', '.join(map(axis if key == 'axes' else item, value))}]"
+            return axis(value) if key in SCREWS else f"[{', '.join(map(axis if key == 'axes' else item, value))}]"
         case bool() | str():
             return json.dumps(value)
     return repr(value)
@@ -141,7 +141,7 @@ def item(value: Any) -> str:
     return entry("", value)
 
 
-def axis(value: tuple[float, float, float]) -> str:
-    """A letter for an axis of the frame, else the vector."""
+def axis(value: Any) -> str:
+    """A letter for an axis of the frame, else the vector or the table of a screw."""
     letter = next((name for name, unit in LETTERS.items() if unit == value), None)
     return json.dumps(letter) if letter else item(value)

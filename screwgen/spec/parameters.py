@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
-from .robot import DIRECTIONS, Body, Joint, Link, Robot
+from .joint import Joint
+from .robot import DIRECTIONS, Body, Link, Robot
 from .section import Section
 from .stations import Stations
 
@@ -77,8 +78,12 @@ FIELDS |= {  # of a section that is stated at stations
     for name in STATED
 }
 
-SLIDING = {"joint.armature": "kg", "joint.damping": "N·s/m", "joint.stiffness": "N/m"}
-"""Units of a prismatic axis in place of a revolute one."""
+SLIDING = {
+    "joint.armature": ("kg", "drive's inertia seen along the joint axis"),
+    "joint.damping": ("N·s/m", "viscous damping along the joint axis"),
+    "joint.stiffness": ("N/m", "stiffness along the joint axis"),
+}
+"""Unit and meaning of a slide's parameters, in place of those of a joint that turns."""
 
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
@@ -93,8 +98,10 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
-            sliding = field in SLIDING and not link.joint.screws[parameter.index[0]].turn
-            yield replace(parameter, unit=SLIDING[field]) if sliding else parameter
+            if field in SLIDING and not link.joint.screws[parameter.index[0]].turn:
+                unit, description = SLIDING[field]
+                parameter = replace(parameter, unit=unit, description=description)
+            yield parameter
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])
@@ -166,13 +173,14 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     """The names (q, v, tau, wrench); no name occurs twice in all four, so they can head one table's columns.
 
     q: `forearm.joint[0]` (rad) link by link, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
-    v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m);
-    wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
+    v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
+    slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N). wrench: `forearm.tau_x` (N·m) …
+    `forearm.F_z` (N).
     """
     return CoordinateNames(
-        q=(*per_axis(robot, "joint"), *per_mode(robot, "eta")),
-        v=(*per_axis(robot, "joint_rate"), *per_mode(robot, "eta_rate")),
-        tau=per_axis(robot, "torque"),
+        q=(*per_axis(robot, "joint", "slide"), *per_mode(robot, "eta")),
+        v=(*per_axis(robot, "joint_rate", "slide_rate"), *per_mode(robot, "eta_rate")),
+        tau=per_axis(robot, "torque", "force"),
         wrench=tuple(f"{link.name}.{component}" for link in robot.links for component in WRENCH),
     )
 
@@ -181,17 +189,23 @@ def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=True)]
     modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
-    return [screw.unit for link in robot.links for screw in link.joint.screws] + modal
+    return ["rad" if turns else "m" for turns in turning(robot)] + modal
+
+
+def turning(robot: Robot) -> list[bool]:
+    """Whether the link turns about each joint axis; about one that slides it does not."""
+    return [screw.turn for link in robot.links for screw in link.joint.screws]
 
 
 def force_units(robot: Robot) -> list[str]:
     """The units of tau: N·m for axes that turn, N for axes that slide."""
-    return ["N·m" if screw.turn else "N" for link in robot.links for screw in link.joint.screws]
+    return ["N·m" if turns else "N" for turns in turning(robot)]
 
 
-def per_axis(robot: Robot, quantity: str) -> tuple[str, ...]:
-    """One name for each joint axis, link by link."""
-    return tuple(f"{link.name}.{quantity}[{j}]" for link in robot.links for j in range(len(link.joint.axes)))
+def per_axis(robot: Robot, turning: str, sliding: str) -> tuple[str, ...]:
+    """One name for each joint axis, link by link: of an axis that turns and of one that slides."""
+    axes = ((link.name, j, screw) for link in robot.links for j, screw in enumerate(link.joint.screws))
+    return tuple(f"{name}.{turning if screw.turn else sliding}[{j}]" for name, j, screw in axes)
 
 
 def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:

@@ -6,7 +6,6 @@ those of NOTATION.md.
 """
 
 from collections.abc import Callable
-from numbers import Real
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PlainValidator, model_validator
@@ -14,12 +13,13 @@ from pydantic import Field, PlainValidator, model_validator
 from ..bases import BASES, DEFAULT, NATURAL, Basis, Shapes, shapes
 from ..errors import UsageError
 from .frequencies import Frequencies
+from .joint import Joint, Position
 from .names import distinct, link_name, robot_name
 from .part import Part
-from .physics import axes, inertia, own_body
+from .physics import inertia, own_body
 from .profile import profiled
 from .ranges import several, within
-from .screw import Screw
+from .screw import Vector
 from .section import PRODUCTS
 from .stations import AnySection, Stations
 from .values import boolean, choice, count, quoted, refuse, shape_order
@@ -35,17 +35,12 @@ def named(basis: str | Basis) -> str:
     return quoted(basis) if isinstance(basis, str) else "of one's own"
 
 
-Vector = tuple[float, float, float]
-Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
-Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes)]
-PerAxis = tuple[float, ...]
 Count = Annotated[int, PlainValidator(count)]
 BasisName = Annotated[str | Callable, PlainValidator(basis)]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
-PER_AXIS = ("armature", "damping", "stiffness")
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
 NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
@@ -129,63 +124,6 @@ class Damping(Part):
     ratio: Annotated[float, PlainValidator(within("damping ratio"))] = Field(
         description="the damping ratio of each mode"
     )
-
-
-class Mount(Part):
-    """Where a joint sits on the parent's tip section, or for the first link on the inertial frame.
-
-    `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
-    """
-
-    xyz: Position | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
-    rpy: Annotated[Vector, PlainValidator(several("turn", 3))] | None = Field(
-        None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF"
-    )
-
-
-class Joint(Part):
-    """Rotations about `axes`, in order: R_rel = R_mount exp(a1 q1) exp(a2 q2) …; no axes: welded.
-
-    An axis is "x", "y", "z" or a vector, held as a unit vector; in Python also a `Screw`, which may slide.
-    One number >= 0 per axis, if stated (one axis: without brackets as well): `armature` (kg·m², rotor inertia at the
-    joint), `damping` (N·m·s/rad), `stiffness` (N·m/rad).
-    """
-
-    axes: Axes = Field(description='the axes of rotation in order, as ["y", "z"]; [] welds the link')
-    mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
-    armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
-        None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared)"
-    )
-    damping: Annotated[PerAxis, PlainValidator(several("damping"))] | None = Field(
-        None, description="viscous damping of each axis, N·m·s/rad"
-    )
-    stiffness: Annotated[PerAxis, PlainValidator(several("stiffness"))] | None = Field(
-        None, description="spring of each axis, N·m/rad, relaxed where its angle is 0"
-    )
-
-    @model_validator(mode="before")
-    @classmethod
-    def _one_number_for_one_axis(cls, given: Any) -> Any:
-        """On one axis `damping = 2.0` says what `damping = [2.0]` does."""
-        axes = given.get("axes") if isinstance(given, dict) else None
-        if not (isinstance(axes, list | tuple) and len(axes) == 1):
-            return given
-        alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
-        return given | alone
-
-    @property
-    def screws(self) -> tuple[Screw, ...]:
-        """The degrees of freedom in order."""
-        return tuple(axis if isinstance(axis, Screw) else Screw(axis) for axis in self.axes)
-
-    @model_validator(mode="after")
-    def _one_number_per_axis(self) -> Self:
-        for name in PER_AXIS:
-            values = getattr(self, name)
-            if values is not None and len(values) != len(self.axes):
-                what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
-                raise refuse(what, at=(name,))
-        return self
 
 
 class Body(Part):

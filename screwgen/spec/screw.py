@@ -13,17 +13,12 @@ class Screw:
 
     ``axis``: a unit vector, in the axes of the mount turned by the screws before it. ``turn``: whether the link turns
     about the axis, by ``q`` in rad; otherwise ``q`` is in m. ``travel``: how far the link moves along the axis per unit
-    of ``q``: m per rad where it turns (the pitch over 2π), m per m where it slides.
+    of ``q``: m per rad where it turns (the pitch of a robot file), m per m where it slides.
     """
 
     axis: Vector
     turn: bool = True
     travel: float = 0.0
-
-    @property
-    def unit(self) -> str:
-        """The unit of the coordinate."""
-        return "rad" if self.turn else "m"
 
     @property
     def slides(self) -> bool:

@@ -33,9 +33,9 @@ class Equilibrium:
     """An arm at rest. SI units, radians; n links, nq coordinates."""
 
     q: np.ndarray
-    """(nq,): joint angles, then modal coordinates."""
+    """(nq,): joint coordinates, then modal ones."""
     tau: np.ndarray
-    """(n_joints,): the joint torques, N·m; for held joints those that hold them."""
+    """(n_joints,): the joint torques, N·m, of slides forces, N; for held joints those that hold them."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
     passive: tuple[str, ...]
@@ -72,7 +72,8 @@ class Equilibrium:
         torques = [*map(notebook.number, self.tau), *[""] * (len(self.q) - len(self.tau))]
         rows = [*zip(self.q_names, self.q, torques, strict=True)]
         rows += [(f"tip_position.{axis}", x, "") for axis, x in zip("xyz", self.tip_position, strict=True)]
-        return notebook.table(repr(self).strip("<>"), ("", "value", "torque, N·m"), rows)
+        force = "torque, N·m; of slides force, N" if any(".slide[" in x for x in self.q_names) else "torque, N·m"
+        return notebook.table(repr(self).strip("<>"), ("", "value", force), rows)
 
 
 def equilibrium(

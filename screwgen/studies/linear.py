@@ -251,8 +251,9 @@ def _members(name: str, groups: Groups, names: Sequence[str], what: str) -> list
     if name in names:
         return [name]
     link, dot, rest = name.partition(".")
-    whole = f"{link}{dot}torque{rest[3:]}" if rest == "tau" or rest.startswith("tau[") else name
-    if found := [x for x in names if x == whole or x.startswith((f"{whole}.", f"{whole}["))]:
+    torque = rest == "tau" or rest.startswith("tau[")
+    whole = [f"{link}{dot}{kind}{rest[3:]}" for kind in ("torque", "force")] if torque else [name]
+    if found := [x for x in names if x in whole or x.startswith(tuple(w + c for w in whole for c in ".["))]:
         return found
     hint = nearest(name, [*groups, *names]) or f"or entries of them, such as '{names[0]}'"
     raise UnknownNameError(f"{what}: there is no '{one_line(name)}'; choose of {', '.join(groups)}; {hint}")

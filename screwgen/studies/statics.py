@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..errors import UsageError
+from ..spec.parameters import coordinate_units
 from .modes import stiffness
 
 if TYPE_CHECKING:
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
 RESIDUAL = 1e-10
 """What no residual of an equilibrium exceeds."""
 ITERATIONS, MOST_TURN, FAR = 300, 0.5, 8 * np.pi
-"""Steps at most; rad that one of them turns or bends; rad at which a loaded joint without spring is given up."""
+"""Steps at most; rad that one of them turns or bends; rad at which a loaded joint without spring is given up. Of slides
+in m."""
 FARTHEST = 1.0
 """Modal coordinate over its link's length (torsion: rad) at which small deflections are out of the question."""
 FLAT = 1e-3
@@ -70,7 +72,8 @@ class Statics:
     def __init__(self, model: Model, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
         self.springs = stiffness(model, p)
-        self.turning = np.array([k < model.n_joints or ".eta.torsion[" in x for k, x in enumerate(model.q_names)], bool)
+        self.turning = np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)
+        self.bending = ~(self.turning | (np.arange(model.nq) < model.n_joints))
 
     def at(self, q: np.ndarray) -> Balance:
         """The balance at `q`."""
@@ -107,10 +110,10 @@ class Statics:
     @cached_property
     def reach(self) -> np.ndarray:
         """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
-        lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
-        own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
+        lengths = [length for link in self.model.robot.links for length in [link.length or 0.0] * link.modes.total]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
-        return np.where(self.turning, np.maximum(1.0, wound / (2 * np.pi)), own)
+        own = np.append(np.ones(self.model.n_joints), lengths)
+        return np.where(self.bending, own, np.maximum(1.0, wound / (2 * np.pi)))
 
     @cached_property
     def units(self) -> np.ndarray:
@@ -137,12 +140,12 @@ class Statics:
         return Statics(self.model, p, part * self.load, wrenches * self.w_ext, self.moving)
 
     def bounded(self, step: np.ndarray) -> np.ndarray:
-        """`step` made so short that it turns and bends nothing by more than `MOST_TURN`."""
+        """`step` made so short that it turns, slides and bends nothing by more than `MOST_TURN`."""
         turns = np.abs(step / (self.units * self.reach)[self.moving])
         return step * min(1.0, MOST_TURN / max(np.max(turns, initial=0.0), 1e-300))
 
     def wandered(self, q: np.ndarray) -> np.ndarray:
-        """The joints that turn and turn under a torque: nothing holds them."""
+        """The joints that turn and turn under a torque, or slide and slide: nothing holds them."""
         free = np.flatnonzero((self.springs == 0) & (self.load != 0))
         return free[np.abs(q[free]) > FAR]
 
@@ -251,7 +254,8 @@ def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibrium
     away = statics.wandered(b.q - start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
     joint = k < statics.model.n_joints
-    what = f"its torque of {statics.load[k]:.6g} N·m" if joint else "its load"
+    kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
+    what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
     return NoEquilibriumError(
         f"{statics.model.q_names[k]}: no posture found balances {what}; "

@@ -8,6 +8,7 @@ from itertools import accumulate
 
 from ..arguments import Parameters
 from ..spec.link_class import link_class
+from ..spec.parameters import turning
 from ..spec.robot import Robot
 from .parameters import labels
 from .tree import chain
@@ -55,6 +56,11 @@ class Chain:
     def slides(self) -> bool:
         """Whether any joint moves its link along an axis."""
         return any(key.slides for key in self.keys)
+
+    @property
+    def sliding(self) -> bool:
+        """Whether any joint has a coordinate in m."""
+        return not all(turning(self.robot))
 
     @property
     def n_given(self) -> int:

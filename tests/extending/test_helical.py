@@ -1,5 +1,6 @@
-"""A joint that the product does not contain, the helical one, made of its contract: a screw that turns and travels."""
+"""Joints made in Python of the contract, a screw that turns and travels: the helical and the sliding one."""
 
+import tomllib
 from functools import cache, partial
 
 import numpy as np
@@ -9,7 +10,7 @@ from conftest import swept
 from helpers import Case, model_of, quick
 from oracle import Oracle
 
-from screwgen import PD, Screw, UsageError, simulate
+from screwgen import PD, Robot, Screw, simulate
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.spec import dump
 
@@ -140,6 +141,8 @@ def test_a_slide_is_driven_by_a_control_law_to_its_goal():
     assert [p for p in model.parameter_names if "damping" in p] == ["cart.joint.damping[0]"]
 
 
-def test_a_robot_file_cannot_state_one(case):
-    with pytest.raises(UsageError, match=r"^link 'link_0': joint\.axes holds an object made in Python"):
-        dump(case.model.robot)
+def test_a_robot_file_states_them_too(case):
+    robot = case.model.robot
+    text = dump(robot)
+    assert "{ slide = [" in text and "{ screw = [" in text and "pitch = " in text
+    assert Robot.model_validate(tomllib.loads(text)) == robot

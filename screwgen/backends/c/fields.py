@@ -9,12 +9,15 @@ from types import MappingProxyType
 
 from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
-from ...algorithms.signals import NODE, ROBOT, STORE
-from ...ir.block import Signal
+from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal
+from ...ir.block import Signal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from .code import literal
+
+SLIDING = {"rad": "m", "rad/s": "m/s", "rad/s^2": "m/s^2", "N*m": "N"}
+"""The units of joint coordinates and their forces: of an axis that turns, of one that slides."""
 
 
 @dataclass(frozen=True)
@@ -39,10 +42,22 @@ def length(n: int | str) -> str:
     return {"NLINKS": "$$_NLINKS"}.get(n, f"$$_LENGTH($$_{n})") if isinstance(n, str) else str(n)
 
 
-def structs(coupled: bool) -> dict[str, list[Field]]:
+def structs(coupled: bool, sliding: bool) -> dict[str, list[Field]]:
     """The members of the structs that hold the robot's signals; without coupled modes NINERTIA is NGIVEN."""
     named = lambda shape: tuple("NGIVEN" if n == "NINERTIA" and not coupled else n for n in shape)  # noqa: E731
-    return {name: [Field(n, named(s.shape), s.comment) for n, s in own.items()] for name, own in ROBOT.items()}
+    return {
+        name: [Field(n, named(s.shape), joint_comment(s, sliding)) for n, s in own.items()]
+        for name, own in ROBOT.items()
+    }
+
+
+def joint_comment(signal: Signal, sliding: bool) -> str:
+    """The comment of a signal; one of joint coordinates names the units of slides, if the robot has any."""
+    unit = SLIDING.get(signal.unit)
+    if not sliding or unit is None or not {"m", *JOINTS} & set(signal.shape):
+        return signal.comment
+    slides = signal._replace(unit=f"{signal.unit}, of slides {unit}").comment
+    return slides.replace("torque about each joint axis", "torque about, or force along, each joint axis")
 
 
 def fused_place(name: str, k: int) -> str:
@@ -65,9 +80,9 @@ def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
     return [Field(name, (), _constant_comment(signals.get(name))) for name in sorted(labels)]
 
 
-def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Signal]:
+def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:
     """The signal that every label of the classes' blocks belongs to; the first that has it."""
-    out: dict[str, Signal] = {}
+    out: dict[str, Constant] = {}
     for block in (block for key in classes for block in derived(key).values()):
         for step in block.steps.values():
             for symbol, _ in step.assignments:
@@ -78,7 +93,7 @@ def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Signal]:
     return out
 
 
-def _constant_comment(signal: Signal | None) -> str:
+def _constant_comment(signal: Constant | None) -> str:
     return f"{signal.unit}: {signal.meaning}" if signal else "of the joint, as stated"
 
 
@@ -117,9 +132,9 @@ def node_fields(programs: Iterable[Program]) -> list[Field]:
     return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, ("base.", "tip.")).items()]
 
 
-def store_fields(programs: Iterable[Program]) -> list[Field]:
+def store_fields(programs: Iterable[Program], sliding: bool) -> list[Field]:
     """The members of a link's store."""
-    return [Field(n, (s,), STORE[n].comment) for n, s in _signals(programs, ("w.",)).items()]
+    return [Field(n, (s,), joint_comment(STORE[n], sliding)) for n, s in _signals(programs, ("w.",)).items()]
 
 
 def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, int]:

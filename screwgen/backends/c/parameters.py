@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...spec.parameters import FIELDS, Parameter, parameters
+from ...spec.parameters import FIELDS, SLIDING, Parameter, parameters
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label
 from .code import literal
 from .fields import Field
+
+SLIDING_UNITS = [unit for unit, _ in SLIDING.values()]
 
 
 class Member(NamedTuple):
@@ -59,12 +62,15 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
     structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
+    meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
     for _, p in own:
         struct, name, _, entry = member(p)
         known = structs[struct].get(name)
         shape = () if entry is None else (entry + 1,)
         unused = "" if (struct, name) in live else "; this model does not use it"
-        comment = ascii_unit(f"{p.unit}: {_general(p)}{unused}")
+        meanings[struct, name][p.unit] = _general(p)
+        units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
+        comment = ascii_unit(f"{', of slides '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
         structs[struct][name] = Field(name, max(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
 

@@ -16,7 +16,7 @@ from ...errors import UsageError
 from ...integrators.method import Method
 from ...integrators.methods import with_built_in
 from ...ir.program import Program
-from ...spec.parameters import coordinate_names, parameters
+from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case, cases
 from . import batch, check, derivatives, estimator, files, steps
@@ -124,6 +124,7 @@ class CProject:
             "nq": chain.nq,
             "sprung": chain.sprung,
             "slides": chain.slides,
+            "sliding": chain.sliding,
             **given_coordinates(chain),
             "nx": state_size(chain),
             "nz": unknown_size(chain),
@@ -133,13 +134,14 @@ class CProject:
             "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
             "q_names": coordinate_names(robot).q,
-            "structs": structs(bool(chain.coupled)),
+            "units": coordinate_units(robot),
+            "structs": structs(bool(chain.coupled), chain.sliding),
             "parameters": self.parameters,
             "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
             "n_bodies": body_count(robot),
             "constants": self.constants,
             "node": node_fields(self._programs),
-            "store": store_fields(self._programs),
+            "store": store_fields(self._programs, self.chain.sliding),
             "operations": self.operations,
             "bytes": self.bytes,
             "lines": self.fused_lines,
@@ -316,8 +318,10 @@ class CProject:
         sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nq, "NTAU": c.n_joints, "NMODES": c.n_modes, "NGIVEN": c.n_given}
         sizes["NINERTIA"] = c.n_inertia
         total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
-        own = {name: total(fields) for name, fields in structs(bool(c.coupled)).items()}
-        chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(store_fields(self._programs))
+        own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
+        chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(
+            store_fields(self._programs, self.chain.sliding)
+        )
         work = own["work"] + states * own["state"] + own["output"] + chain * (self.layout == "modular")
         dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}

@@ -22,6 +22,7 @@ from ...arguments import choice
 from ...bodies.validity import MEASURES
 from ...ir.program import Program
 from ...ir.replay import run
+from ...spec.parameters import turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
@@ -288,6 +289,7 @@ def casadi_files(
         functions=rows,
         others=[name for name in functions if name not in saved],
         parameters=parameter_names,
+        sliding=not all(turning(robot)),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,
     )

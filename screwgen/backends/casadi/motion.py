@@ -85,9 +85,9 @@ def _axis(spin: ca.SX) -> ca.SX:
 def scaling(chain: Chain) -> ca.Function:
     """``(p) -> (q, v, tau)``: the size of a coordinate, rate and torque; divided by it they are of order one.
 
-    Each is what the energy E says, that of the stretched arm whose heaviest joint turns at 1 rad/s: a mode bends until
-    its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad.  E is 1 J
-    where there are no joints.
+    Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
+    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad or
+    slide by 1 m.  E is 1 J where there are no joints.
     """
     given, m = symbols(chain, "p"), chain.n_joints
     inputs = symbols(chain, "q v vdot w_ext") | given

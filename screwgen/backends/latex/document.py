@@ -26,7 +26,7 @@ from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .symbols import entries
+from .symbols import SLIDING, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
@@ -106,7 +106,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
-    named = [symbol for chapter in chapters for symbol in chapter.symbols]
+    named = [*(SLIDING if chain.slides else ()), *(symbol for chapter in chapters for symbol in chapter.symbols)]
     sections += [
         Section("Symbols", [tables.symbols(entries(known, named))]),
         Section("Parameters", [tables.parameters(parameters(robot))]),
@@ -156,5 +156,8 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         unknowns=12 * chain.n + chain.n_modes,
         pattern=pattern(chain, "V"),
         several=chain.n > 1,
+        slides=chain.slides,
+        S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
+        point="J" if chain.slides else "m",
     )
     return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]

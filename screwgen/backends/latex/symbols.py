@@ -49,6 +49,15 @@ SYSTEM: tuple[Named, ...] = (
 )
 """The symbols of the text."""
 
+SLIDING: tuple[Named, ...] = (
+    (r"\boldsymbol{\tau}_i", "torques of the joint's drives, of slides forces", "N*m, N", "n_{q,i}", "-", STATE),
+    (r"\mathbf{S}_i^{+}", "pseudo-inverse of the joint's motion subspace", "-", "n_{q,i} × 6", "F_i", STATE),
+    (r"\mathbf{J}_m", "armature, of the drives at the axes", "kg*m^2, kg", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad, N*s/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad, N/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+)
+"""Symbols of robots whose joints slide, in place of those above."""
+
 TIMES = r"\times"
 
 
@@ -65,14 +74,18 @@ class Entry:
 
 
 def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = ()) -> list[Entry]:
-    """The symbols of the text and those ``named`` beside, then those of the steps: constants, parameters, state."""
+    """The symbols of the text and those ``named`` beside, then those of the steps: constants, parameters, state.
+
+    A symbol that is ``named`` replaces that of the text.
+    """
     found: dict[str, list[tuple[str, Signal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
     steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
     steps.sort(key=lambda e: Binding.CONSTANT if e.binding is None else e.binding)
-    return [*(e for e in _text((*SYSTEM, *named)) if e.display not in found), *steps]
+    text = {symbol[0]: symbol for symbol in (*SYSTEM, *named)}
+    return [*(e for e in _text(text.values()) if e.display not in found), *steps]
 
 
 def written(signal: Signal) -> str:

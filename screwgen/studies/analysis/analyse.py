@@ -13,9 +13,10 @@ import numpy as np
 
 from ...errors import SingularError, UsageError
 from ...simulation.state import State, state_of
+from ...spec.parameters import turning
 from .findings import Findings, StateAnalysis
 from .regularity import LinkBlock, link_blocks, regularity, structure, with_projectors_alone
-from .spectrum import Law, Linearised, Motion, check_step, motions
+from .spectrum import Law, Linearised, Motion, check_step, motions, speed
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
 
@@ -91,8 +92,8 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
         singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
-    turning = float(np.linalg.norm(state.v[: model.n_joints]))
-    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turning, found, limits, measures)
+    turned = speed(model, state.v)
+    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turned, found, limits, measures)
 
 
 def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
@@ -121,7 +122,7 @@ def _state(given: Any, model: Model, label: str) -> State:
 
 
 def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) -> dict[str, State]:
-    """Random states by name: joint angles in ±π, joint rates in ±1 rad/s, modes as the arm's weight bends them.
+    """Random states by name: joints in ±π or ±1 m, rates in ±1 rad/s or m/s, modes as the arm's weight bends them.
 
     A mode's deflection is within ±what the weight of the whole arm would cause, but no more than a small share of
     the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
@@ -129,9 +130,10 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
     """
     rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
     deflection, rate = modal_scale(model)
+    most = np.where(turning(model.robot), 1.0, 1 / np.pi)
     out = {}
     for k in range(count):
-        q = np.append(rng.uniform(-np.pi, np.pi, m), deflection * rng.uniform(-1, 1, len(deflection)))
+        q = np.append(most * rng.uniform(-np.pi, np.pi, m), deflection * rng.uniform(-1, 1, len(deflection)))
         v = np.append(rng.uniform(-1, 1, m), rate * rng.uniform(-1, 1, len(rate)))
         out[f"sample {k + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out

@@ -19,6 +19,7 @@ from ...errors import SingularError, UsageError
 from ...integrators.methods import method_of
 from ...simulation.integrate import Dynamics, Evaluator
 from ...simulation.simulate import Inputs, coordinates, started
+from ...spec.parameters import turning
 
 if TYPE_CHECKING:
     from ...model import Model
@@ -32,6 +33,11 @@ TOLERANCE = 1e-4
 """Growth per radian, relative to the amplitude, that counts as none."""
 DIFFERENCE = 1e-5
 """The variation of a controller's arguments, relative if they exceed 1."""
+
+
+def speed(model: Model, v: np.ndarray) -> float:
+    """How fast the joints turn, rad/s: the norm of the rates of the axes that turn, of `v` (nq,)."""
+    return float(np.linalg.norm(v[: model.n_joints][turning(model.robot)]))
 
 
 def jacobian(
@@ -134,7 +140,7 @@ class Linearised:
     @property
     def turning(self) -> float:
         """How fast the joints turn at the state, rad/s: the norm of their rates."""
-        return float(np.linalg.norm(self.v[: self.model.n_joints]))
+        return speed(self.model, self.v)
 
     @cached_property
     def mass_matrix(self) -> np.ndarray:

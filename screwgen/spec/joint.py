@@ -1,0 +1,76 @@
+"""The joint that carries a link, and its mount: keys of a robot file."""
+
+from numbers import Real
+from typing import Annotated, Any, Self
+
+from pydantic import Field, PlainSerializer, PlainValidator, model_validator
+
+from .axes import axes, screw_of, written
+from .part import Part
+from .ranges import several
+from .screw import Screw, Vector
+from .values import refuse
+
+Position = Annotated[Vector, PlainValidator(several("position", 3))]
+Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes), PlainSerializer(written)]
+PerAxis = tuple[float, ...]
+
+PER_AXIS = ("armature", "damping", "stiffness")
+
+
+class Mount(Part):
+    """Where a joint sits on the parent's tip section, or for the first link on the inertial frame.
+
+    `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
+    """
+
+    xyz: Position | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
+    rpy: Annotated[Vector, PlainValidator(several("turn", 3))] | None = Field(
+        None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF"
+    )
+
+
+class Joint(Part):
+    """Motions about and along `axes`, in order: the mount, then exp(s1 q1) exp(s2 q2) …; no axes: welded.
+
+    An axis is "x", "y", "z" or a vector, held as a unit vector, about which the link turns; or a `Screw`, in a file
+    `{ slide = axis }` (q in m) or `{ screw = axis, pitch = m per rad }`. One number >= 0 per axis, if stated (one axis:
+    without brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness`
+    (N·m/rad); of a slide kg, N·s/m and N/m.
+    """
+
+    axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
+    mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
+    armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
+        None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared; of a slide in kg)"
+    )
+    damping: Annotated[PerAxis, PlainValidator(several("damping"))] | None = Field(
+        None, description="viscous damping of each axis, N·m·s/rad (of a slide in N·s/m)"
+    )
+    stiffness: Annotated[PerAxis, PlainValidator(several("stiffness"))] | None = Field(
+        None, description="spring of each axis, N·m/rad, relaxed at q = 0 (of a slide in N/m)"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_number_for_one_axis(cls, given: Any) -> Any:
+        """On one axis `damping = 2.0` says what `damping = [2.0]` does."""
+        axes = given.get("axes") if isinstance(given, dict) else None
+        if not (isinstance(axes, list | tuple) and len(axes) == 1):
+            return given
+        alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
+        return given | alone
+
+    @property
+    def screws(self) -> tuple[Screw, ...]:
+        """The degrees of freedom in order."""
+        return tuple(map(screw_of, self.axes))
+
+    @model_validator(mode="after")
+    def _one_number_per_axis(self) -> Self:
+        for name in PER_AXIS:
+            values = getattr(self, name)
+            if values is not None and len(values) != len(self.axes):
+                what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
+                raise refuse(what, at=(name,))
+        return self

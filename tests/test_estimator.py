@@ -33,9 +33,12 @@ SKEW = arm(
 )
 
 
+ROBOTS = {"skew": SKEW, "tapered": tapered_arm(), "second order": SKEW | {"order": 2}}
+
+
 @cache
 def model(name):
-    return example("ella") if name == "ella" else model_of({"skew": SKEW, "tapered": tapered_arm()}[name])
+    return example("ella") if name == "ella" else model_of(ROBOTS[name])
 
 
 @cache
@@ -97,7 +100,8 @@ class Truth:
 
 
 @pytest.mark.parametrize(
-    ("name", "binding", "steps"), [("ella", "runtime", 100), ("skew", "baked", 60), ("tapered", "runtime", 25)]
+    ("name", "binding", "steps"),
+    [("ella", "runtime", 100), ("skew", "baked", 60), ("tapered", "runtime", 25), ("second order", "runtime", 60)],
 )
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""

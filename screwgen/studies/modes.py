@@ -51,7 +51,7 @@ def mode_shapes(model: Model, q: Numbers | None = None, joints: str = "locked", 
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:
-        nothing = Watch([link.name for link in model.robot.links]).validity()
+        nothing = Watch(model.chain.names).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing)
     M, K = (x[first:, first:] for x in (model.numpy(p).mass_matrix(q), stiffness_matrix(model, p)))
     free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..errors import UsageError
+from ..spec.segments import owner
 from .modes import stiffness
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class Statics:
     def reach(self) -> np.ndarray:
         """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
         lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
-        own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
+        own = [lengths[owner(name)] for name in self.model.q_names]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
         return np.where(self.turning, np.maximum(1.0, wound / (2 * np.pi)), own)
 

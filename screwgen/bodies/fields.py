@@ -10,8 +10,8 @@ import sympy as sp
 
 from ..algebra.expression import Symbol
 from ..bases import ORDER, integrals, products
-from ..spec.link_class import LinkClass
 from ..ir.block import Block
+from ..spec.link_class import LinkClass
 from .moments import XI, Moments
 from .second_order import Part, parts
 

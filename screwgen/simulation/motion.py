@@ -48,8 +48,8 @@ def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None)
 def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
 
-    `points`: places along the link as s in [0, 1], base to tip. `link`: its number in the robot. Of a link with segments
-    the displacement from the straight link in the axes of its first segment, however large.
+    `points`: places along the link as s in [0, 1], base to tip. `link`: its number in the robot. Of a link with
+    segments the displacement from the straight link in the axes of its first segment, however large.
     """
     first, points = model.chain.firsts[link], np.asarray(points, float)
     if model.chain.segments[first].count == 1:

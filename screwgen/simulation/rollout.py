@@ -124,9 +124,7 @@ def _run(model, given, count, periods, step, substeps, method, threads, single) 
     path[:, 0] = x.reshape(2, model.nq, count)
     constants = batch.constants(given["parameters"])
     tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
-    status, fault, done = batch.run(
-        path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads
-    )
+    status, fault, done = batch.run(path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads)
     q, v = path.transpose(0, 3, 1, 2)
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)

@@ -4,7 +4,8 @@ A link that is not split is one segment. Segments are what kinematics and dynami
 and bodies are the link's.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from .names import distinct
 from .values import quoted, refuse
@@ -13,7 +14,8 @@ if TYPE_CHECKING:
     from .robot import Robot
 
 
-class Segment(NamedTuple):
+@dataclass(frozen=True)
+class Segment:
     """One segment of a link."""
 
     link: int

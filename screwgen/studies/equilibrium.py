@@ -90,11 +90,11 @@ def equilibrium(
     torques `tau` (n_joints,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
     down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
     hold the modes' start too (nq,).
-    `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they have no potential, so the search is one for
-    forces that vanish, and what has positive stiffness may still flutter: then `stability` says so. `p`: parameter
-    values. A :class:`ModelValidityWarning` says where a link is past the bounds of the model, in which a column beyond
-    its buckling load is "stable". Raises UsageError, and NoEquilibriumError, which names the joint, where nothing
-    balances the torques.
+    `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
+    have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
+    then `stability` says so. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
+    bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
+    NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
     if not isinstance(hold, bool):
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")

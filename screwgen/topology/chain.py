@@ -25,8 +25,8 @@ class Chain:
     def __init__(self, robot: Robot):
         self.robot = robot
         self.segments = segments(robot)
-        classes = (link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number) for s in self.segments)
-        self.keys = list(classes)
+        kind = lambda s: link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number)  # noqa: E731
+        self.keys = [kind(segment) for segment in self.segments]
         self.tree = chain(len(self.keys))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))

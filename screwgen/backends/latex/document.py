@@ -135,9 +135,8 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
 
 
 def _robot(robot: Robot, chain: Chain) -> Section:
-    count = len(robot.links)
-    links = f"{count} link{'s' if count > 1 else ''}"
-    links += f" of {chain.n} segments" if chain.n > count else ""
+    links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
+    links += f" of {chain.n} segments" if chain.n > len(robot.links) else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     count = f"{links}, {joints}, {chain.n_modes} modal"
     items: list[Item] = [

@@ -76,6 +76,7 @@ class Model:
 
     @property
     def n_links(self) -> int:
+        """The number of links; one with segments counts as so many."""
         return self.chain.n
 
     @property
@@ -189,15 +190,11 @@ class Model:
         """
         v, tau = np.zeros(self.nq) if v is None else v, np.zeros(self.n_joints) if tau is None else tau
         w_ext = np.zeros((self.n_links, 6)) if w_ext is None else w_ext
-        return Validity(self._link_names, self.numpy(parameters).validity(q, v, tau, w_ext))
+        return Validity(tuple(self.chain.names), self.numpy(parameters).validity(q, v, tau, w_ext))
 
     def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
         """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
-        return Validity(self._link_names, self.numpy(parameters).validity_at_rest(q, w_ext))
-
-    @property
-    def _link_names(self) -> tuple[str, ...]:
-        return tuple(link.name for link in self.robot.links)
+        return Validity(tuple(self.chain.names), self.numpy(parameters).validity_at_rest(q, w_ext))
 
     @cached_property
     def statics(self):

@@ -152,19 +152,17 @@ def test_a_column_buckles_under_a_tip_load():
 ELASTICA = {1: (0.301721, 0.056433), 2: (0.493457, 0.160642), 4: (0.669964, 0.328941)}
 
 
-def bent(load: float, order: int, pieces: int) -> np.ndarray:
+def bent(load: float, order: int, segments: int) -> np.ndarray:
     """Deflection and approach of the tip of a cantilever of unit length and stiffness under a dead load at its tip."""
     flexible = {"modes": {"bending_z": 3}, "section": {"EIy": 1.0, "EIz": 1.0}, "rhoA": 1e-9}
-    links = [link(f"piece{k}", 1 / pieces, [], **flexible) for k in range(pieces)]
-    links[-1]["bodies"] = [{"at": "tip", "mass": 1.0}]
-    model = model_of(arm(*links, gravity=(0, 0, -load), order=order))
-    found = equilibrium(model)
+    beam = link("beam", 1.0, [], bodies=[{"at": "tip", "mass": 1.0}], segments=segments, **flexible)
+    found = equilibrium(model_of(arm(beam, gravity=(0, 0, -load), order=order)))
     return np.array([-found.tip_position[2], 1 - found.tip_position[0]])
 
 
 @pytest.mark.parametrize("load", ELASTICA)
-def test_pieces_tend_to_the_elastica(load):
-    """The error falls with the cube of the pieces' number at order 2, with its square at order 1."""
+def test_segments_tend_to_the_elastica(load):
+    """The error falls with the cube of the segments' number at order 2, with its square at order 1."""
     errors = {o: [abs(bent(load, o, k) / ELASTICA[load] - 1).max() for k in (4, 8)] for o in (1, 2)}
     assert errors[2][1] < 2e-3 and errors[1][1] < 2e-2
     assert 7 < errors[2][0] / errors[2][1] < 9 and 3.5 < errors[1][0] / errors[1][1] < 5.5

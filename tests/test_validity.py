@@ -216,7 +216,7 @@ def test_one_line_says_which_when_how_much_and_what_to_do():
     line = over.line()
     assert "\n" not in line and line.startswith("link 'b': slope of the tip in rad is 0.7, past its bound 0.35")
     assert "first past it at t = 1.5 s, largest at 2 s" in line and "4.1 % off" in line
-    assert "2 links of length l/2, joint.axes = []" in line and "1 more past their bounds" in line
+    assert "segments = 2" in line and "1 more past their bounds" in line
     assert not over.holds and replace(over, values=values / 10).holds and not replace(over, values=values / 10).line()
 
 

@@ -2,7 +2,7 @@
 
 `python docs/tools/limits.py` prints the table of the guides; the cases that take no long simulation are tested.
 What is true comes from elsewhere: the elastica by shooting, the closed form of the beam-column, a Ritz method for
-the rotating beam, and for arms the same robot with its links cut into welded pieces.
+the rotating beam, and for arms the same robot with its links split into segments.
 """
 
 from __future__ import annotations
@@ -152,17 +152,9 @@ def arm(softer: float = 1.0) -> screwgen.Robot:
 
 
 def cut(robot: screwgen.Robot, count: int) -> screwgen.Robot:
-    """The robot with every link cut into `count` welded pieces."""
-    modes = screwgen.Modes(basis="polynomial", bending_y=2, bending_z=2)
-    pieces = []
-    for link in robot.links:
-        for k in range(count):
-            own = {"name": f"{link.name}_{k + 1}", "length": link.length / count, "modes": modes}
-            ends = {"base": k == 0, "tip": k == count - 1}
-            own["bodies"] = tuple(body for body in link.bodies if ends[body.at])
-            own["joint"] = link.joint if k == 0 else screwgen.Joint(axes=[])
-            pieces.append(link.model_copy(update=own))
-    return robot.model_copy(update={"links": tuple(pieces)})
+    """The robot with every link split into `count` segments."""
+    links = [link.model_copy(update={"segments": count}) for link in robot.links]
+    return robot.model_copy(update={"links": tuple(links)})
 
 
 def moved(robot: screwgen.Robot, step: float = 2e-4) -> screwgen.Run:
@@ -174,7 +166,7 @@ def moved(robot: screwgen.Robot, step: float = 2e-4) -> screwgen.Run:
 
 
 def in_motion(softer: float, count: int = 4) -> Case:
-    """The move of an arm beside that of the same arm in pieces: the largest difference of the tips over the bending."""
+    """The move of an arm beside that of the same arm in segments: the largest difference of tips over the bending."""
     run, true = moved(arm(softer)), moved(cut(arm(softer), count))
     model = screwgen.derive(arm(softer))
     straight = [model.numpy().tip_pose(np.append(q[:3], np.zeros(model.nq - 3)))[1] for q in run.q]
@@ -186,18 +178,18 @@ def in_motion(softer: float, count: int = 4) -> Case:
     return Case(name, list(BOUND)[k], float(run.validity.values[link, k]), float(error))
 
 
-def spin_up(robot_pieces: int = 1, duration: float = 20.0, **way) -> screwgen.Run:
+def spin_up(segments: int = 1, duration: float = 20.0, modes: int = 3, **way) -> screwgen.Run:
     """The published spin-up of a beam of 10 m; torque that leads a heavy hub along the path."""
     link = {
         "name": "beam",
         "length": 10.0,
         "section": {"rhoA": 1.2, "EIz": 1.4e4, "rhoIp": 1e-3},
-        "modes": {"basis": "polynomial", "bending_y": 3 if robot_pieces == 1 else 2},
+        "segments": segments,
+        "modes": {"basis": "polynomial", "bending_y": modes},
         "joint": {"axes": ["z"], "armature": [HUB]},
     }
     robot = screwgen.Robot.model_validate({"name": "spin_up", "gravity": [0.0, 0.0, 0.0], "links": [link]})
-    model = screwgen.derive(cut(robot, robot_pieces) if robot_pieces > 1 else robot)
-    return screwgen.simulate(model, duration, 5e-3, controller=lead, **way)
+    return screwgen.simulate(screwgen.derive(robot), duration, 5e-3, controller=lead, **way)
 
 
 def lead(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:

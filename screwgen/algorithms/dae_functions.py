@@ -46,7 +46,7 @@ def unknown_size(chain: Chain) -> int:
 
 def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
-    links, names = [link.name for link in chain.robot.links], coordinate_names(chain.robot)
+    links, names = chain.names, coordinate_names(chain.robot)
     modal = list(names.q[chain.n_joints :])
     rates = list(names.v[chain.n_joints :])
     poses = [f"{link}.{p}" for link in links for p in POSE]

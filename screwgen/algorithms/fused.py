@@ -33,7 +33,7 @@ def fuse(
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
     links, gravity = _sources(chain, tracer, constants, read)
-    names = [link.name for link in chain.robot.links]
+    names = chain.identifiers
     apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
     outputs = body(kind(chain, links, gravity, apply), values)
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
@@ -46,7 +46,7 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
-        names = [link.name for link in chain.robot.links]
+        names = chain.identifiers
         return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, names[i])), p[:3]
     links = []
     for i, key in enumerate(chain.keys):

@@ -28,8 +28,13 @@ class Gauge:
 def gauges(chain: Chain) -> list[Gauge]:
     """One gauge per link and direction with bending modes, link by link, y before z."""
     return [
-        Gauge(i, bending.direction, chain.eta_offset[i] + bending.modes[0], tuple(bending.weights))
-        for i, key in enumerate(chain.keys)
-        for bending in strains(key, 0.0)
+        Gauge(
+            chain.segments[i].link,
+            bending.direction,
+            chain.eta_offset[i] + bending.modes[0],
+            tuple(chain.segments[i].count ** bending.order * weight for weight in bending.weights),
+        )
+        for i in chain.firsts
+        for bending in strains(chain.keys[i], 0.0)
         if bending.direction.startswith("bending")
     ]

@@ -51,7 +51,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nq = f.chain.nq
     out = Slopes(*(mx.zeros(nq, nq) for _ in range(3)))
-    name = lambda i: f.chain.robot.links[i].name  # noqa: E731
+    name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
             _own(f, i, link, out)

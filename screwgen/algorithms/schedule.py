@@ -182,6 +182,6 @@ def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Progra
     try:
         return apply(link, number, program, inputs)
     except ZeroDivisionError:
-        what = f"nothing resists the joint of link '{chain.robot.links[link].name}'"
+        what = f"nothing resists the joint of link '{chain.names[link]}'"
         remedy = "give the link rhoIp, a body with inertia, or the joint an armature"
         raise SingularError(f"{what}; {remedy}") from None

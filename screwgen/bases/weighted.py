@@ -23,13 +23,37 @@ Piece = tuple[mpf, mpf, tuple[tuple[int, ClosedForm], ...]]
 
 @dataclass(frozen=True)
 class Weights:
-    """The weight functions of stations at ``places`` s, from 0 to 1; ``between``: ``LINEAR`` or ``POLYNOMIAL``."""
+    """The weight functions of stations at ``places`` s, from 0 to 1; ``between``: ``LINEAR`` or ``POLYNOMIAL``.
+
+    Of a rod that is one of ``segments`` equal parts, from 0 at the base, s is the place along this part.
+    """
 
     places: tuple[float, ...]
     between: str = LINEAR
+    segment: int = 0
+    segments: int = 1
+
+    def acting(self) -> list[int]:
+        """The stations whose weight functions are not zero throughout."""
+        return sorted({station for _, _, functions in self.pieces() for station, _ in functions})
 
     def pieces(self) -> list[Piece]:
         """The intervals with the weight functions, at the precision of the caller."""
+        whole = self._whole()
+        if self.segments == 1:
+            return whole
+        first, out = mpf(self.segment) / self.segments, []
+        last = mpf(self.segment + 1) / self.segments
+        for a, b, functions in whole:
+            start, end = max(a, first), min(b, last)
+            if end > start:
+                part = (start - a) / (b - a), (end - a) / (b - a)
+                own = tuple((station, form.within(*part)) for station, form in functions)
+                out.append(((start - first) * self.segments, (end - first) * self.segments, own))
+        return out
+
+    def _whole(self) -> list[Piece]:
+        """Those along the whole link."""
         s = [mpf(place) for place in self.places]
         if self.between == POLYNOMIAL:
             return [(mpf(0), mpf(1), tuple((a, _lagrange(s, a)) for a in range(len(s))))]

@@ -8,7 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 import sympy as sp
 
+from ..algebra.expression import Symbol
 from ..bases import ORDER, integrals, products
+from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .moments import XI, Moments
 from .second_order import Part, parts
@@ -16,6 +18,14 @@ from .second_order import Part, parts
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
 """Row of the strain vector u_x', u_y'', u_z'', θ_x'."""
+
+
+def length(b: Block, key: LinkClass) -> Symbol:
+    """The length of the rod: the link's, or that of one of its equal segments."""
+    if key.segments == 1:
+        return b.parameter("length", (1, 1))
+    whole = b.parameter("length", (1, 1), "l_{0,i}", meaning="length of the link, all segments")
+    return b.step("segment", sp.Rational(1, key.segments) * whole)
 
 
 class Fields(Moments):

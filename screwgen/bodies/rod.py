@@ -12,7 +12,7 @@ from ..algebra.expression import Expression, Symbol, identity, is_zero, unit, ze
 from ..ir.block import Binding, Block
 from ..spec.link_class import LinkClass
 from .contract import Moments6
-from .fields import AXIS, XI, Fields
+from .fields import AXIS, XI, Fields, length
 from .rod_stiffness import RodStiffness
 from .second_order import SecondOrder
 
@@ -25,12 +25,12 @@ class Rod(RodStiffness):
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key = b, key
         self.rhoA = self._property("rhoA")
-        self.length = b.parameter("length", (1, 1))
+        self.length = length(b, key)
 
     def declare(self, start: Expression) -> None:
         """The fields along the rod; ``start`` is the place of the joint on the centreline."""
         a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
-        f, field = self.kind(self.key, self.b.values["length"].item(), a), self.b.field
+        f, field = self.kind(self.key, self.b.values[self.length.name].item(), a), self.b.field
         self.fields = f
         self.b.bindings[XI] = Binding.CONSTANT
         self.r_b = field("r_b", column(XI, 0, 0))

@@ -8,7 +8,7 @@ from ..algebra.expression import Expression, Symbol, block, hat, identity, unit,
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .fields import Fields
+from .fields import Fields, length
 from .lumped import lumped
 from .rotation import angle_steps
 from .second_order import PLACE, TURN, at_tip
@@ -73,16 +73,14 @@ def tip_pose_block(key: LinkClass) -> Block:
 def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     """``R_T = exp(hat(theta))`` and ``r_T = r_b(c) + Phi(c) eta``: the tip section in F_i."""
     eta = b.input("eta", (key.modes, 1))
-    length: Expression = zeros(1)
-    if key.length:
-        length = b.parameter("length", (1, 1))
-    fields = Fields(key, b.values["length"].item() if key.length else sp.S.Zero, sp.S.Zero)
+    l = length(b, key) if key.length else None
+    fields = Fields(key, b.values[l.name].item() if l else sp.S.Zero, sp.S.Zero)
     Phi: Expression = b.field("Phi_tip", fields.tip())
     moved = _with_slopes(b, key, "Phi_c", Phi, _constants(b, "H", PLACE, fields), eta)
-    reach: Expression = length
+    reach: Expression = l or zeros(1)
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1))
-        reach = b.step("reach", length - frame_at)
+        reach = b.step("reach", reach - frame_at)
     r_T = b.step("r_T", reach @ unit(0) + moved)
     return _tip_rotation(b, key, fields, eta), r_T
 

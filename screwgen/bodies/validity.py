@@ -24,8 +24,8 @@ import sympy as sp
 from ..algebra.expression import Expression, Inverse, Root, Symbol, number
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .fields import Fields
-from .varying_rod import at_stations
+from .fields import Fields, length
+from .varying_rod import acting
 
 OWN_WEIGHT = 7.8373474
 """``q l^3 / EI`` at which a cantilever buckles under its own weight: 9/4 of the squared first zero of J_(-1/3)."""
@@ -43,17 +43,17 @@ def validity_block(key: LinkClass) -> Block:
     """The measures of a link; a link without bending modes has none, and its block no steps."""
     b = Block("validity", "Limits of the model")
     if key.bends:
-        length = b.parameter("length", (1, 1))
-        _tip(b, key, length)
+        l = length(b, key)
+        _tip(b, key, l)
         if key.unstiffened:
-            _loads(b, key, length)
+            _loads(b, key, l)
     return b
 
 
 def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
     """Displacement over length and slope of the tip section."""
     eta = b.input("eta", (key.modes, 1))
-    fields = Fields(key, b.values["length"].item(), 0)
+    fields = Fields(key, b.values[length.name].item(), 0)
     for name, rows, field in (
         ("deflection", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"),
         ("slope", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)"),
@@ -115,7 +115,7 @@ def _largest_mass(b: Block, key: LinkClass) -> Symbol:
     """Mass per length; the largest at the stations of a section that varies."""
     if not key.stations:
         return b.parameter("rhoA", (1, 1))
-    first, *others = b.entries(at_stations(b, key, "rhoA"))
+    first, *others = acting(b, key, "rhoA")
     largest: Expression = number(1)
     for k, rhoA in enumerate(others):
         ratio = b.step(
@@ -133,7 +133,7 @@ def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: S
     """
     name = PLANES[direction]
     if direction not in key.measured:
-        return b.entries(at_stations(b, key, name)) if key.stations else [b.parameter(name, (1, 1))]
+        return acting(b, key, name) if key.stations else [b.parameter(name, (1, 1))]
     count = key.counts[1 + list(PLANES).index(direction)]
     f = b.parameter(f"frequencies_{direction}", (count, 1))
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length

@@ -12,12 +12,17 @@ from ..spec.link_class import LinkClass
 from .fields import XI, Fields, number
 
 
+def weights(key: LinkClass) -> Weights:
+    """The weight functions of the stations along a link or a segment of it."""
+    return Weights(key.stations, key.between, key.segment, key.segments)
+
+
 class VaryingFields(Fields):
     """Fields along a rod of varying section: every integral is linear in the values of a property at the stations."""
 
     def __init__(self, key: LinkClass, length: sp.Symbol, start: sp.Expr):
         super().__init__(key, length, start)
-        self.weights = Weights(key.stations, key.between)
+        self.weights = weights(key)
         self.properties: dict[str, Sequence[sp.Symbol]] = {}
         """The values at the stations of each property that is a weight."""
 

@@ -16,7 +16,7 @@ from ..spec.link_class import DIRECTIONS, LinkClass
 from .fields import STRAIN
 from .rod import Rod
 from .rod_stiffness import SECTION
-from .varying_fields import VaryingFields
+from .varying_fields import VaryingFields, weights
 
 LETTERS = {"axial": "x", "bending_y": "y", "bending_z": "z", "torsion": "t"}
 
@@ -87,6 +87,12 @@ class VaryingRod(Rod):
         super()._damping(inertia)
         if self.key.damping and self.key.coupled:
             self.b.step("D_below", zeros(len(self.key.coupled)))
+
+
+def acting(b: Block, key: LinkClass, name: str) -> list[Symbol]:
+    """The values of a property at the stations that determine it along the link or segment."""
+    values = b.entries(at_stations(b, key, name))
+    return [values[k] for k in weights(key).acting()]
 
 
 def at_stations(b: Block, key: LinkClass, name: str) -> Symbol:

@@ -198,7 +198,7 @@ def _formulated(other: Formulation, state: str | None) -> dict:
     """An evaluation in another formulation: its dynamics, and the rest as derived."""
     s = _state(state, other.model)
     vdot, wrench = other.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
-    dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench + 0.0).tolist()}
+    dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench[other.model.chain.firsts] + 0.0).tolist()}
     return evaluation(other.model, s) | dynamics | other.record()
 
 
@@ -218,7 +218,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     kinetic, potential = reference.energy(s.q, s.v)
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
-        "wrench": (np.reshape(wrench, (model.n_links, 6)) + 0.0).tolist(),
+        "wrench": (np.reshape(wrench, (model.n_links, 6))[model.chain.firsts] + 0.0).tolist(),
         "tip_position": position.tolist(),
         "tip_rotation": R.tolist(),
         "kinetic": float(kinetic),

@@ -35,7 +35,7 @@ def cauchy_size(chain: Chain) -> int:
 
 def cauchy_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x_c`` and ``q_sys``."""
-    links, names, m = [link.name for link in chain.robot.links], coordinate_names(chain.robot), chain.n_joints
+    links, names, m = chain.names, coordinate_names(chain.robot), chain.n_joints
     modal, rates = list(names.q[m:]), list(names.v[m:])
     of_links = lambda parts: [f"{link}.{part}" for link in links for part in parts]  # noqa: E731
     unknowns = of_links((*WRENCH, *(f"{rate}_rate" for rate in RATES)))

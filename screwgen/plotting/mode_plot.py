@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from ..errors import UsageError
 from ..simulation.motion import centrelines, modal_columns, twist
+from ..spec.segments import owner
 from ..studies.modes import ModeShapes, stiffness_matrix
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
@@ -62,12 +63,12 @@ def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
     count = min(len(found.frequencies), MOST)
     if not count:
         raise UsageError("there are no modes to draw: every link is rigid and no joint has a spring; leave out --plot")
-    rest, frames = centrelines(model, q, STATIONS), model.numpy().link_pose(q)[0]
+    rest, frames = centrelines(model, q, STATIONS), model.numpy().link_pose(q)[0][model.chain.firsts]
     rows = -(-count // COLUMNS)
     more = f", the lowest {count} of {len(found.frequencies)} modes" if count < len(found.frequencies) else ""
     out = canvas(-(-count // rows) * PANEL[0], rows * PANEL[1] + 0.8, f"Mode shapes of {model.robot.name}{more}")
     spaces = rooms(out, filled(out.add_gridspec(rows, GRID), count, COLUMNS))
-    _legend(out, any(modal_columns(model, i, "torsion") for i in range(model.n_links)))
+    _legend(out, any(modal_columns(model, i, "torsion") for i in range(len(model.robot.links))))
     for k, axes in enumerate(into_space(out, spaces)):
         shape, title = found.shapes[:, k], f"{k + 1}: {found.frequencies[k]:.4g} Hz"
         points = _draw(axes, rest, frames, amplified(rest, field(model, q, shape)))
@@ -83,9 +84,9 @@ def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
     size = np.max(np.abs(shape))
     there, back = (q + sign * STEP / size * shape for sign in (1, -1))
     motion = (centrelines(model, there, STATIONS) - centrelines(model, back, STATIONS)) / (2 * STEP)
-    R, (R_there, R_back) = (model.numpy().link_pose(q)[0], (model.numpy().link_pose(x)[0] for x in (there, back)))
+    R, R_there, R_back = (model.numpy().link_pose(x)[0][model.chain.firsts] for x in (q, there, back))
     turns = {}
-    for i in range(model.n_links):
+    for i in range(len(model.robot.links)):
         if modal_columns(model, i, "torsion"):
             rolls = R[i].T @ (R_there[i] - R_back[i]) / (2 * STEP)
             turns[i] = rolls[2, 1] + twist(model, shape[None] / size, i, STATIONS)[0]
@@ -120,8 +121,8 @@ def meaning(model: Model, shape: np.ndarray) -> str:
     """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
     energies: dict[str, float] = {}
     for name, energy in zip(model.q_names, shape * (stiffness_matrix(model) @ shape), strict=True):
-        link, kind, *direction = name.partition("[")[0].split(".")
-        what = f"{WORDS[direction[0]]} of {link}" if kind == "eta" else f"joint spring of {link}"
+        kind, *direction = name.partition(".")[2].partition("[")[0].split(".")
+        what = f"{WORDS[direction[0]]} of {owner(name)}" if kind == "eta" else f"joint spring of {owner(name)}"
         energies[what] = energies.get(what, 0.0) + energy
     what = max(energies, key=energies.__getitem__)
     return f"{what}, {100 * energies[what] / sum(energies.values()):.0f} % of its energy"

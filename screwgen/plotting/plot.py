@@ -14,8 +14,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ..simulation.inputs import started
-from ..simulation.motion import centrelines
+from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
+from ..spec.segments import owner
 from . import look
 from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
@@ -38,6 +39,9 @@ PATH = dict(color=INK, linewidth=0.9)
 EARLIER = dict(color=PALE, linewidth=1.6)
 MARK = dict(marker="o", linestyle="none", markersize=6)
 START, END = PALETTE[2], PALETTE[3]
+
+
+AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
 
 
 class Line(NamedTuple):
@@ -69,10 +73,11 @@ class Panel(NamedTuple):
 def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
     """The figure of a run; quantities that are always zero are named, not drawn.
 
-    `model`: that of the run, to draw the arm. `controller`: its set points (`reference(t)`) and torque limits
+    `model`: that of the run, to draw the arm, and of links with segments the displacement of the tip in place of the
+    segments' modes. `controller`: its set points (`reference(t)`) and torque limits
     (`tau_max`) are drawn where it states them.
     """
-    shown, silent = sift(panels(run, controller))
+    shown, silent = sift(panels(run, controller, model))
     below = max(len(shown) - SPACE[0], 0)
     rows = SPACE[0] + -(-below // COLUMNS)
     out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run))
@@ -87,8 +92,8 @@ def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figu
     space = grid[: SPACE[0], : SPACE[1] if shown else GRID].subgridspec(2, 1, height_ratios=(8, 1))
     room = look.rooms(out, [space[0]])
     _key(out.add_subplot(space[1]), run, shown, model is not None)
-    if run.wrench.shape[1] > len(PALETTE):
-        _links(out, run.wrench.shape[1])
+    if len(link_names(run)) > len(PALETTE):
+        _links(out, len(link_names(run)))
     for axes in look.into_space(out, room):
         _space(axes, run, model)
     return out
@@ -109,13 +114,14 @@ def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
 # ------------------------------------------------------------------------------ what is shown
 
 
-def panels(run: Run, controller: Any = None) -> list[Panel]:
+def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
-    q, norms = partial(_lines, run, run.q, run.q_names), partial(_norms, run)
+    modes, norms = partial(_modes, run, model), partial(_norms, run)
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
-    tau, goals, bounds = partial(_lines, run, run.tau, run.tau_names), _goals(run, controller), _bounds(controller)
+    q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
+    goals, bounds = _goals(run, controller), _bounds(controller)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
@@ -123,10 +129,10 @@ def panels(run: Run, controller: Any = None) -> list[Panel]:
         Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turns)),
         Panel("Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
-        Panel("Bending in y", "η", "m", q(".eta.bending_y[")),
-        Panel("Bending in z", "η", "m", q(".eta.bending_z[")),
-        Panel("Axial modes", "η", "m", q(".eta.axial[")),
-        Panel("Torsion modes", "η", "rad", q(".eta.torsion[")),
+        Panel("Bending in y", "η", "m", modes("bending_y")),
+        Panel("Bending in z", "η", "m", modes("bending_z")),
+        Panel("Axial modes", "η", "m", modes("axial")),
+        Panel("Torsion modes", "η", "rad", modes("torsion")),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
         Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
         Panel("Energy", "E", "J", energy),
@@ -142,7 +148,7 @@ def sift(given: list[Panel]) -> tuple[list[Panel], list[str]]:
 
 def link_names(run: Run) -> list[str]:
     """The names of the links, base to tip."""
-    return [name.rpartition(".")[0] for name in run.wrench_names[::6]]
+    return list(dict.fromkeys(map(owner, run.wrench_names)))
 
 
 def color(link: int, n: int) -> tuple | str:
@@ -155,14 +161,33 @@ def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> l
     links = link_names(run)
     found: list[tuple] = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
     return [
-        Line(values[:, k], color(links.index(link), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
+        Line(values[:, k], color(links.index(owner(link)), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
         for k, link, member in found
     ]
 
 
+def _modes(run: Run, model: Model | None, direction: str) -> list[Line]:
+    """The modal coordinates of a direction; of a link with segments, if `model` is given, how far its tip is moved."""
+    split = {i: x.name for i, x in enumerate(model.robot.links) if x.pieces > 1} if model else {}
+    part = f".eta.{direction}["
+    kept = tuple("" if owner(name) in split.values() else name for name in run.q_names)
+    moved = [(i, x) for i, x in split.items() if any(part in name and owner(name) == x for name in run.q_names)]
+    own = [Line(_tip(model, run.q, i, direction), color(i, len(link_names(run)))) for i, _ in moved]
+    return _lines(run, run.q, kept, part) + own
+
+
+def _tip(model: Model | None, q: np.ndarray, link: int, direction: str) -> np.ndarray:
+    """The displacement of a link's tip, m, or its torsion, rad, along a direction."""
+    assert model is not None
+    if direction == "torsion":
+        return twist(model, q, link, [1.0])[:, 0]
+    return displacements(model, q, link, [1.0])[:, 0, AXIS[direction]]
+
+
 def _norms(run: Run, part: slice) -> list[Line]:
-    n = run.wrench.shape[1]
-    return [Line(np.linalg.norm(run.wrench[:, i, part], axis=1), color(i, n)) for i in range(n)]
+    joints = [i for i, name in enumerate(run.wrench_names[::6]) if "[" not in name]
+    sizes = (np.linalg.norm(run.wrench[:, i, part], axis=1) for i in joints)
+    return [Line(size, color(i, len(joints))) for i, size in enumerate(sizes)]
 
 
 def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:

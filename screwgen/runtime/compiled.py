@@ -275,7 +275,7 @@ class Compiled(Memory):
     def check(self, status: int) -> None:
         """Raise the error of a status that is not OK."""
         if status == SINGULAR:
-            link = self.chain.robot.links[self.library.shim_fault(self.memory)].name
+            link = self.chain.names[self.library.shim_fault(self.memory)]
             raise SingularError(f"the joint of link '{link}' is singular in this posture")
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")

@@ -14,13 +14,14 @@ from ..arguments import Numbers
 from ..bodies import markers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
+from ..spec.segments import owner
 
 if TYPE_CHECKING:
     from ..model import Model
 
 
 class Screws(NamedTuple):
-    """Poses and twists of n links at N samples, in body-fixed components."""
+    """Poses and twists of n links or segments at N samples, in body-fixed components."""
 
     theta: np.ndarray
     """(N, n, 3) rad: exponential coordinates of R_oi, the rotation vector that turns the inertial axes to F_i."""
@@ -47,37 +48,68 @@ def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None)
 def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
 
-    `points`: places along the link as s in [0, 1], base to tip.
+    `points`: places along the link as s in [0, 1], base to tip. `link`: its number in the robot. Of a link with
+    segments the displacement from the straight link in the axes of its first segment, however large.
     """
-    shapes = markers.displacement(model.chain.keys[link], tuple(map(float, points)))
-    return np.einsum("nr,pkr->npk", _modal(model, q, link), shapes)
+    first, points = model.chain.firsts[link], np.asarray(points, float)
+    if model.chain.segments[first].count == 1:
+        return _bent(model, q, first, points)
+    lines = []
+    for row in _samples(model, q, "q"):
+        R, r = model.numpy().link_pose(row)
+        lines.append((_centreline(model, row, (R, r), link, points) - r[first]) @ R[first])
+    out = np.array(lines)
+    out[..., 0] -= (model.robot.links[link].length or 0.0) * points
+    return out
 
 
 def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
-    """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`."""
-    return _modal(model, q, link) @ markers.twist(model.chain.keys[link], tuple(map(float, points))).T
+    """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`.
+
+    With segments the sum of those from the base to the section.
+    """
+    first, points = model.chain.firsts[link], np.asarray(points, float)
+    out = np.zeros((len(_samples(model, q, "q")), len(points)))
+    for i in range(first, model.chain.lasts[link] + 1):
+        local = np.clip(model.chain.segments[i].count * points - (i - first), 0.0, 1.0)
+        out += _modal(model, q, i) @ markers.twist(model.chain.keys[i], tuple(local)).T
+    return out
 
 
-def _modal(model: Model, q: np.ndarray, link: int) -> np.ndarray:
-    """The modal coordinates (N, r) of a link."""
-    first = model.n_joints + model.chain.eta_offset[link]
-    return _samples(model, q, "q")[:, first : first + model.chain.keys[link].modes]
+def _bent(model: Model, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
+    """The displacements of a segment."""
+    shapes = markers.displacement(model.chain.keys[i], tuple(points))
+    return np.einsum("nr,pkr->npk", _modal(model, q, i), shapes)
+
+
+def _modal(model: Model, q: np.ndarray, i: int) -> np.ndarray:
+    """The modal coordinates (N, r) of a segment."""
+    first = model.n_joints + model.chain.eta_offset[i]
+    return _samples(model, q, "q")[:, first : first + model.chain.keys[i].modes]
 
 
 def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
-    """The centrelines (n, points, 3) of all links at the coordinates `q` (nq,), inertial frame, m."""
-    (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
-    for i, link in enumerate(model.robot.links):
-        place = displacements(model, q[None], i, points)[0]
-        place[:, 0] += (link.length or 0.0) * points - (link.frame_at or 0.0)
-        lines.append(r[i] + place @ R[i].T)
-    return np.array(lines)
+    """The centrelines (n, points, 3) of the robot's n links at the coordinates `q` (nq,), inertial frame, m."""
+    poses, points = model.numpy().link_pose(q), np.asarray(points, float)
+    return np.array([_centreline(model, q, poses, i, points) for i in range(len(model.robot.links))])
+
+
+def _centreline(model: Model, q: np.ndarray, poses: tuple, link: int, points: np.ndarray) -> np.ndarray:
+    """That of one link, from the poses of all segments."""
+    own, first, out = model.robot.links[link], model.chain.firsts[link], np.empty((len(points), 3))
+    number = np.minimum((own.pieces * points).astype(int), own.pieces - 1)
+    for k in np.unique(number):
+        at, local = number == k, own.pieces * points[number == k] - k
+        place = _bent(model, q[None], first + k, local)[0]
+        place[:, 0] += (own.length or 0.0) / own.pieces * local - (own.frame_at or 0.0)
+        out[at] = poses[1][first + k] + place @ poses[0][first + k].T
+    return out
 
 
 def modal_columns(model: Model, link: int, direction: str) -> list[int]:
     """The columns of `q` with the modal coordinates of a link in one of `DIRECTIONS`."""
-    start = f"{model.robot.links[link].name}.eta.{direction}["
-    return [k for k, name in enumerate(coordinate_names(model.robot).q) if name.startswith(start)]
+    name, part = model.robot.links[link].name, f".eta.{direction}["
+    return [k for k, x in enumerate(coordinate_names(model.robot).q) if owner(x) == name and part in x]
 
 
 def undeformed(model: Model, q: np.ndarray) -> np.ndarray:

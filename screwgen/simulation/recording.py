@@ -93,7 +93,7 @@ class Table:
         if (size := 8 * len(times) * self.width) > MAX_BYTES:
             raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
         self.rows = np.empty((len(times), self.width))
-        self.watch = Watch([link.name for link in model.robot.links])
+        self.watch = Watch(model.chain.names)
         self.store: Store | None = None
 
     @property

@@ -24,7 +24,7 @@ def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.
 
     `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
     """
-    watch = Watch([link.name for link in model.robot.links])
+    watch = Watch(model.chain.names)
     count, samples, _ = q.shape
     if not count or samples < 2:
         return watch.validity()
@@ -52,8 +52,9 @@ def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndar
     values, offset = model.blocks(i)["validity"].values, model.n_joints + model.chain.eta_offset[i]
     if "length" not in values:
         return []
-    length = p[:, model.parameter_names.index(f"{model.robot.links[i].name}.length")][:, None]
-    unit = {values["length"].item(): 1}
+    segment = model.chain.segments[i]
+    length = p[:, model.parameter_names.index(f"{segment.owner}.length")][:, None] / segment.count
+    unit = {values.get("segment", values["length"]).item(): 1}
     eta = q[..., offset : offset + model.chain.keys[i].modes]
     shapes = (values[f"{name}_shapes"] for name in MEASURES[:2])
     rows = (np.array([[float(x.subs(unit)) for x in row] for row in shape]) for shape in shapes)

@@ -62,7 +62,7 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
                 raise refuse(unknown(key, KEYS), (key,))
         coordinates = {key: motion(given.get(key, []), key, model) for key in ("q", "v")}
         tau = sized(given.get("tau", [0.0] * model.n_joints), ("tau",), model.n_joints, "torques", within("tau"))
-        w_ext = wrenches(given["w_ext"], model.n_links) if "w_ext" in given else np.zeros((model.n_links, 6))
+        w_ext = wrenches(given["w_ext"], model) if "w_ext" in given else np.zeros((model.n_links, 6))
         return State(**coordinates, tau=np.array(tau, float), w_ext=w_ext)
 
 
@@ -77,13 +77,16 @@ def motion(value: Any, key: str, model: Model) -> np.ndarray:
     return out
 
 
-def wrenches(value: Any, n: int) -> np.ndarray:
-    """`w_ext` (n, 6)."""
+def wrenches(value: Any, model: Model) -> np.ndarray:
+    """`w_ext` (n, 6), of all segments, from that of the links."""
+    n = len(model.robot.links)
     rows = array(value, f"an array of {n} wrenches of 6 numbers", at=("w_ext",))
     if len(rows) != n:
         raise refuse(f"has length {len(rows)}; it must have {n}, a wrench of 6 numbers for each link", ("w_ext",))
     what, check = "numbers τx, τy, τz, Fx, Fy, Fz", within("w_ext")
-    return np.array([sized(row, ("w_ext", i), 6, what, check) for i, row in enumerate(rows)])
+    out = np.zeros((model.n_links, 6))
+    out[model.chain.lasts] = [sized(row, ("w_ext", i), 6, what, check) for i, row in enumerate(rows)]
+    return out
 
 
 def sized(value: Any, at: tuple, size: int, what: str, check: Callable) -> list[float]:

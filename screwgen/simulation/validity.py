@@ -22,12 +22,13 @@ import numpy as np
 from ..bodies.validity import BOUNDS as BOUND
 from ..bodies.validity import MEASURES
 from ..errors import DivergedError
+from ..spec.needs import MOST_SEGMENTS
+from ..spec.segments import owner
 
 FAR = 1.0
 """Deflection over length at which a run ends."""
 JUMP = 2.0
 """Deflection over length that no motion reaches between two evaluations: beyond it the integration is unstable."""
-MOST_PIECES = 64
 
 
 class ModelValidityWarning(UserWarning):
@@ -48,12 +49,12 @@ class Measure(NamedTuple):
     """The quantity whose relative error is `error`."""
     error: Callable[[float], float]
     """The relative error to expect at a value."""
-    pieces: Callable[[float], float]
-    """The number of rigidly connected pieces that are within the bounds, from the value over its bound."""
+    segments: Callable[[float], float]
+    """The number of equal segments that are within the bounds, from the value over its bound."""
 
 
 TENSION = 2 / math.pi**2 * BOUND["rotation"] / BOUND["axial_load"]
-"""The first of k pieces of a rotating link carries the centrifugal force of the others, `rhoA Omega^2 l^2 / 2`. As an
+"""The first of k segments of a rotating link carries the centrifugal force of the others, `rhoA Omega^2 l^2 / 2`. As an
 axial load this is `2 rotation / (pi^2 k^2)`."""
 STIFFENING = 1.193 / 12.362
 """Relative rise of the squared lowest frequency of a clamped beam with rotation: Southwell's coefficient."""
@@ -64,7 +65,7 @@ KINDS: dict[str, Measure] = {
         "large deflections",
         "tip deflection",
         lambda d: 36 / 35 * d**2,
-        lambda share: share,
+        lambda share: 1.5 * share,  # under a tip force the base has 1.5 times the mean curvature that deflects the tip
     ),
     "slope": Measure(
         "slope of the tip in rad",
@@ -94,9 +95,13 @@ BOUNDS = np.array([BOUND[name] for name in MEASURES])
 
 @dataclass(frozen=True)
 class Finding:
-    """One measure of one link that is past its bound."""
+    """One measure of one link that is past its bound; of a link with segments, that of the segment farthest past it."""
 
     link: str
+    segment: str
+    """The segment's name, `boom[2]`; the link's if it has only one."""
+    count: int
+    """The number of segments that the link has."""
     measure: str
     value: float
     """The largest one, with its sign: an axial load < 0 is tension."""
@@ -119,27 +124,34 @@ class Finding:
         return self.measure == "axial_load" and self.value >= 1
 
     @property
-    def pieces(self) -> int:
-        """The number of rigidly connected links into which the link should be divided."""
-        return max(2, math.ceil(min(MOST_PIECES, KINDS[self.measure].pieces(self.share))))
+    def segments(self) -> int:
+        """The number of segments that the link should have."""
+        factor = min(MOST_SEGMENTS, KINDS[self.measure].segments(self.share))
+        return min(MOST_SEGMENTS, self.count * max(2, math.ceil(factor)))
 
     def text(self) -> str:
         """The text: link, excess, time, and expected error."""
         kind = KINDS[self.measure]
         when = "" if self.first is None else f", first past it at t = {self.first:.4g} s, largest at {self.at:.4g} s"
-        said = f"link '{self.link}': {kind.meaning} is {self.value:.3g}, past its bound {self.bound:g}{when}"
+        where = subject(self.segment, self.count)
+        said = f"{where}: {kind.meaning} is {self.value:.3g}, past its bound {self.bound:g}{when}"
         if self.unstable:
             return f"{said}: the straight state is unstable, which this model of first order does not see"
         return f"{said}: the model leaves out {kind.missing}, so expect the {kind.off} {percent(self.error)} off"
 
     def remedy(self) -> str:
         """The suggested remedy."""
-        cut = f"cut the link into welded pieces ({self.pieces} links of length l/{self.pieces}, joint.axes = [])"
-        if self.measure in ("axial_load", "rotation"):
-            cut = f"give the link order = 2, or {cut}"
+        order = "order = 2 or " if self.measure in ("axial_load", "rotation") else ""
+        now = f" (it has {self.count})" if self.count > 1 else ""
+        split = f"give the link {order}segments = {self.segments}{now}"
         if self.unstable:
-            return f"lower the load or stiffen the link, or {cut}"
-        return f"{cut}, stiffen it or lower its load"
+            return f"lower the load or stiffen the link, or {split}"
+        return f"{split}, stiffen it or lower its load"
+
+
+def subject(name: str, count: int) -> str:
+    """What a message is about: a link, with its segment if it has several."""
+    return f"link '{owner(name)}'" + (f", segment {name} of {count}" if count > 1 else "")
 
 
 def percent(error: float) -> str:
@@ -149,9 +161,10 @@ def percent(error: float) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Validity:
-    """The measures of n links, in a state or over a motion."""
+    """The measures of n links, in a state or over a motion; a link with segments has one row for each of them."""
 
     links: tuple[str, ...]
+    """The names of the links, of segments `boom[2]`."""
     values: np.ndarray
     """(n, 4): deflection, slope, axial_load, rotation; over a motion the largest, with its sign."""
     first: np.ndarray | None = None
@@ -161,8 +174,9 @@ class Validity:
 
     @property
     def findings(self) -> list[Finding]:
-        """The measures past their bounds, the farthest first."""
-        past = [self._finding(i, k) for i, k in np.argwhere(np.abs(self.values) > BOUNDS)]
+        """The measures past their bounds, the farthest first; of a link with segments those of its worst segment."""
+        worst = ((int(i), k, len(rows)) for rows in self._rows().values() for k, i in enumerate(self._worst(rows)))
+        past = [self._finding(i, k, count) for i, k, count in worst if abs(self.values[i, k]) > BOUNDS[k]]
         return sorted(past, key=lambda f: (-f.unstable, -f.share))
 
     @property
@@ -175,10 +189,28 @@ class Validity:
         """Whether all measures are within their bounds."""
         return not self.findings
 
-    def _finding(self, i: int, k: int) -> Finding:
+    def _rows(self) -> dict[str, list[int]]:
+        """The rows of each link."""
+        out: dict[str, list[int]] = {}
+        for i, name in enumerate(self.links):
+            out.setdefault(owner(name), []).append(i)
+        return out
+
+    def _worst(self, rows: Sequence[int]) -> np.ndarray:
+        """Of some rows, that with the largest value of each measure."""
+        size = np.abs(self.values[rows])
+        return np.array(rows)[np.argmax(np.where(np.isnan(size), 0.0, size), axis=0)]
+
+    def by_link(self) -> dict[str, np.ndarray]:
+        """The measures (4,) of each link; with segments each is that of the segment where it is largest."""
+        columns = range(len(MEASURES))
+        return {name: self.values[self._worst(rows), columns] for name, rows in self._rows().items()}
+
+    def _finding(self, i: int, k: int, count: int) -> Finding:
         name, value = MEASURES[k], float(self.values[i, k])
         first, at = (None if x is None else float(x[i, k]) for x in (self.first, self.at))
-        return Finding(self.links[i], name, value, BOUND[name], KINDS[name].error(value), first, at)
+        named = owner(self.links[i]), self.links[i], count
+        return Finding(*named, name, value, BOUND[name], KINDS[name].error(value), first, at)
 
     def line(self) -> str:
         """One line on the farthest; empty if all are within their bounds."""
@@ -196,19 +228,21 @@ class Validity:
     def record(self) -> dict[str, Any]:
         """For JSON: the measures of every link, and those past their bounds."""
         plain = lambda x: float(x) + 0.0 if math.isfinite(x) else None  # noqa: E731
-        names = [dict(zip(MEASURES, map(plain, row), strict=True)) for row in self.values]
+        measures = {x: dict(zip(MEASURES, map(plain, row), strict=True)) for x, row in self.by_link().items()}
         past = [
             {"link": f.link, "measure": f.measure, "value": plain(f.value), "bound": f.bound, "error": plain(f.error)}
+            | ({"segment": f.segment} if f.count > 1 else {})
             | ({} if f.first is None else {"first": f.first, "at": f.at})
             for f in self.findings
         ]
-        return {"measures": dict(zip(self.links, names, strict=True)), "past": past}
+        return {"measures": measures, "past": past}
 
     def table(self) -> str:
         """The measures of every link beside their bounds, for a terminal."""
-        width = max(8, *map(len, self.links))
+        links = self.by_link()
+        width = max(8, *map(len, links))
         lines = [" " * width + "".join(f"{name:>14}" for name in MEASURES)]
-        for link, row in zip(self.links, self.values, strict=True):
+        for link, row in links.items():
             marks = ("*" if abs(x) > bound else " " for x, bound in zip(row, BOUNDS, strict=True))
             cells = (f"{x:>13.4g}{mark}" for x, mark in zip(row, marks, strict=True))
             lines.append(f"{link:{width}}" + "".join(cells))
@@ -243,12 +277,14 @@ class Watch:
 
     def left(self, explicit: str = "") -> ModelLeftError:
         """The error of a link that bends by its own length; ``explicit`` names an integrator that may have done it."""
-        link = self.links[int(np.argmax(self.values[:, 0]))]
-        said = f"link '{link}' bends by more than its length: a model of small deflections has ended there"
+        name = self.links[int(np.argmax(self.values[:, 0]))]
+        count = sum(owner(name) == owner(other) for other in self.links)
+        said = f"{subject(name, count)} bends by more than its length: a model of small deflections has ended there"
+        more = "segments" if count == 1 else f"more than {count} segments"
         if explicit:
             what = f"the integrator '{explicit}' diverged; if not, {said}"
-            return ModelLeftError(f"{what}, and needs welded pieces; take a smaller step, or modal_midpoint")
-        return ModelLeftError(f"{said}; cut the link into welded pieces, stiffen it or lower its load")
+            return ModelLeftError(f"{what}, and it needs {more}; take a smaller step, or modal_midpoint")
+        return ModelLeftError(f"{said}; give the link {more}, stiffen it or lower its load")
 
     def validity(self) -> Validity:
         """The measures gathered so far."""

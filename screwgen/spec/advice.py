@@ -14,6 +14,12 @@ def advice(robot: Robot) -> list[str]:
         f"{link.name}.modes.{direction}"
         for link in robot.links
         for direction in ("bending_y", "bending_z")
-        if getattr(link.modes, direction) == 1 and link.modes.basis_of(direction) == "polynomial"
+        if getattr(link.modes, direction) == 1 == link.pieces and link.modes.basis_of(direction) == "polynomial"
     ]
-    return [f"{', '.join(single)}: is 1, and {SINGLE}"] if single else []
+    damped = [
+        f"{link.name}.damping.ratio: is that of its {link.pieces} segments' own modes, so the first modes of the link"
+        f" have about 1/{link.pieces**2} of it; state it so much larger where it is meant for them"
+        for link in robot.links
+        if link.damping and link.damping.ratio and link.pieces > 1
+    ]
+    return damped + ([f"{', '.join(single)}: is 1, and {SINGLE}"] if single else [])

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
-from .robot import Link
+from .robot import Joint, Link
 from .screw import Screw
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+WELD = Joint(axes=())
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,8 @@ class LinkClass:
     spin: bool
     damping: bool
     section_rotation: bool
-    bodies: tuple[BodyClass, ...]
+    bodies: tuple[BodyClass | None, ...]
+    """The link's bodies; None for those on other segments."""
     length: bool = True
     """Whether the link states a length."""
     beam: bool = True
@@ -55,6 +57,10 @@ class LinkClass:
     """The places s in [0, 1] at which a section that varies is stated; none: the rod is uniform."""
     between: str = "linear"
     """How the section's properties are interpolated between the stations."""
+    segments: int = 1
+    """The number of equal segments of the link, of which this is the class of one."""
+    segment: int = 0
+    """Which segment, where the section varies; segments of a uniform link have equal bodies."""
 
     @property
     def modes(self) -> int:
@@ -108,14 +114,16 @@ class LinkClass:
         return shapes(self.bases[k], direction, self.counts[k])
 
     def bodies_at(self, section: str) -> list[int]:
-        return [b for b, body in enumerate(self.bodies) if body.at == section]
+        return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
-def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
-    """The class of a link in a robot whose ``section_rotation`` and ``order`` are given."""
-    joint, modes = link.joint, link.modes
+def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0) -> LinkClass:
+    """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given."""
+    joint, modes, count = (link.joint if segment == 0 else WELD), link.modes, link.pieces
     counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
-    mount = joint.mount
+    mount, stations = joint.mount, link.section.places if link.section else ()
+    here = {"base": segment == 0, "tip": segment == count - 1}
+    bodies = [BodyClass(b.at, b.com is not None, b.inertia is not None) if here[b.at] else None for b in link.bodies]
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
         counts=counts,
@@ -128,13 +136,15 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,
-        body=link.body,
+        body=link.body if here["base"] else None,
         spin=link.section is not None and link.section.states("rhoIp"),
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:]),
-        bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
+        bodies=tuple(bodies) if any(bodies) else (),
         order=(link.order or order) if any(counts) else 1,
         measured=modes.measured,
-        stations=link.section.places if link.section else (),
+        stations=stations,
         between=link.section.between if link.section else "linear",
+        segments=count,
+        segment=segment if stations else 0,
     )

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from .joint import Joint
 from .robot import DIRECTIONS, Body, Link, Robot
 from .section import Section
+from .segments import segments
 from .stations import Stations
 
 Index = tuple[int, ...]
@@ -176,19 +177,20 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N). wrench: `forearm.tau_x` (N·m) …
     `forearm.F_z` (N).
+    Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
+    and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
     return CoordinateNames(
         q=(*per_axis(robot, "joint", "slide"), *per_mode(robot, "eta")),
         v=(*per_axis(robot, "joint_rate", "slide_rate"), *per_mode(robot, "eta_rate")),
         tau=per_axis(robot, "torque", "force"),
-        wrench=tuple(f"{link.name}.{component}" for link in robot.links for component in WRENCH),
+        wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
 
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
-    counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=True)]
-    modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
+    modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
     return ["rad" if turns else "m" for turns in turning(robot)] + modal
 
 
@@ -209,10 +211,10 @@ def per_axis(robot: Robot, turning: str, sliding: str) -> tuple[str, ...]:
 
 
 def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
-    """One name for each mode, link by link; within a link by direction, then by mode."""
+    """One name for each mode, link by link; within a link or segment by direction, then by mode."""
     return tuple(
-        f"{link.name}.{quantity}.{direction}[{k}]"
-        for link in robot.links
-        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
+        f"{segment.name}.{quantity}.{direction}[{k}]"
+        for segment in segments(robot)
+        for direction, count in zip(DIRECTIONS, robot.links[segment.link].modes.counts, strict=True)
         for k in range(count)
     )

@@ -14,14 +14,15 @@ from ..bases import BASES, DEFAULT, NATURAL, Basis, Shapes, shapes
 from ..errors import UsageError
 from .frequencies import Frequencies
 from .joint import Joint, Position
-from .names import distinct, link_name, robot_name
+from .names import link_name, robot_name
+from .needs import NEEDS, require, require_divisible, require_one_spelling, segment_count
 from .part import Part
 from .physics import inertia, own_body
 from .profile import profiled
 from .ranges import several, within
 from .screw import Vector
-from .section import PRODUCTS
-from .stations import AnySection, Stations
+from .segments import distinct_names
+from .stations import AnySection
 from .values import boolean, choice, count, quoted, refuse, shape_order
 
 
@@ -42,13 +43,6 @@ End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
-
-NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
-    "axial": ("EA",),
-    "bending_y": ("EIz",),
-    "bending_z": ("EIy",),
-    "torsion": ("GJ", "rhoIp"),
-}
 
 
 class Modes(Part):
@@ -148,6 +142,8 @@ class Link(Part):
     `length` (m) of the undeformed centreline; `frame_at` (m) from its base to the link frame's origin,
     a = −frame_at. No `modes`: rigid. A rigid link without `section` has the mass of its `bodies` alone; without
     `length` its tip is at the joint. In Python, `body` may be a rigid body of one's own (`bodies.contract`).
+    With `segments` the link is split into as many equal pieces, each with these modes and this damping of its modes;
+    length, section, joint and bodies remain those of the link.
     """
 
     other_keys: ClassVar = {"profile": "in place of section: a tube, rod or box of a material"}
@@ -168,6 +164,9 @@ class Link(Part):
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
     order: Annotated[int, PlainValidator(shape_order)] | None = Field(
         None, description="the order of the link's shape, 1 or 2; without it the robot's"
+    )
+    segments: Annotated[int, PlainValidator(segment_count)] = Field(
+        1, description="number of equal segments, welded to each other, each with these modes, for large deflections"
     )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
@@ -198,13 +197,19 @@ class Link(Part):
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
         for direction in self.modes.measured:
-            if isinstance(self.section, Stations):
-                what = (
-                    "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
-                )
-                raise refuse(what, at=("modes", "frequencies", direction))
-            refuse_both(self.section, NEEDS[direction][0], direction)
+            require_one_spelling(self.section, direction)
         return self
+
+    @model_validator(mode="after")
+    def _segments_of_a_beam(self) -> Self:
+        if self.segments > 1:
+            require_divisible(self)
+        return self
+
+    @property
+    def pieces(self) -> int:
+        """The number of segments that dynamics see: one of a rigid link."""
+        return self.segments if self.modes.total else 1
 
     @model_validator(mode="after")
     def _modes_have_stiffness(self) -> Self:
@@ -248,7 +253,11 @@ class Robot(Part):
     def _links_with_names_of_their_own(self) -> Self:
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
-        distinct([link.name for link in self.links])
+        distinct_names(self)
+        for i, link in enumerate(self.links):
+            if link.pieces > 1 and not self.section_rotation:
+                what = "is stated with section_rotation = false, but segments follow the slope of those before them"
+                raise refuse(f"{what}; leave one of them out", at=("links", i, "segments"))
         return self
 
 
@@ -259,24 +268,3 @@ def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
         left = {name: x for name, x in modes.frequencies.stated.items() if name not in directions}
         update["frequencies"] = Frequencies(**left) if left else None
     return modes.model_copy(update=update)
-
-
-def refuse_both(section: AnySection | None, name: str, direction: str) -> None:
-    """Refuse a section that states the stiffness `name` of a direction whose frequencies are stated."""
-    if getattr(section, name, None) is not None:
-        spelling = " and ".join(map(quoted, PRODUCTS[name]))
-        both = f"is stated beside section.{name} (in the material spelling: {spelling})"
-        what = f"{both}, but either gives the stiffness; leave one of them out"
-        raise refuse(what, at=("modes", "frequencies", direction))
-
-
-def require(section: AnySection, name: str, direction: str) -> None:
-    """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
-    value = section.least(name)
-    if value:
-        return
-    wrong = "is missing" if value is None else "is zero"
-    wrong += " at a station" if value is not None and section.places else ""
-    other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
-    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
-    raise refuse(what, at=("section", name))

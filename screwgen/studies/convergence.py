@@ -122,7 +122,8 @@ def _more(link: Link, direction: str) -> bool:
 def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
     """The coordinates of the rich model, one column for each coordinate that stays: all modes of `directions`."""
     blocks = [np.eye(model.n_joints)]
-    for few, many in zip(model.robot.links, rich.robot.links, strict=True):
+    for segment in model.chain.segments:
+        few, many = (robot.links[segment.link] for robot in (model.robot, rich.robot))
         for d in DIRECTIONS:
             shapes = many.modes.shapes(d)
             kept = shapes if d in directions else few.modes.shapes(d)

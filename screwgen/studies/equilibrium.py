@@ -9,7 +9,7 @@ import numpy as np
 import scipy.linalg
 
 from .. import notebook
-from ..arguments import Given, Numbers, array, choice
+from ..arguments import Given, Numbers, choice
 from ..errors import UsageError
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
@@ -91,17 +91,17 @@ def equilibrium(
     torques `tau` (n_joints,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
     down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
     hold the modes' start too (nq,).
-    `w_ext` (n, 6): wrenches [τ; F] that turn with the tip sections; they have no potential, so the search is one for
-    forces that vanish, and what has positive stiffness may still flutter: then `stability` says so. `p`: parameter
-    values. A :class:`ModelValidityWarning` says where a link is past the bounds of the model, in which a column beyond
-    its buckling load is "stable". Raises UsageError, and NoEquilibriumError, which names the joint, where nothing
-    balances the torques.
+    `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
+    have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
+    then `stability` says so. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
+    bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
+    NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
     if not isinstance(hold, bool):
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
-    m, n = model.n_joints, model.n_links
+    m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     start = checked(q, "q", m) if q is not None and np.size(q) == m != model.nq else checked(q, "q", model.nq)
@@ -111,7 +111,7 @@ def equilibrium(
     held = np.arange(model.nq) < m if hold else np.zeros(model.nq, bool)
     if hold != "all":
         held &= stiffness(model, values) == 0
-    statics = Statics(model, values, load, array(w_ext, "w_ext:", (n, 6)), np.flatnonzero(~held))
+    statics = Statics(model, values, load, model.chain.tip_wrenches(w_ext, "w_ext:"), np.flatnonzero(~held))
     found = _report(statics, search(statics, start), held[:m], bool(hold))
     found.validity.warn()
     return found
@@ -120,7 +120,7 @@ def equilibrium(
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equilibrium:
     model, m = statics.model, statics.model.n_joints
     straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
-    own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(model.n_links)]
+    own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,
@@ -131,7 +131,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equil
         stability=stability,
         stiffness=eigenvalues,
         loose=loose,
-        wrench=b.wrench,
+        wrench=b.wrench[model.chain.firsts],
         tip_position=b.tip,
         tip_deflection=b.tip - straight.tip,
         deflections=np.array(own),

@@ -160,7 +160,7 @@ def linearise(
     if np.size(q) == chain.n_joints != chain.nq:
         q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))
     q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nq), checked(tau, "tau", chain.n_joints)
-    w_ext = array(w_ext, "w_ext:", (chain.n, 6))
+    w_ext = chain.tip_wrenches(w_ext, "w_ext:")
     names = coordinate_names(chain.robot)
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
@@ -199,7 +199,7 @@ Groups = dict[str, dict[str, str]]
 
 def input_groups(chain: Chain) -> Groups:
     """The inputs in the order of u = [tau; w_ext]; `tip_wrench` is that on the last tip."""
-    wrenches = [(f"{link.name}.w_ext.{part}", unit) for link in chain.robot.links for part, unit in WRENCH_UNITS]
+    wrenches = [(f"{s.tipped}.w_ext.{part}", unit) for s in chain.segments for part, unit in WRENCH_UNITS]
     torques = dict(zip(coordinate_names(chain.robot).tau, force_units(chain.robot), strict=True))
     return {"torques": torques, "wrenches_on_tips": dict(wrenches), "tip_wrench": dict(wrenches[-6:])}
 
@@ -217,11 +217,11 @@ def output_groups(chain: Chain) -> Groups:
         "mode_rates": dict(list(v.items())[m:]),
     }
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
-    wrenches = {f"{link.name}.{part}": unit for link in chain.robot.links for part, unit in WRENCH_UNITS}
+    wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
     gauged = {
-        f"{link.name}.base_strain.{strain.direction}": STRAIN_UNITS[strain.direction]
-        for link, key in zip(chain.robot.links, chain.keys, strict=True)
-        for strain in strains(key, 0.0)
+        f"{chain.segments[i].owner}.base_strain.{strain.direction}": STRAIN_UNITS[strain.direction]
+        for i in chain.firsts
+        for strain in strains(chain.keys[i], 0.0)
     }
     return {**parts, **tip, "wrenches": wrenches, "base_strain": gauged}
 

@@ -82,7 +82,7 @@ def mode_shapes(
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:
-        nothing = Watch([link.name for link in model.robot.links]).validity()
+        nothing = Watch(model.chain.names).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
         about = steady(model, q, rates, loaded, p, first)

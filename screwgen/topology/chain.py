@@ -1,4 +1,7 @@
-"""The chain of links: link classes and the offsets of coordinates, modes and parameters."""
+"""The chain of links: link classes and the offsets of coordinates, modes and parameters.
+
+A link that is split into segments stands in the chain as so many links; see :mod:`..spec.segments`.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,13 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
 
-from ..arguments import Parameters
+import numpy as np
+
+from ..arguments import Parameters, array
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
 from ..spec.robot import Robot
+from ..spec.segments import segments
 from .parameters import labels
 from .tree import chain
 
@@ -19,7 +25,9 @@ class Chain:
 
     def __init__(self, robot: Robot):
         self.robot = robot
-        self.keys = [link_class(link, robot.section_rotation, robot.order) for link in robot.links]
+        self.segments = segments(robot)
+        kind = lambda s: link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number)  # noqa: E731
+        self.keys = [kind(segment) for segment in self.segments]
         self.tree = chain(len(self.keys))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
@@ -109,4 +117,34 @@ class Chain:
     @cached_property
     def parameter_labels(self) -> list[dict[str, int]]:
         """For every link: the label of each of its parameters and its place in the parameter vector."""
-        return labels(self.robot)
+        own = labels(self.robot)
+        return [own[s.link] for s in self.segments]
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the links, in messages and tables; of segments `boom[2]`."""
+        return [s.name for s in self.segments]
+
+    @property
+    def identifiers(self) -> list[str]:
+        """The names of the links in code; of segments `boom_2`."""
+        return [s.identifier for s in self.segments]
+
+    def tip_wrenches(self, given, name: str) -> np.ndarray:
+        """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
+        links = len(self.robot.links)
+        if links == self.n or not (hasattr(given, "__len__") and len(given) == links):
+            return array(given, name, (self.n, 6))
+        out = np.zeros((self.n, 6))
+        out[self.lasts] = array(given, name, (links, 6))
+        return out
+
+    @property
+    def firsts(self) -> list[int]:
+        """Where in the chain each link of the robot begins: its only or its first segment."""
+        return [i for i, s in enumerate(self.segments) if s.first]
+
+    @property
+    def lasts(self) -> list[int]:
+        """Where in the chain each link of the robot ends."""
+        return [i for i, s in enumerate(self.segments) if s.last]

@@ -175,7 +175,7 @@ class Links:
         signature = ", ".join(arguments or ["void"])
         key = (phase, signature, tuple(lines))
         if key not in self.functions:
-            link = self.chain.robot.links[passage.link].name
+            link = self.chain.identifiers[passage.link]
             name = self._unique(f"{phase}_{link}")
             title = f"{phase.replace('_', ' ')}, links like {link}: {program.operation_count} operations"
             self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)

@@ -133,6 +133,9 @@ class CProject:
             "rounds": ROUNDS,
             "example": changing_parameter(robot),
             "link_names": [link.name for link in robot.links],
+            "names": chain.names,
+            "segments": chain.segments if chain.n > len(robot.links) else (),
+            "parameter_links": "$$_NLINKS" if chain.n == len(robot.links) else "$$_NPARTS",
             "q_names": coordinate_names(robot).q,
             "units": coordinate_units(robot),
             "structs": structs(bool(chain.coupled), chain.sliding),
@@ -259,8 +262,9 @@ class CProject:
     @cached_property
     def parameters(self) -> dict[str, list[Field]]:
         """The members of the parameters' structs."""
-        pairs = zip(self.chain.keys, self.labels, strict=True)
-        names = [{n[2:] for n in fused.preparation(key, labels).inputs} for key, labels in pairs]
+        names: list[set[str]] = [set() for _ in self.chain.robot.links]
+        for segment, key, labels in zip(self.chain.segments, self.chain.keys, self.labels, strict=True):
+            names[segment.link] |= {n[2:] for n in fused.preparation(key, labels).inputs}
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
 
     @property
@@ -278,7 +282,7 @@ class CProject:
             program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
         )
 
-        given = members(self.chain.robot, i)
+        given = members(self.chain.robot, self.chain.segments[i].link)
 
         def placed(name: str, k: int) -> str:
             if name.startswith("p."):
@@ -288,7 +292,7 @@ class CProject:
         lines = trimmed(Writer(program, placed, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
         own = columns(self.chain, i, lambda name, *_: f"$_real {name}[]")
         signature = f"const $_link_parameters *p, $_link_constants *c{own}"
-        name = self.chain.robot.links[i].name
+        name = self.chain.identifiers[i]
         written = [placed(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
         total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
         comment = f"links like {name}"
@@ -297,10 +301,10 @@ class CProject:
     @property
     def prepare_calls(self) -> list[str]:
         out = []
-        for i, key in enumerate(self.chain.keys):
-            first = self.chain.robot.links[self.chain.keys.index(key)].name
+        for i, (key, segment) in enumerate(zip(self.chain.keys, self.chain.segments, strict=True)):
+            first = self.chain.identifiers[self.chain.keys.index(key)]
             own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
-            out.append(f"constants_of_{first}(&p->links[{i}], &c->links[{i}]{own});")
+            out.append(f"constants_of_{first}(&p->links[{segment.link}], &c->links[{i}]{own});")
         return out
 
     @property

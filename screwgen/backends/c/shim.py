@@ -63,11 +63,12 @@ def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
         whole = fused.preparation(project.chain.keys[i], wanted)
         outputs = {name: whole.outputs[name] for name in wanted}
         program = Program(whole.name, whole.inputs, outputs, [], whole.sections)
-        given = members(project.chain.robot, i)
+        link = project.chain.segments[i].link
+        given = members(project.chain.robot, link)
 
-        def place(name: str, k: int, i=i, given=given) -> str:
+        def place(name: str, k: int, i=i, link=link, given=given) -> str:
             if name.startswith("p."):
-                return f"p->links[{i}].{given[name[2:]]}"
+                return f"p->links[{link}].{given[name[2:]]}"
             return f"m->extra[{extra.index((i, name))}]"
 
         lines = trimmed(Writer(program, place, None, {"p", "m"}).lines())

@@ -89,7 +89,7 @@ def _parameters(chain: Chain, binding: str, w_ext: bool):
     values, names = [p.value for p in own], [p.name for p in own]
     symbols = ca.SX.sym("p", len(own))
     wrenches = ca.SX.sym("w_ext", 6, chain.n) if w_ext else ca.SX.zeros(6, chain.n)
-    wrench_names = [f"{link.name}.w_ext.{c}" for link in chain.robot.links for c in WRENCH] if w_ext else []
+    wrench_names = [f"{s.tipped}.w_ext.{c}" for s in chain.segments for c in WRENCH] if w_ext else []
     free = binding == "runtime"
     p = ca.vertcat(symbols if free else ca.SX(0, 1), ca.vec(wrenches) if w_ext else ca.SX(0, 1))
     labels = (names if free else []) + wrench_names

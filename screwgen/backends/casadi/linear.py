@@ -75,9 +75,10 @@ def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     """
     names = [x.name for x in parameters(chain.robot)]
     rows = []
-    for link, key, first in zip(chain.robot.links, chain.keys, chain.eta_offset, strict=False):
-        for strain in strains(key, 0.0):
-            length = p[names.index(f"{link.name}.length")]
-            eta = q[[chain.n_joints + first + k for k in strain.modes]]
+    for i in chain.firsts:
+        segment, first = chain.segments[i], chain.n_joints + chain.eta_offset[i]
+        for strain in strains(chain.keys[i], 0.0):
+            length = p[names.index(f"{segment.owner}.length")] / segment.count
+            eta = q[[first + k for k in strain.modes]]
             rows.append(ca.dot(ca.DM(strain.weights), eta) / length**strain.order)
     return ca.vertcat(ca.SX(0, 1), *rows)

@@ -9,6 +9,7 @@ import casadi as ca
 
 from ...spec.parameters import coordinate_names
 from ...spec.robot import Robot
+from ...spec.segments import segments
 
 Groups = dict[str, list[int]]
 """Names of parts of a column and the places of their entries."""
@@ -43,7 +44,7 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     A row holds the name of the part of the right-hand side and the nonzeros of its Jacobian, column by column.
     """
     names = coordinate_names(robot)
-    n, m, r = len(robot.links), len(names.tau), len(names.q) - len(names.tau)
+    n, m, r = len(segments(robot)), len(names.tau), len(names.q) - len(names.tau)
     forces = {"u": _stacked({"`tau`": m, "`w_ext`": 6 * n})}
     state = {"x": _stacked({"`q`": m + r, "`v`": m + r})}
     ode_rows = {"ode": _stacked({"dq/dt": m + r, "dv/dt": m + r})}

@@ -102,7 +102,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     printed: dict = {}
     sections = [_robot(robot, chain), *_theory(robot, chain), *(s for chapter in chapters for s in chapter.sections)]
     for number, key in enumerate(chain.classes, 1):
-        members = [link.name for link, k in zip(robot.links, chain.keys, strict=True) if k == key]
+        members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
@@ -135,7 +135,8 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
 
 
 def _robot(robot: Robot, chain: Chain) -> Section:
-    links = f"{chain.n} link{'s' if chain.n > 1 else ''}"
+    links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
+    links += f" of {chain.n} segments" if chain.n > len(robot.links) else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     count = f"{links}, {joints}, {chain.n_modes} modal"
     items: list[Item] = [

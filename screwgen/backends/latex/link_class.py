@@ -81,7 +81,17 @@ def _stations(key: LinkClass) -> Iterator[Item]:
         )
 
 
+def _segments(key: LinkClass) -> Iterator[Item]:
+    if key.segments > 1:
+        yield Paragraph(
+            rf"The link of length $l_{{0,i}}$ is {key.segments} equal segments of length "
+            rf"$l_i = l_{{0,i}}/{key.segments}$, each welded to the tip section of the one before it. These are the "
+            r"equations of one of them: a link of its own, with $s$ along the segment."
+        )
+
+
 def _field(key: LinkClass) -> Iterator[Item]:
+    yield from _segments(key)
     yield from _stations(key)
     if not key.modes:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")

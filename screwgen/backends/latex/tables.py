@@ -32,14 +32,18 @@ def decimal(value: float) -> str:
 def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> Table:
     """One row per link: its class, joint, shapes and bodies."""
     head = ("link", "name", "class", "length", "joint axes", "modes: x, y, z, torsion", "bodies, remarks")
-    pairs = zip(robot.links, keys, strict=True)
-    rows = tuple((f"{i}", *_link(link, key), _remarks(link, key)) for i, (link, key) in enumerate(pairs, 1))
-    numbered = tuple((*row[:2], f"{classes.index(key) + 1}", *row[2:]) for row, key in zip(rows, keys, strict=True))
-    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), numbered)
+    rows, first = [], 0
+    for link in robot.links:
+        own = keys[first : first + link.pieces]
+        numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
+        place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
+        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
+        first += len(own)
+    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
-    return f"`{link.name}`", f"{decimal(link.length)} m" if link.length is not None else "-", _axes(key), _modes(key)
+    return f"{decimal(link.length)} m" if link.length is not None else "-", _axes(key), _modes(key)
 
 
 def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
@@ -74,6 +78,7 @@ def _basis(basis: str | Basis) -> str:
 
 
 def _remarks(link: Link, key: LinkClass) -> str:
+    split = [f"{link.pieces} segments"] if link.pieces > 1 else []
     bodies = [f"{decimal(body.mass)} kg at the {body.at}" for body in link.bodies]
     stated = {
         "mount": key.mount_xyz or key.mount_rpy,
@@ -85,7 +90,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "spin inertia": key.spin,
         "measured frequencies": key.measured,
     }
-    return "; ".join(bodies + [name for name, present in stated.items() if present])
+    return "; ".join(split + bodies + [name for name, present in stated.items() if present])
 
 
 def modes(key: LinkClass) -> Table:

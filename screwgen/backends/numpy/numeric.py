@@ -79,7 +79,7 @@ class Numeric:
         except ZeroDivisionError:
             guards = [0.0]
         if not all(g > 0 for g in guards):
-            raise SingularError(f"the joint of link '{self.chain.robot.links[link].name}' is singular in this posture")
+            raise SingularError(f"the joint of link '{self.chain.names[link]}' is singular in this posture")
         return outputs
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

@@ -63,7 +63,7 @@ def analyse(
         found.append(analyse_state(model, label, state, step, controller))
         if progress:
             progress(k + 1, len(given))
-    names = tuple(link.name for link in model.robot.links)
+    names = tuple(model.chain.names)
     head = (model.robot.name, names, model.nq, model.n_joints, float(step), controller is not None)
     return Analysis(*head, paper_bound(model), structure(model), tuple(found))
 
@@ -147,7 +147,7 @@ def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
     masses = [beam + sum(body.mass for body in link.bodies) for beam, link in zip(beams, links, strict=True)]
     K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
     turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
-    lengths = np.repeat([link.length or 0.0 for link in links], [key.modes for key in model.chain.keys])
+    lengths = np.repeat([link.length or 0.0 for link in links], [link.pieces * link.modes.total for link in links])
     load, room = WEIGHT * sum(masses) * np.where(turns, lengths, 1.0), SAG * np.where(turns, 1.0, lengths)
     deflection = np.minimum(load / K, room)
     return deflection, deflection * np.sqrt(K / M_eta)

@@ -174,7 +174,7 @@ def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
     root = np.sqrt(np.where(np.diag(symmetric) > 0, np.diag(symmetric), 1.0))
     scaled, vectors = np.linalg.eigh(symmetric / np.outer(root, root))
     definite = bool(scaled[0] > len(places) * EPSILON * scaled[-1])
-    name = model.robot.links[i].name
+    name = chain.names[i]
     return LinkBlock(
         name,
         float(plain[0]),

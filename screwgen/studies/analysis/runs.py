@@ -45,7 +45,7 @@ def run_validity(model: Model, motion: Mapping[str, np.ndarray]) -> Validity:
     """The largest measures over the samples of a run without wrenches on its tips; raises UsageError."""
     functions, p = model.casadi(), np.array(model.parameter_values)
     evaluate, dynamics = Evaluator(functions["validity"]), Evaluator(functions["forward_dynamics"])
-    watch, none = Watch([link.name for link in model.robot.links]), np.zeros((model.n_links, 6))
+    watch, none = Watch(model.chain.names), np.zeros((model.n_links, 6))
     for t, q, v, tau, wrench in zip(*(motion[name] for name in NEEDED), strict=True):
         own = dynamics(q, v, tau, none, p)[1]
         if not np.allclose(own, wrench.ravel(), rtol=SAME, atol=SAME * max(1.0, float(np.abs(wrench).max()))):

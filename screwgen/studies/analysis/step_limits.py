@@ -152,7 +152,7 @@ def paper_bound(model: Model) -> float | None:
         for link in model.robot.links
         for direction, stiffness in (("bending_y", "EIz"), ("bending_z", "EIy"))
         if (count := getattr(link.modes, direction))
-        for omega in [_first(values, link.name, direction, stiffness)]
+        for omega in [link.pieces**2 * _first(values, link.name, direction, stiffness)]
     ]
     return min(bounds, default=None)
 

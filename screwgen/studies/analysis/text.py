@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...simulation.validity import Validity
+from ...spec.segments import owner
 from .step_limits import TOLERANCE, StepLimit
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def report(a: Findings) -> str:
 
 def _verdict(a: Findings) -> str:
     states = _count(len(a.states), "state")
-    links, coordinates = _count(len(a.links), "link"), _count(a.coordinates, "coordinate")
+    links, coordinates = _count(len(set(map(owner, a.links))), "link"), _count(a.coordinates, "coordinate")
     head = f"{a.robot}: {links}, {coordinates}; {states}"
     bad = [s for s in a.states if not s.well_posed]
     if not bad:
@@ -80,8 +81,8 @@ def _blocks(a: Findings) -> str:
     head = ("link", "min λ", "max λ", "min λ eq.", "asymmetry", "rank M*", "verdict")
     rows: list = []
     nulls: dict = {}
-    for i, link in enumerate(a.links):
-        found = [s.blocks[i] for s in a.states if s.blocks]
+    for link in dict.fromkeys(map(owner, a.links)):
+        found = [block for s in a.states for block in s.blocks if owner(block.link) == link]
         if found:
             worst = min(found, key=lambda b: b.smallest_scaled)
             definite = all(b.definite for b in found)

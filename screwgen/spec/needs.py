@@ -1,0 +1,64 @@
+"""What the modes of a link need of its section, and what segments need of a link."""
+
+from typing import TYPE_CHECKING, Any
+
+from .section import PRODUCTS
+from .stations import AnySection, Stations
+from .values import quoted, refuse, shown
+
+if TYPE_CHECKING:
+    from .robot import Link
+
+NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
+    "axial": ("EA",),
+    "bending_y": ("EIz",),
+    "bending_z": ("EIy",),
+    "torsion": ("GJ", "rhoIp"),
+}
+MOST_SEGMENTS = 64
+
+
+def segment_count(value: Any) -> int:
+    """The number of segments of a link."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise refuse(f"is {shown(value)}; it must be a whole number from 1 to {MOST_SEGMENTS}")
+    if not 1 <= value <= MOST_SEGMENTS:
+        raise refuse(f"is {shown(value)}; it must be from 1 to {MOST_SEGMENTS}")
+    return value
+
+
+def require_one_spelling(section: AnySection | None, direction: str) -> None:
+    """Refuse measured frequencies of a direction beside a section that states its stiffness or varies."""
+    at, name = ("modes", "frequencies", direction), NEEDS[direction][0]
+    if isinstance(section, Stations):
+        what = "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
+        raise refuse(what, at=at)
+    if getattr(section, name, None) is not None:
+        spelling = " and ".join(map(quoted, PRODUCTS[name]))
+        both = f"is stated beside section.{name} (in the material spelling: {spelling})"
+        raise refuse(f"{both}, but either gives the stiffness; leave one of them out", at=at)
+
+
+def require(section: AnySection, name: str, direction: str) -> None:
+    """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
+    value = section.least(name)
+    if value:
+        return
+    wrong = "is missing" if value is None else "is zero"
+    wrong += " at a station" if value is not None and section.places else ""
+    other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
+    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
+    raise refuse(what, at=("section", name))
+
+
+def require_divisible(link: "Link") -> None:
+    """Refuse segments of a link that is rigid, has measured frequencies, or a frame away from its base."""
+    if not link.modes.total:
+        raise refuse("is stated for a rigid link; state modes with it, or leave it out", at=("segments",))
+    for direction in link.modes.measured:
+        what = f"is stated beside segments = {link.segments}, but frequencies are those of the whole link"
+        remedy = f"state {NEEDS[direction][0]} in the section, or leave segments out"
+        raise refuse(f"{what}; {remedy}", at=("modes", "frequencies", direction))
+    if link.frame_at is not None:
+        what = f"is stated beside segments = {link.segments}, of which each has its frame at its base"
+        raise refuse(f"{what}; leave one of them out", at=("frame_at",))

@@ -1,7 +1,7 @@
 """The lowest versions that pyproject.toml allows: what a constraints file says of them, and a round of all commands.
 
-    python tests/minima.py --list       name==version of every dependency
-    python tests/minima.py              the round, in the environment that has them (`make minima`)
+python tests/minima.py --list       name==version of every dependency
+python tests/minima.py              the round, in the environment that has them (`make minima`)
 """
 
 import os

@@ -129,9 +129,7 @@ def test_stability_is_what_the_poles_say(seed):
 
 # -------- passive joints
 
-SPRUNG = arm(
-    link("base", axes="y", joint={"stiffness": [0.0]}), link("flap", axes="y", joint={"stiffness": [30.0]})
-)
+SPRUNG = arm(link("base", axes="y", joint={"stiffness": [0.0]}), link("flap", axes="y", joint={"stiffness": [30.0]}))
 """A driven joint and one on a spring; level, the flap weighs 1 kg at 0.5 m."""
 
 

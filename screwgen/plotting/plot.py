@@ -117,6 +117,7 @@ def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
 def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
     modes, norms = partial(_modes, run, model), partial(_norms, run)
+    eta = "η, tip" if model is not None and model.n_links > len(model.robot.links) else "η"
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
@@ -126,10 +127,10 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     return [
         Panel("Joint angles", "q", "rad", angles),
         Panel("Joint torques", "τ", "N·m", torques),
-        Panel("Bending in y", "η", "m", modes("bending_y")),
-        Panel("Bending in z", "η", "m", modes("bending_z")),
-        Panel("Axial modes", "η", "m", modes("axial")),
-        Panel("Torsion modes", "η", "rad", modes("torsion")),
+        Panel("Bending in y", eta, "m", modes("bending_y")),
+        Panel("Bending in z", eta, "m", modes("bending_z")),
+        Panel("Axial modes", eta, "m", modes("axial")),
+        Panel("Torsion modes", eta, "rad", modes("torsion")),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
         Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
         Panel("Energy", "E", "J", energy),

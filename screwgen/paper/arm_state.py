@@ -147,10 +147,10 @@ class ArmState:
         return dict(zip(self.model.parameter_names, self.model.parameter_values, strict=True))
 
     def _link(self, i: int) -> LinkState:
-        link, p = self.model.robot.links[i], self._parameters
-        get = lambda name: p.get(f"{link.name}.{name}", 0.0)  # noqa: E731
+        segment, p = self.model.chain.segments[i], self._parameters
+        get = lambda name: p.get(f"{segment.owner}.{name}", 0.0)  # noqa: E731
         line = {name: get(name) for name in ("rhoA", "EA", "EIy", "EIz")}
-        return LinkState(self.model.chain.keys[i], line, get("frame_at"), get("length"))
+        return LinkState(self.model.chain.keys[i], line, get("frame_at"), get("length") / segment.count)
 
     def _join(self, i: int, q: np.ndarray) -> None:
         """The joint's axes, their projector and its rate, inertial components; and the axes in F_i at q = 0."""

@@ -53,6 +53,8 @@ class PrintedModel:
         for label in self.as_printed:
             if label not in PRINTED:
                 raise UsageError(f"({label}) changes no number of a system; choose {' or '.join(PRINTED)}")
+        if any(link.pieces > 1 for link in robot.links):
+            raise UsageError(f"{robot.name}: the paper has no segments of links; leave them out, or the formulation")
         self.robot = self._reduced(robot)
         self.model = derive(self.robot)
         if any(direction == "torsion" for key in self.model.chain.keys for direction, _ in key.directions):

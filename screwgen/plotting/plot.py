@@ -117,6 +117,7 @@ def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
 def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
     modes, norms = partial(_modes, run, model), partial(_norms, run)
+    eta = "η, tip" if model is not None and model.n_links > len(model.robot.links) else "η"
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
@@ -129,10 +130,10 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turns)),
         Panel("Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
-        Panel("Bending in y", "η", "m", modes("bending_y")),
-        Panel("Bending in z", "η", "m", modes("bending_z")),
-        Panel("Axial modes", "η", "m", modes("axial")),
-        Panel("Torsion modes", "η", "rad", modes("torsion")),
+        Panel("Bending in y", eta, "m", modes("bending_y")),
+        Panel("Bending in z", eta, "m", modes("bending_z")),
+        Panel("Axial modes", eta, "m", modes("axial")),
+        Panel("Torsion modes", eta, "rad", modes("torsion")),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
         Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
         Panel("Energy", "E", "J", energy),

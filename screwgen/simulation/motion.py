@@ -54,11 +54,8 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np
     first, points = model.chain.firsts[link], np.asarray(points, float)
     if model.chain.segments[first].count == 1:
         return _bent(model, q, first, points)
-    lines = []
-    for row in _samples(model, q, "q"):
-        R, r = model.numpy().link_pose(row)
-        lines.append((_centreline(model, row, (R, r), link, points) - r[first]) @ R[first])
-    out = np.array(lines)
+    R, r = _poses(model, q)
+    out = (_centreline(model, q, R, r, link, points) - r[:, None, first]) @ R[:, first]
     out[..., 0] -= (model.robot.links[link].length or 0.0) * points
     return out
 
@@ -90,20 +87,28 @@ def _modal(model: Model, q: np.ndarray, i: int) -> np.ndarray:
 
 def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
     """The centrelines (n, points, 3) of the robot's n links at the coordinates `q` (nq,), inertial frame, m."""
-    poses, points = model.numpy().link_pose(q), np.asarray(points, float)
-    return np.array([_centreline(model, q, poses, i, points) for i in range(len(model.robot.links))])
+    (R, r), points = model.numpy().link_pose(q), np.asarray(points, float)
+    lines = (_centreline(model, q[None], R[None], r[None], i, points) for i in range(len(model.robot.links)))
+    return np.array([line[0] for line in lines])
 
 
-def _centreline(model: Model, q: np.ndarray, poses: tuple, link: int, points: np.ndarray) -> np.ndarray:
-    """That of one link, from the poses of all segments."""
-    own, first, out = model.robot.links[link], model.chain.firsts[link], np.empty((len(points), 3))
-    number = np.minimum((own.pieces * points).astype(int), own.pieces - 1)
+def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link: int, points: np.ndarray) -> np.ndarray:
+    """That of one link, (N, points, 3), from the poses of all segments, (N, n, 3, 3) and (N, n, 3)."""
+    own, first = model.robot.links[link], model.chain.firsts[link]
+    out, number = np.empty((len(q), len(points), 3)), np.minimum((own.pieces * points).astype(int), own.pieces - 1)
     for k in np.unique(number):
-        at, local = number == k, own.pieces * points[number == k] - k
-        place = _bent(model, q[None], first + k, local)[0]
-        place[:, 0] += (own.length or 0.0) / own.pieces * local - (own.frame_at or 0.0)
-        out[at] = poses[1][first + k] + place @ poses[0][first + k].T
+        i, at, local = first + k, number == k, own.pieces * points[number == k] - k
+        place = _bent(model, q, i, local)
+        place[..., 0] += (own.length or 0.0) / own.pieces * local - (own.frame_at or 0.0)
+        out[:, at] = r[:, None, i] + place @ R[:, i].transpose(0, 2, 1)
     return out
+
+
+def _poses(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rotations (N, n, 3, 3) and positions (N, n, 3) of all segments' frames."""
+    given = model.casadi()["link_pose"], _samples(model, q, "q"), _values(model, None)
+    R, r = (_mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
+    return R.transpose(0, 1, 3, 2), r
 
 
 def modal_columns(model: Model, link: int, direction: str) -> list[int]:

@@ -15,6 +15,7 @@ from ..errors import UsageError
 from .frequencies import Frequencies
 from .joint import Joint, Position
 from .names import distinct, link_name, robot_name
+from .parents import marker, parent_name, parents
 from .part import Part
 from .physics import inertia, own_body
 from .profile import profiled
@@ -169,6 +170,12 @@ class Link(Part):
     order: Annotated[int, PlainValidator(shape_order)] | None = Field(
         None, description="the order of the link's shape, 1 or 2; without it the robot's"
     )
+    parent: Annotated[str, PlainValidator(parent_name)] | None = Field(
+        None, description='the link that carries this one, "world" for none; without it the link before'
+    )
+    at: Annotated[str, PlainValidator(marker)] = Field(
+        "tip", description='where on its parent the joint sits: "tip" is all that is possible so far'
+    )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
@@ -216,9 +223,9 @@ class Link(Part):
 
 
 class Robot(Part):
-    """A chain of links, base to tip. `name` is the prefix of everything generated.
+    """Links, each after the one that carries it. `name` is the prefix of everything generated.
 
-    `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
+    Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
     follows the slope of the tip (true by default). A loop can build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
@@ -249,6 +256,7 @@ class Robot(Part):
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct([link.name for link in self.links])
+        parents(self.links)
         return self
 
 

@@ -1,4 +1,4 @@
-"""The chain of links: link classes and the offsets of coordinates, modes and parameters."""
+"""The links: their classes, the tree that they form, and the offsets of coordinates, modes and parameters."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from itertools import accumulate
 from ..arguments import Parameters
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
+from ..spec.parents import parents
 from ..spec.robot import Robot
 from .parameters import labels
-from .tree import chain
+from .tree import Tree
 
 
 class Chain:
@@ -20,7 +21,7 @@ class Chain:
     def __init__(self, robot: Robot):
         self.robot = robot
         self.keys = [link_class(link, robot.section_rotation, robot.order) for link in robot.links]
-        self.tree = chain(len(self.keys))
+        self.tree = Tree(parents(robot.links))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))

@@ -30,6 +30,12 @@ def part_error(reference, value, companion) -> float:
     return largest(value - reference) / (max(largest(reference), 1e-4 * largest(companion)) or 1.0)
 
 
+def parents_of(links: list[dict]) -> list[int]:
+    """The number of the link that carries each link, -1 for the world."""
+    places = {link["name"]: i for i, link in enumerate(links)} | {"world": -1}
+    return [places[link["parent"]] if "parent" in link else i - 1 for i, link in enumerate(links)]
+
+
 class Oracle:
     """Dynamics of one robot (a plain dict). Functions are built when first used; see the module's docstring.
 
@@ -41,6 +47,7 @@ class Oracle:
         self.robot = robot
         self.links = [read_link(link, extra_nodes, robot.get("order", 1)) for link in robot["links"]]
         self.n = len(self.links)
+        self.parents = parents_of(robot["links"])
         self.gravity = np.array(robot["gravity"], dtype=float)
         self.joint_slices = slices([len(link.axes) for link in self.links])
         self.n_joint = self.joint_slices[-1].stop
@@ -64,13 +71,15 @@ class Oracle:
         return self._with_rates(self._place(), self.v)
 
     def _place(self) -> list[Cloud]:
-        R, point, clouds = ca.SX(np.eye(3)), ca.SX.zeros(3), []
+        clouds: list[Cloud] = []
         follow = self.robot.get("section_rotation", True)
-        for link, joints, modal in zip(self.links, self.joint_slices, self.modal_slices, strict=True):
+        parts = zip(self.links, self.parents, self.joint_slices, self.modal_slices, strict=True)
+        for link, parent, joints, modal in parts:
+            carrier = None if parent < 0 else clouds[parent]
+            R, point = (ca.SX(np.eye(3)), ca.SX.zeros(3)) if carrier is None else (carrier.tip_R, carrier.tip_point)
             angles = [self.q[i] for i in range(joints.start, joints.stop)]
             where = modal_slices(link, modal.start)
             clouds.append(build_cloud(link, self.q, angles, where, R, point, follow))
-            R, point = clouds[-1].tip_R, clouds[-1].tip_point
         return clouds
 
     def _with_rates(self, clouds: list[Cloud], direction: ca.SX) -> list[Cloud]:
@@ -138,14 +147,16 @@ class Oracle:
 
     @cached_property
     def _wrench(self) -> ca.Function:
-        """Balance of linear and angular momentum of links i…n; moments about the origin, then moved."""
+        """Balance of linear and angular momentum of link i and all that it carries; moments about the origin, then
+        moved."""
         momenta = [m for cloud in self.clouds for m in (cloud.linear_momentum(), cloud.angular_momentum())]
         changes, columns = self.along_motion(momenta), []
-        force, moment = ca.SX.zeros(3), ca.SX.zeros(3)
+        sums = [(ca.SX.zeros(3), ca.SX.zeros(3)) for _ in range(self.n + 1)]  # by link, the last one of the world
         for i in reversed(range(self.n)):
             cloud = self.clouds[i]
             load, torque = self._loads(i)
-            force, moment = force + changes[2 * i] - load, moment + changes[2 * i + 1] - torque
+            force, moment = sums[i][0] + changes[2 * i] - load, sums[i][1] + changes[2 * i + 1] - torque
+            sums[self.parents[i]] = (sums[self.parents[i]][0] + force, sums[self.parents[i]][1] + moment)
             about_joint = moment - ca.cross(cloud.joint_point, force)
             columns.insert(0, ca.vertcat(cloud.R.T @ about_joint, cloud.R.T @ force))
         return self._function([self.q, self.v, self.a, self.w_ext], ca.horzcat(*columns))

@@ -20,6 +20,7 @@ LIMITS = {
     "material": 0.3,
     "frame_at": 0.25,
     "mount": 0.5,
+    "branching": 0.0,  # of a link: any earlier link carries it, or the world
     "sliding": 0.0,  # of an axis: a slide or a screw
     "bodies": 0.5,  # of each of: a base body, a tip body
     "armature": 0.4,
@@ -58,6 +59,9 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         robot["section_rotation"] = True
     soft = chance(rng, limits["soft"])
     robot["links"] = [random_link(rng, i, limits, soft) for i in range(count)]
+    for i, link in enumerate(robot["links"]):
+        if limits["branching"] and i and chance(rng, limits["branching"]):
+            link["parent"] = str(rng.choice(["world", *(other["name"] for other in robot["links"][:i])]))
     if limits["second_order"]:
         for part in (robot, *robot["links"]):
             if chance(rng, limits["second_order"]):

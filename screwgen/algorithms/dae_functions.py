@@ -141,10 +141,12 @@ class DaeFunctions(Functions):
         """The blocks of all links, each at its rows and columns."""
         M: Entries = {}
         for i, link in enumerate(links):
-            for name, (row, col, _, cols) in block_places(self.chain, i).items():
-                for k, value in enumerate(link[name]):
-                    if not (isinstance(value, float) and value == 0.0):
-                        M[row + k // cols, col + k % cols] = value
+            own = block_places(self.chain, i), link
+            for blocks, values in (own, (edge_places(self.chain, i), link["edge"])) if "edge" in link else (own,):
+                for name, (row, col, _, cols) in blocks.items():
+                    for k, value in enumerate(values[name]):
+                        if not (isinstance(value, float) and value == 0.0):
+                            M[row + k // cols, col + k % cols] = value
         twelve = lambda end: [v for link in links for v in (*link[f"joint_{end}"], *link[f"V_{end}"])]  # noqa: E731
         modal = lambda end: [v for link in links for v in link[f"eta_{end}"]]  # noqa: E731
         return M, twelve("H") + modal("H"), twelve("W") + modal("W")
@@ -164,11 +166,21 @@ def block_places(chain: Chain, i: int) -> dict[str, tuple[int, int, int, int]]:
         "eta_V": (modal, link, r, 6),
         "eta_eta": (modal, modal, r, r),
     }
-    if i + 1 < chain.n:
-        places |= {
-            "next_V": (joint + 12, link, 6, 6),
-            "next_eta": (joint + 12, modal, 6, r),
-            "V_next": (link, joint + 12, 6, 6),
-            "eta_next": (modal, joint + 12, r, 6),
-        }
-    return {name: place for name, place in places.items() if place[3]}
+    carried = chain.tree.children[chain.tree.tip(i)]
+    return {name: place for name, place in places.items() if place[3]} | (
+        edge_places(chain, carried[-1]) if carried else {}
+    )
+
+
+def edge_places(chain: Chain, child: int) -> dict[str, tuple[int, int, int, int]]:
+    """Row, column, and size of the blocks of M_sys that couple a link with the one that carries it."""
+    i = chain.tree.parents[child]
+    r, modal = chain.keys[i].modes, 12 * chain.n + chain.eta_offset[i]
+    joint, link = 12 * child, 12 * i + 6
+    places = {
+        "next_V": (joint, link, 6, 6),
+        "next_eta": (joint, modal, 6, r),
+        "V_next": (link, joint, 6, 6),
+        "eta_next": (modal, joint, r, 6),
+    }
+    return {name: place for name, place in places.items() if place[2] * place[3]}

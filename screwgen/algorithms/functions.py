@@ -28,7 +28,7 @@ DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.
 DAE_RATES: Algorithm = (Phase(dae.pose_rates, OUTWARD),)
 PROJECTION: Algorithm = (Phase(dae.project, OUTWARD),)
 PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
-ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD))
+ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD, per_child=True))
 
 EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
 

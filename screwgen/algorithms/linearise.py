@@ -17,6 +17,7 @@ import numpy as np
 from ..ir.program import Array, Node, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
+from ..topology.tree import BASE
 from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
@@ -105,9 +106,9 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
     """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
-    given, owners = mx.zeros(6, 0), []
+    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * (chain.n + 1)
     for i, link in enumerate(links):
-        q, eta = places(chain, i)
+        (q, eta), (given, owners) = places(chain, i), at_nodes[chain.tree.base(i)]
         with section(i):
             R, R_T = link["R_rel"], link["R_T"]
             at_joint = rw.rotated_columns(R.T, _moved(link["r_J"], given))
@@ -119,10 +120,9 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
                 for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
                     J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
                     J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
-            if i < chain.n - 1:
+            if chain.tree.children[chain.tree.tip(i)]:
                 at_tip = np.hstack([_moved(link["r_T"], np.hstack([here, link["axes"]])), link["E"]])
-                given = rw.rotated_columns(R_T.T, at_tip)
-                owners = owners + _coordinates(chain, i)
+                at_nodes[chain.tree.tip(i)] = rw.rotated_columns(R_T.T, at_tip), owners + _coordinates(chain, i)
 
 
 def _moved(r: Array, accelerations: Array) -> Array:
@@ -133,9 +133,9 @@ def _moved(r: Array, accelerations: Array) -> Array:
 
 def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
     """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates."""
-    rows, owners = mx.zeros(0, 9), []
+    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * (chain.n + 1)
     for i in reversed(range(chain.n)):
-        link, (q, eta) = links[i], places(chain, i)
+        link, (q, eta), (rows, owners) = links[i], places(chain, i), at_nodes[chain.tree.tip(i)]
         with section(i):
             if owners:
                 motion = (link[x] for x in ("R_T", "r_T", "udot_T", "omega_s", "omega_i"))
@@ -144,12 +144,13 @@ def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, sec
                     J[owners, q] = mx.multiply(here, link[f"u_{joint}"])
                     J[owners, eta] = mx.multiply(at_tip, link[f"tip_{modal}"])
                 rows = here
-            if i > 0:
-                owners = owners + _coordinates(chain, i)
+            if (parent := chain.tree.parents[i]) != BASE:
                 own = np.vstack([rows, link["rows_q"], link["rows_eta"]])
                 joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
-                omega_P = mx.multiply(links[i - 1]["R_T"].T, links[i - 1]["omega_i"] + links[i - 1]["omega_s"])
-                rows = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
+                carrier, (others, known) = links[parent], at_nodes[parent + 1]
+                omega_P = mx.multiply(carrier["R_T"].T, carrier["omega_i"] + carrier["omega_s"])
+                handed = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
+                at_nodes[parent + 1] = np.vstack([others, handed]), [*known, *owners, *_coordinates(chain, i)]
 
 
 def linearisation(chain: Chain, constants="constants") -> Program:

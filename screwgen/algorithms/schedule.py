@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -33,6 +33,8 @@ class Phase:
 
     work: Callable[[Scope], None]
     direction: int
+    per_child: bool = False
+    """Whether the phase depends on each of the links that a link carries, not on their sum."""
 
     @property
     def name(self) -> str:
@@ -130,6 +132,12 @@ def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[st
     return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
 
 
+SUMMED = frozenset(f"base.{name}" for name in ("Lambda", "p", "f", "Gamma", "Lambda_T"))
+"""What a link adds to the node that carries it."""
+
+PER_CHILD = frozenset({"next_V", "next_eta", "V_next", "eta_next"})
+"""What a phase computes for each link that is carried."""
+
 Apply = Callable[[int, int, Program, Mapping[str, list]], Mapping[str, list]]
 
 
@@ -147,19 +155,45 @@ def execute(
     link, all signals that it has read or written.
     """
     stores = [dict(link) for link in links]
+    handed: set[tuple[int, int, str]] = set()
+    for number, i, edge in visits(chain, algorithm):
+        program, base, tip = trace(chain.keys[i], algorithm)[number], chain.tree.base(i), chain.tree.tip(i)
+        places = {"base": nodes[base], "tip": nodes[tip], "": stores[i]}
+        inputs = {name: _fetch(name, places) for name in program.inputs}
+        outputs = _applied(apply, chain, i, number, program, inputs)
+        if edge is not None and algorithm[number].per_child:
+            stores[edge]["edge"] = outputs  # type: ignore[assignment]
+            continue
+        for name, values in outputs.items():
+            store, what = _place(name, places)
+            summed = name in SUMMED
+            store[what] = _summed(store[what], values) if summed and (number, base, what) in handed else values
+            handed |= {(number, base, what)} if summed else set()
+    return stores
+
+
+Visit = tuple[int, int, int | None]
+"""The number of a phase, a link, and the carried link whose edge is meant."""
+
+
+def visits(chain: Chain, algorithm: Algorithm) -> Iterator[Visit]:
+    """Phases and links in the order in which they run.
+
+    What a phase computes ``per_child`` it computes for one link that is carried, the last that wrote to the node. The
+    other links of the node follow: each writes its part again, and the phase runs for it.
+    """
     for number, phase in enumerate(algorithm):
         order = range(chain.n) if phase.direction == OUTWARD else reversed(range(chain.n))
-        handed: set[tuple[int, str]] = set()
-        for i in order:
-            program, base, tip = trace(chain.keys[i], algorithm)[number], chain.tree.base(i), chain.tree.tip(i)
-            places = {"base": nodes[base], "tip": nodes[tip], "": stores[i]}
-            inputs = {name: _fetch(name, places) for name in program.inputs}
-            for name, values in _applied(apply, chain, i, number, program, inputs).items():
-                store, what = _place(name, places)
-                shared = name.startswith("base.")
-                store[what] = _summed(store[what], values) if shared and (base, what) in handed else values
-                handed |= {(base, what)} if shared else set()
-    return stores
+        yield from ((number, i, None) for i in order)
+    if algorithm[-1].per_child:
+        for child in further_children(chain):
+            yield from ((number, child, child) for number in range(len(algorithm) - 1))
+            yield len(algorithm) - 1, chain.tree.parents[child], child
+
+
+def further_children(chain: Chain) -> list[int]:
+    """The links that are carried by another one and are not the last of its node."""
+    return [child for carried in chain.tree.children[1:] for child in carried[:-1]]
 
 
 def _place(name: str, places: Mapping[str, dict]) -> tuple[dict, str]:

@@ -14,7 +14,7 @@ from ..ir.program import Node, Program, live
 from ..ir.replay import bind
 from ..topology.chain import Chain
 from .functions import nodes
-from .schedule import Algorithm, execute, trace
+from .schedule import PER_CHILD, SUMMED, Algorithm, execute, trace, visits
 
 
 class Unknown:
@@ -43,10 +43,14 @@ class Passage:
     link: int
     program: Program
     wanted: frozenset[tuple[str, int]]
+    adds: bool = False
+    """Whether what it hands to the node that carries the link is added to what is there."""
+    edge: int | None = None
+    """The carried link whose blocks it computes, see :func:`.schedule.visits`."""
 
 
-Applied = Sequence[tuple[int, int, Program]]
-"""Phase, link and program in the order of execution."""
+Applied = Sequence[tuple[int, int, int | None, Program]]
+"""Phase, link, edge and program in the order of execution."""
 
 
 def specialised_phases(
@@ -60,19 +64,19 @@ def specialised_phases(
     ``constants`` are the links' numbers (``c.*``) where they are baked in; ``zero`` the signals that are zero.
     """
     specialised: dict[tuple, Program] = {}
-    run: list[tuple[int, int, Program]] = []
+    run: list[Program] = []
 
     def apply(i: int, number: int, program: Program, given: Mapping[str, list]) -> Mapping[str, list]:
         known = _known(given)
         key = (id(program), known)
         if key not in specialised:
             specialised[key] = bind(program, dict(known)) if known else program
-        run.append((number, i, specialised[key]))
+        run.append(specialised[key])
         return {name: [_entry(v) for v in values] for name, values in specialised[key].outputs.items()}
 
     places = nodes(chain, [0.0 if "gravity" in zero else UNKNOWN] * 3)
     execute(chain, algorithm, _inputs(chain, algorithm, constants, zero), places, apply)
-    return run
+    return [(*visit, program) for visit, program in zip(visits(chain, algorithm), run, strict=True)]
 
 
 def _inputs(chain: Chain, algorithm: Algorithm, constants, zero: frozenset[str]) -> list[dict[str, list]]:
@@ -109,21 +113,31 @@ def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip=False)
     results = frozenset(results)
     read: set[tuple[str, str, int, int]] = set()
     out, cache = [], {}
-    for number, i, program in reversed(run):
+    siblings = chain.tree.children
+    for number, i, edge, program in reversed(run):
+        together, adds = len(siblings[chain.tree.base(i)]) > 1, i != siblings[chain.tree.base(i)][-1]
+        asked = results if edge is None else results & PER_CHILD
         wanted = frozenset(
             (name, k)
             for name, values in program.outputs.items()
             for k, v in enumerate(values)
-            if (name in results and (each_tip or not name.startswith("tip.") or i == chain.n - 1))
-            or (not _structural(v) and (*_place(chain, name, i), k) in read)
+            if (name in asked and (each_tip or not name.startswith("tip.") or i == chain.n - 1))
+            or ((*_place(chain, name, i), k) in read and _written(v, together and name in SUMMED, adds))
         )
         key = (id(program), wanted)
         if key not in cache:
             cache[key] = _with_outputs(program, wanted)
         kept = cache[key]
         read |= {(*_place(chain, n.args[0], i), n.args[1]) for n in kept.nodes if n.op == "input"}
-        out.append(Passage(number, i, kept, wanted))
+        out.append(Passage(number, i, kept, wanted, adds and any(name in SUMMED for name, _ in wanted), edge))
     return out[::-1]
+
+
+def _written(value, summed: bool, adds: bool) -> bool:
+    """Whether an entry that somebody reads is written; the first link of a sum writes zeros and ones too."""
+    if summed:
+        return not adds or not (isinstance(value, float) and value == 0.0)
+    return not _structural(value)
 
 
 def _place(chain: Chain, name: str, i: int) -> tuple[str, str, int]:

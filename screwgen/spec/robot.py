@@ -16,6 +16,7 @@ from .frequencies import Frequencies
 from .joint import Joint, Position
 from .names import link_name, robot_name
 from .needs import NEEDS, require, require_divisible, require_one_spelling, segment_count
+from .parents import marker, parent_name, parents
 from .part import Part
 from .physics import inertia, own_body
 from .profile import profiled
@@ -168,6 +169,12 @@ class Link(Part):
     segments: Annotated[int, PlainValidator(segment_count)] = Field(
         1, description="number of equal segments, welded to each other, each with these modes, for large deflections"
     )
+    parent: Annotated[str, PlainValidator(parent_name)] | None = Field(
+        None, description='the link that carries this one, "world" for none; without it the link before'
+    )
+    at: Annotated[str, PlainValidator(marker)] = Field(
+        "tip", description='where on its parent the joint sits: "tip" is all that is possible so far'
+    )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
@@ -221,9 +228,9 @@ class Link(Part):
 
 
 class Robot(Part):
-    """A chain of links, base to tip. `name` is the prefix of everything generated.
+    """Links, each after the one that carries it. `name` is the prefix of everything generated.
 
-    `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
+    Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
     follows the slope of the tip (true by default). A loop can build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
@@ -254,6 +261,7 @@ class Robot(Part):
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct_names(self)
+        parents(self.links)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

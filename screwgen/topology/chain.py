@@ -1,6 +1,6 @@
-"""The chain of links: link classes and the offsets of coordinates, modes and parameters.
+"""The links: their classes, the tree that they form, and the offsets of coordinates, modes and parameters.
 
-A link that is split into segments stands in the chain as so many links; see :mod:`..spec.segments`.
+A link that is split into segments stands here as so many links; see :mod:`..spec.segments`.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ import numpy as np
 from ..arguments import Parameters, array
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
+from ..spec.parents import parents
 from ..spec.robot import Robot
-from ..spec.segments import segments
+from ..spec.segments import Segment, segments
 from .parameters import labels
-from .tree import chain
+from .tree import BASE, Tree
 
 
 class Chain:
@@ -28,7 +29,7 @@ class Chain:
         self.segments = segments(robot)
         kind = lambda s: link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number)  # noqa: E731
         self.keys = [kind(segment) for segment in self.segments]
-        self.tree = chain(len(self.keys))
+        self.tree = Tree(_carriers(robot, self.segments))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
@@ -148,3 +149,13 @@ class Chain:
     def lasts(self) -> list[int]:
         """Where in the chain each link of the robot ends."""
         return [i for i, s in enumerate(self.segments) if s.last]
+
+
+def _carriers(robot: Robot, pieces: Sequence[Segment]) -> tuple[int, ...]:
+    """The number of the segment that carries each segment: the one before it, or the last of the link's parent."""
+    carriers, last = parents(robot.links), {BASE: BASE}
+    out = []
+    for place, segment in enumerate(pieces):
+        out.append(last[carriers[segment.link]] if segment.first else place - 1)
+        last[segment.link] = place
+    return tuple(out)

@@ -34,10 +34,17 @@ class Tree:
     @cached_property
     def leaves(self) -> list[int]:
         """The nodes that carry no link."""
-        carrying = {self.base(i) for i in range(len(self.parents))}
-        return [node for node in range(len(self.parents) + 1) if node not in carrying]
+        return [node for node, carried in enumerate(self.children) if not carried]
 
+    @cached_property
+    def is_chain(self) -> bool:
+        """Whether every link is carried by the one before it."""
+        return self.parents == tuple(range(BASE, len(self.parents) + BASE))
 
-def chain(count: int) -> Tree:
-    """A chain: every link is carried by the one before it."""
-    return Tree(tuple(range(BASE, count + BASE)))
+    @cached_property
+    def children(self) -> list[list[int]]:
+        """The links that each node carries, in their order."""
+        nodes: list[list[int]] = [[] for _ in range(len(self.parents) + 1)]
+        for link in range(len(self.parents)):
+            nodes[self.base(link)].append(link)
+        return nodes

@@ -58,6 +58,8 @@ class Writer:
     apart: bool = False
     optional: Mapping[str, str] = field(default_factory=dict)
     within: Mapping[str, str] = field(default_factory=dict)
+    adding: frozenset[str] = frozenset()
+    """The outputs that are added to what is in their place."""
     paired: ClassVar[bool] = True
     """Whether sine and cosine of an angle come from one call."""
     prefix: ClassVar[str] = "$"
@@ -176,8 +178,11 @@ class Writer:
             wanted = self.optional.get(output, "") == self._condition
             if wanted and (output, k) not in self._written and self.place(output, k) is not None:
                 self._written.add((output, k))
-                lines.append(f"{self.place(output, k)} = {sign}{name};")
+                lines.append(f"{self.place(output, k)} {self._assign(output)} {sign}{name};")
         return lines
+
+    def _assign(self, output: str) -> str:
+        return "+=" if output in self.adding else "="
 
     def _served(self, node: Node) -> bool:
         """Whether a negative is used only by outputs that were written with its operand."""
@@ -241,8 +246,8 @@ class Writer:
             if self.optional.get(name, "") != self._condition:
                 continue
             left = ((k, v) for k, v in enumerate(values) if (name, k) not in self._written)
-            placed = ((self.place(name, k), v) for k, v in left)
-            out += [f"{place} = {self._value(v)[0]};" for place, v in placed if place is not None]
+            placed, assign = ((self.place(name, k), v) for k, v in left), self._assign(name)
+            out += [f"{place} {assign} {self._value(v)[0]};" for place, v in placed if place is not None]
         return ["", "/* outputs */", *out] if out else []
 
 

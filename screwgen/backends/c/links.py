@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ...algorithms import functions as alg
-from ...algorithms.dae_functions import block_places
-from ...algorithms.schedule import OUTWARD, Algorithm
+from ...algorithms.dae_functions import block_places, edge_places
+from ...algorithms.schedule import OUTWARD, SUMMED, Algorithm, further_children
 from ...algorithms.signals import CALL, H_SYS, M_SYS
 from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
@@ -133,7 +133,8 @@ class Links:
         """The phases of a run, each with its functions and the function of every link."""
         out = []
         for number, phase in enumerate(RUNS[run].algorithm):
-            way = sorted((p for p in self.passages(run) if p.phase == number), key=lambda p: p.link)
+            own = (p for p in self.passages(run) if p.phase == number and p.edge is None)
+            way = sorted(own, key=lambda p: p.link)
             functions = [self.function(p, run, phase.name) for p in way]
             distinct = list({f.name: f for f in functions}.values())
             out.append(
@@ -155,13 +156,31 @@ class Links:
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
             accelerating = not out and any("base.acc_0" in p.program.inputs for p in first)
-            out.append({"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating})
+            part = {"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating}
+            out.append(part | {"edges": []})
+        out[-1]["edges"] = self.edges(run)
         return out
+
+    def edges(self, run: str) -> list[dict]:
+        """The functions of a run that compute the blocks of a carried link besides the last one of its node."""
+        algorithm, found = RUNS[run].algorithm, [p for p in self.passages(run) if p.edge is not None]
+        edges = list(dict.fromkeys(p.edge for p in found))
+        return [
+            {
+                "child": self.chain.robot.links[edge].name,
+                "steps": [
+                    {"link": p.link, "call": self.function(p, run, algorithm[p.phase].name).call}
+                    for p in found
+                    if p.edge == edge
+                ],
+            }
+            for edge in edges
+        ]
 
     def function(self, passage: Passage, run: str, phase: str) -> Function:
         """The C function of a phase at one link; equal texts are one function, called after their first link."""
-        entries = tuple(matrix_entries(self, passage.link)) if run == "assembly" else ()
-        known = (run, id(passage.program), passage.wanted, entries)
+        entries = tuple(matrix_entries(self, passage.link, passage.edge)) if run == "assembly" else ()
+        known = (run, id(passage.program), passage.wanted, entries, passage.adds, passage.edge is None)
         if known not in self._written:
             self._written[known] = self._function(passage, run, phase, entries)
         return self._written[known]
@@ -169,11 +188,12 @@ class Links:
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
-        writer = Writer(program, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN)
+        adding = SUMMED if passage.adds else frozenset()
+        writer = Writer(program, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN, adding)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = ", ".join(arguments or ["void"])
-        key = (phase, signature, tuple(lines))
+        key = (phase, signature, passage.edge is None, tuple(lines))
         if key not in self.functions:
             link = self.chain.identifiers[passage.link]
             name = self._unique(f"{phase}_{link}")
@@ -228,7 +248,19 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        return signals | {"c", "link", "base", "tip", "place", "M", "M_PLACE", "M_OFFSET", "Q_OFFSET", "BELOW_OFFSET"}
+        return signals | {
+            "c",
+            "link",
+            "base",
+            "tip",
+            "place",
+            "M",
+            "M_PLACE",
+            "M_OFFSET",
+            "Q_OFFSET",
+            "BELOW_OFFSET",
+            "BASE",
+        }
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
@@ -241,7 +273,8 @@ class Places:
                 address = self._address(name if name.startswith("new_") else f"new_{name}", name)
                 out.append((f"$_real {name}[{alone}{len(outputs[name])}]", address))
         if any(n in M_SYS for n in writes):
-            out += [("const int *place", "M_PLACE + M_OFFSET[i]"), ("$_real *M", "call->M")]
+            block = "i" if self.passage.edge is None else "m"
+            out += [("const int *place", f"M_PLACE + M_OFFSET[{block}]"), ("$_real *M", "call->M")]
         return [a for a, _ in out], [b for _, b in out]
 
     def _structs(self, reads: list[str], writes: list[str]) -> list[tuple[str, str]]:
@@ -250,7 +283,7 @@ class Places:
             out.append((f"const $_link_constants *{self._restrict}c", "&c->links[i]"))
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
-            ("base", "node", "&chain->nodes[i]"),
+            ("base", "node", f"&chain->nodes[{'i' if self.links.chain.tree.is_chain else 'BASE[i]'}]"),
             ("tip", "node", "&chain->nodes[i + 1]"),
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
@@ -274,9 +307,9 @@ class Places:
         return f"call->{member} ? {place} : 0" if member != name in OPTIONAL else place
 
 
-def matrix_entries(links: Links, i: int) -> list[tuple[str, int]]:
-    """The structural nonzeros of M_sys that link i contributes, in the order of its programs."""
-    own = sorted((p for p in links.passages("assembly") if p.link == i), key=lambda p: p.phase)
+def matrix_entries(links: Links, i: int, edge: int | None = None) -> list[tuple[str, int]]:
+    """The structural nonzeros of M_sys that link i contributes, or for an edge, in the order of its programs."""
+    own = sorted((p for p in links.passages("assembly") if (p.link, p.edge) == (i, edge)), key=lambda p: p.phase)
     return [
         (name, k)
         for passage in own
@@ -291,10 +324,13 @@ def sparsity(links: Links) -> tuple[list[int], list[int], list[int], list[int]]:
     """Row indices and column starts of M_sys by columns, and the places of each link's entries with their offsets."""
     entries: list[tuple[int, int]] = []
     offsets = []
-    for i in range(links.chain.n):
+    chain = links.chain
+    parts: list[tuple[int, int | None]] = [(i, None) for i in range(chain.n)]
+    parts += [(chain.tree.parents[child], child) for child in further_children(chain)]
+    for i, edge in parts:
         offsets.append(len(entries))
-        blocks = block_places(links.chain, i)
-        for name, k in matrix_entries(links, i):
+        blocks = block_places(chain, i) if edge is None else edge_places(chain, edge)
+        for name, k in matrix_entries(links, i, edge):
             row, col, _, cols = blocks[name]
             entries.append((col + k % cols, row + k // cols))
     order = sorted(entries)

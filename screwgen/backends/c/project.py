@@ -157,6 +157,7 @@ class CProject:
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
             "baked": self.baked_tables,
+            "bases": [] if chain.tree.is_chain else [chain.tree.base(i) for i in range(chain.n)],
             "q_offset": chain.q_offset[:-1],
             "eta_offset": chain.eta_offset[:-1],
             "programs": list(self.links.functions.values()),

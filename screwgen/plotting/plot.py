@@ -123,6 +123,8 @@ def panels(run: Run, controller: Any = None) -> list[Panel]:
         Panel("Joint torques", "τ", "N·m", torques),
         Panel("Bending in y", "η", "m", q(".eta.bending_y[")),
         Panel("Bending in z", "η", "m", q(".eta.bending_z[")),
+        Panel("Shear in y", "η", "m", q(".eta.shear_y[")),
+        Panel("Shear in z", "η", "m", q(".eta.shear_z[")),
         Panel("Axial modes", "η", "m", q(".eta.axial[")),
         Panel("Torsion modes", "η", "rad", q(".eta.torsion[")),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),

@@ -3,8 +3,9 @@
 from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
 from .load import dump, load
+from .modes import DIRECTIONS, Modes
 from .parameters import Parameter, coordinate_names, parameters
-from .robot import DIRECTIONS, Body, Damping, Joint, Link, Modes, Mount, Robot
+from .robot import Body, Damping, Joint, Link, Mount, Robot
 from .section import Section
 from .stations import Station, Stations
 

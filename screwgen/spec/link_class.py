@@ -7,10 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
+from .modes import DIRECTIONS
 from .robot import Link
 from .screw import Screw
 
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2, "shear_y": 1, "shear_z": 2}
+"""The axis of F_i along which the modes of a direction displace the centreline; torsion does not."""
+TURN = {"torsion": (0, 1), "bending_z": (1, -1), "bending_y": (2, 1)}
+"""The axis about which the modes of a direction turn the sections, and the sign of the turn; shear does not."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +32,8 @@ class LinkClass:
 
     bases: tuple[str | Basis, ...]
     """The basis of each direction that has modes."""
-    counts: tuple[int, int, int, int]
+    counts: tuple[int, ...]
+    """The numbers of modes in the order of `DIRECTIONS`; without shear the first four."""
     screws: tuple[Screw, ...]
     """The degrees of freedom of the joint, in order."""
     mount_xyz: bool
@@ -55,6 +60,8 @@ class LinkClass:
     """The places s in [0, 1] at which a section that varies is stated; none: the rod is uniform."""
     between: str = "linear"
     """How the section's properties are interpolated between the stations."""
+    rotary: tuple[int, ...] = ()
+    """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
 
     @property
     def modes(self) -> int:
@@ -65,6 +72,15 @@ class LinkClass:
     def bends(self) -> bool:
         """Whether the link has bending modes."""
         return any(self.counts[1:3])
+
+    @property
+    def turned(self) -> tuple[int, ...]:
+        """The axes about which the sections have an inertia of their own: spin, rotary inertia."""
+        return (0,) * self.spin + self.rotary
+
+    def turns(self, axis: int) -> bool:
+        """Whether modes turn the sections about an axis."""
+        return any(d in TURN and TURN[d][0] == axis for d, _ in self.directions)
 
     @property
     def unstiffened(self) -> bool:
@@ -89,18 +105,22 @@ class LinkClass:
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""
-        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
+        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=False) for k in range(n))
 
     @cached_property
     def coupled(self) -> tuple[tuple[int, int], ...]:
         """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
 
-        A uniform rod has none. Where its sections vary the modes of one direction are coupled.
+        A uniform rod of Euler and Bernoulli has none. Where its sections vary the modes of one direction are coupled,
+        by rotary inertia those of bending in a plane, by mass those of bending and shear in a plane.
         """
-        if not self.stations:
-            return ()
         of = [d for d, _ in self.directions]
-        return tuple((i, j) for i in range(self.modes) for j in range(i) if of[i] == of[j])
+        return tuple((i, j) for i in range(self.modes) for j in range(i) if self._couples(of[i], of[j]))
+
+    def _couples(self, first: str, second: str) -> bool:
+        if first != second:
+            return AXIS.get(first) == AXIS.get(second)
+        return bool(self.stations) or (first in TURN and TURN[first][0] in self.rotary)
 
     def shapes(self, direction: str):
         """The mode shapes of a direction."""
@@ -114,10 +134,9 @@ class LinkClass:
 def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
     """The class of a link in a robot whose ``section_rotation`` and ``order`` are given."""
     joint, modes = link.joint, link.modes
-    counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
-    mount = joint.mount
+    counts, mount = modes.counts, joint.mount
     return LinkClass(
-        bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
+        bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
         screws=joint.screws,
         mount_xyz=mount is not None and mount.xyz is not None,
@@ -131,10 +150,11 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         body=link.body,
         spin=link.section is not None and link.section.states("rhoIp"),
         damping=link.damping is not None and any(counts),
-        section_rotation=section_rotation and any(counts[1:]),
+        section_rotation=section_rotation and any(counts[1:4]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
         order=(link.order or order) if any(counts) else 1,
         measured=modes.measured,
         stations=link.section.places if link.section else (),
         between=link.section.between if link.section else "linear",
+        rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if link.section and link.section.states(name)),
     )

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
-from .robot import DIRECTIONS, Body, Joint, Link, Robot
+from .modes import DIRECTIONS
+from .robot import Body, Joint, Link, Robot
 from .section import Section
 from .stations import Stations
 
@@ -54,6 +55,10 @@ FIELDS = {
     "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
     "GJ": Field("GJ", "N·m²", "torsional stiffness"),
     "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
+    "GAy": Field("GAy", "N", "shear stiffness along y"),
+    "GAz": Field("GAz", "N", "shear stiffness along z"),
+    "rhoIy": Field("rhoIy", "kg·m", "rotary inertia per length about y"),
+    "rhoIz": Field("rhoIz", "kg·m", "rotary inertia per length about z"),
     "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
     "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
     "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
@@ -69,12 +74,11 @@ FIELDS = {
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
 }
 
-STATED = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
 FIELDS |= {  # of a section that is stated at stations
     f"section.{name}": FIELDS[name]._replace(
         pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
     )
-    for name in STATED
+    for name in Section.model_fields
 }
 
 SLIDING = {"joint.armature": "kg", "joint.damping": "N·s/m", "joint.stiffness": "N/m"}
@@ -179,7 +183,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
-    counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=True)]
+    counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=False)]
     modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
     return [screw.unit for link in robot.links for screw in link.joint.screws] + modal
 
@@ -199,6 +203,6 @@ def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
     return tuple(
         f"{link.name}.{quantity}.{direction}[{k}]"
         for link in robot.links
-        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
+        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=False)
         for k in range(count)
     )

@@ -5,122 +5,33 @@ stated 0.0 is a runtime parameter that happens to be zero. SI units and radians 
 those of NOTATION.md.
 """
 
-from collections.abc import Callable
 from numbers import Real
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from ..bases import BASES, DEFAULT, NATURAL, Basis, Shapes, shapes
 from ..errors import UsageError
 from .frequencies import Frequencies
+from .modes import DIRECTIONS, NEEDS, Modes
 from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia, own_body
 from .profile import profiled
 from .ranges import several, within
 from .screw import Screw
-from .section import PRODUCTS
+from .section import PRODUCTS, SPIN
 from .stations import AnySection, Stations
-from .values import boolean, choice, count, quoted, refuse, shape_order
-
-
-def basis(value: Any) -> str | Basis:
-    """The name of a basis, or in Python a function `(count, order) -> Shapes`."""
-    return value if callable(value) else choice(*BASES)(value)
-
-
-def named(basis: str | Basis) -> str:
-    """A basis as messages call it."""
-    return quoted(basis) if isinstance(basis, str) else "of one's own"
-
+from .values import boolean, choice, quoted, refuse, shape_order
 
 Vector = tuple[float, float, float]
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
 Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes)]
 PerAxis = tuple[float, ...]
-Count = Annotated[int, PlainValidator(count)]
-BasisName = Annotated[str | Callable, PlainValidator(basis)]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
 PER_AXIS = ("armature", "damping", "stiffness")
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
-
-NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
-    "axial": ("EA",),
-    "bending_y": ("EIz",),
-    "bending_z": ("EIy",),
-    "torsion": ("GJ", "rhoIp"),
-}
-
-
-class Modes(Part):
-    """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
-
-    `basis` names the shapes. Modal coordinates are in metres, those of torsion in radians. Polynomials, the default,
-    converge fast from two bending modes, one axial and one torsion mode on; one alone in bending is too stiff.
-    `frequencies` (Hz) of the bare clamped link, if measured, take the place of the section's stiffness; those
-    directions have the link's natural modes, `clamped_free`, as shapes.
-    """
-
-    basis: BasisName = Field(DEFAULT, description=f"the shapes' family, {' or '.join(map(quoted, BASES))}")
-    axial: Count = Field(0, description="number of modes of stretching; needs EA")
-    bending_y: Count = Field(0, description="number of modes of bending that deflect in y; needs EIz")
-    bending_z: Count = Field(0, description="number of modes of bending that deflect in z; needs EIy")
-    torsion: Count = Field(0, description="number of modes of twisting; needs GJ and rhoIp")
-    frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
-
-    @model_validator(mode="before")
-    @classmethod
-    def _natural_modes_of_measured_bending(cls, given: Any) -> Any:
-        """Where bending frequencies are stated and no basis, the basis is the one that they belong to."""
-        frequencies = given.get("frequencies") if isinstance(given, dict) else None
-        stated = dict(frequencies) if isinstance(frequencies, dict | Frequencies) else {}
-        bends = stated.get("bending_y") or stated.get("bending_z")
-        return {"basis": NATURAL} | given if bends else given
-
-    @model_validator(mode="after")
-    def _one_frequency_per_mode(self) -> Self:
-        for direction, values in self.frequencies or ():
-            if values is not None and len(values) != getattr(self, direction):
-                count = f"modes.{direction} = {getattr(self, direction)}"
-                what = f"has length {len(values)}; it must hold one frequency per mode, {count}"
-                raise refuse(what, at=("frequencies", direction))
-        return self
-
-    @model_validator(mode="after")
-    def _frequencies_of_natural_modes(self) -> Self:
-        for direction in self.measured:
-            if direction.startswith("bending") and self.basis != NATURAL:
-                why = f"is stated with basis {named(self.basis)}, whose shapes are not the link's natural modes"
-                what = f'{why}; use basis "clamped_free", or state {NEEDS[direction][0]} in the section'
-                raise refuse(what, at=("frequencies", direction))
-        return self
-
-    @property
-    def measured(self) -> tuple[str, ...]:
-        """The directions whose stiffness is stated by frequencies."""
-        return tuple(self.frequencies.stated) if self.frequencies else ()
-
-    def basis_of(self, direction: str) -> str | Basis:
-        """The basis of a direction's shapes."""
-        return NATURAL if direction in self.measured else self.basis
-
-    def shapes(self, direction: str) -> Shapes:
-        """The mode shapes of a direction."""
-        return shapes(self.basis_of(direction), direction, getattr(self, direction))
-
-    @property
-    def counts(self) -> tuple[int, int, int, int]:
-        """The numbers of modes in the order of the modal coordinates, `DIRECTIONS`."""
-        return self.axial, self.bending_y, self.bending_z, self.torsion
-
-    @property
-    def total(self) -> int:
-        """The number of modal coordinates of the link."""
-        return sum(self.counts)
 
 
 class Damping(Part):
@@ -265,6 +176,7 @@ class Link(Part):
                     "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
                 )
                 raise refuse(what, at=("modes", "frequencies", direction))
+            refuse_timoshenko(self.section, self.modes, direction)
             refuse_both(self.section, NEEDS[direction][0], direction)
         return self
 
@@ -332,6 +244,15 @@ def refuse_both(section: AnySection | None, name: str, direction: str) -> None:
         raise refuse(what, at=("modes", "frequencies", direction))
 
 
+def refuse_timoshenko(section: AnySection | None, modes: Modes, direction: str) -> None:
+    """Refuse frequencies of a rod that shears, or whose sections have rotary inertia: they are of other modes."""
+    stated = [f"modes.{name}" for name in ("shear_y", "shear_z") if getattr(modes, name)]
+    stated += [f"section.{name}" for name in ("rhoIy", "rhoIz") if section and section.states(name)]
+    if stated:
+        what = f"is stated beside {stated[0]}; measured frequencies are those of a rod without shear and rotary inertia"
+        raise refuse(f"{what}, leave one of them out", at=("modes", "frequencies", direction))
+
+
 def require(section: AnySection, name: str, direction: str) -> None:
     """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
     value = section.least(name)
@@ -339,6 +260,7 @@ def require(section: AnySection, name: str, direction: str) -> None:
         return
     wrong = "is missing" if value is None else "is zero"
     wrong += " at a station" if value is not None and section.places else ""
-    other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
-    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
+    remedy = "in the material spelling: " + " and ".join(map(quoted, PRODUCTS.get(name, SPIN)))
+    remedy = "it is κGA, N; a profile with nu or G gives it" if name.startswith("GA") else remedy
+    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 ({remedy})"
     raise refuse(what, at=("section", name))

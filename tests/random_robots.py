@@ -85,8 +85,7 @@ def _gravity(rng, limits) -> list[float]:
 def random_link(rng, index: int, limits: dict, soft: bool) -> dict:
     length, modes = float(rng.uniform(0.3, 1.2)), random_modes(rng, limits)
     link = {"name": f"link_{index}", "length": length, "section": random_section(rng, modes, limits)}
-    if limits["shear"]:
-        add_shear(rng, link["section"], modes, limits)
+    add_shear(rng, link["section"], modes, limits)
     if soft:
         soften(link["section"])
     if limits["stations"] and chance(rng, limits["stations"]):
@@ -136,14 +135,14 @@ def random_section(rng, modes: dict, limits: dict) -> dict:
 
 
 def add_shear(rng, section: dict, modes: dict, limits: dict) -> None:
-    """Shear modes with their stiffness, which may stand without them, and rotary inertia of the sections."""
-    for axis in "yz":
+    """Shear modes with their stiffness, which may stand without them, and rotary inertia, which two of them need."""
+    for axis, other in ("yz", "zy") if limits["shear"] else ():
         if modes and chance(rng, limits["shear"]):
             modes[f"shear_{axis}"] = int(rng.integers(1, limits["max_modes"] + 1))
         if f"shear_{axis}" in modes or chance(rng, 0.2):
             section[f"GA{axis}"] = log_uniform(rng, 1e3, 1e5)
-        if chance(rng, limits["shear"]):
-            section[f"rhoI{axis}"] = log_uniform(rng, 2e-4, 1e-2)
+        if modes.get(f"shear_{axis}", 0) > 1 or chance(rng, limits["shear"]):
+            section[f"rhoI{other}"] = log_uniform(rng, 2e-4, 1e-2)
 
 
 def varied(rng, section: dict):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
-from .modes import DIRECTIONS
+from .modes import DIRECTIONS, SHEARED
 from .robot import Link
 from .screw import Screw
 
@@ -62,6 +62,8 @@ class LinkClass:
     """How the section's properties are interpolated between the stations."""
     rotary: tuple[int, ...] = ()
     """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
+    light: bool = False
+    """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
 
     @property
     def modes(self) -> int:
@@ -133,7 +135,7 @@ class LinkClass:
 
 def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
     """The class of a link in a robot whose ``section_rotation`` and ``order`` are given."""
-    joint, modes = link.joint, link.modes
+    joint, modes, stated = link.joint, link.modes, link.section.states if link.section else lambda _: False
     counts, mount = modes.counts, joint.mount
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
@@ -148,7 +150,7 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         length=link.length is not None,
         beam=link.section is not None,
         body=link.body,
-        spin=link.section is not None and link.section.states("rhoIp"),
+        spin=stated("rhoIp"),
         damping=link.damping is not None and any(counts),
         section_rotation=section_rotation and any(counts[1:4]),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
@@ -156,5 +158,6 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         measured=modes.measured,
         stations=link.section.places if link.section else (),
         between=link.section.between if link.section else "linear",
-        rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if link.section and link.section.states(name)),
+        rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
+        light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
     )

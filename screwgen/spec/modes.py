@@ -21,6 +21,8 @@ NEEDS = {  # direction of deflection: its stiffness, then what else of the secti
     "shear_y": ("GAy",),
     "shear_z": ("GAz",),
 }
+SHEARED = {"shear_y": ("bending_y", "rhoIz"), "shear_z": ("bending_z", "rhoIy")}
+"""Direction of shear: that of bending in its plane, and the inertia of the sections that turn there."""
 
 
 def basis(value: Any) -> str | Basis:
@@ -95,6 +97,15 @@ class Modes(Part):
     def shapes(self, direction: str) -> Shapes:
         """The mode shapes of a direction."""
         return shapes(self.basis_of(direction), direction, getattr(self, direction))
+
+    def alike(self, direction: str, more: int = 0) -> int:
+        """How many combinations of shear and of bending in its plane turn sections alone, with so many `more` of each.
+
+        Polynomials of shear from the second on displace the centreline as those of bending do. So their difference
+        leaves it in place, and only an inertia of the turning sections, or what the tip carries, resists it.
+        """
+        shears, bends = (getattr(self, name) + more for name in (direction, SHEARED[direction][0]))
+        return max(0, min(shears - 1, bends)) if self.basis == DEFAULT else 0
 
     @property
     def counts(self) -> tuple[int, ...]:

@@ -12,7 +12,7 @@ from pydantic import Field, PlainValidator, model_validator
 
 from ..errors import UsageError
 from .frequencies import Frequencies
-from .modes import DIRECTIONS, NEEDS, Modes
+from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from .names import distinct, link_name, robot_name
 from .part import Part
 from .physics import axes, inertia, own_body
@@ -21,7 +21,7 @@ from .ranges import several, within
 from .screw import Screw
 from .section import PRODUCTS, SPIN
 from .stations import AnySection, Stations
-from .values import boolean, choice, quoted, refuse, shape_order
+from .values import Path, boolean, choice, quoted, refuse, shape_order
 
 Vector = tuple[float, float, float]
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
@@ -32,6 +32,9 @@ End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
 PER_AXIS = ("armature", "damping", "stiffness")
+REMEDIES = dict.fromkeys(("GAy", "GAz"), "it is κGA, N; a profile with nu or G gives it") | dict.fromkeys(
+    ("rhoIy", "rhoIz"), "several polynomials of shear beside bending turn sections alone, which must resist"
+)
 
 
 class Damping(Part):
@@ -225,6 +228,15 @@ class Robot(Part):
         distinct([link.name for link in self.links])
         return self
 
+    @model_validator(mode="after")
+    def _turning_sections_have_inertia(self) -> Self:
+        for i, link in enumerate(self.links):
+            carries = i + 1 < len(self.links) or any(body.at == "tip" for body in link.bodies)
+            for direction, (_, needed) in SHEARED.items():
+                if link.section and link.modes.alike(direction) > (carries and self.section_rotation):
+                    require(link.section, needed, direction, ("links", i))
+        return self
+
 
 def without(modes: Modes, directions: tuple[str, ...]) -> Modes:
     """No modes in these directions, and no frequencies of them."""
@@ -253,14 +265,13 @@ def refuse_timoshenko(section: AnySection | None, modes: Modes, direction: str) 
         raise refuse(f"{what}, leave one of them out", at=("modes", "frequencies", direction))
 
 
-def require(section: AnySection, name: str, direction: str) -> None:
+def require(section: AnySection, name: str, direction: str, at: Path = ()) -> None:
     """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
     value = section.least(name)
     if value:
         return
     wrong = "is missing" if value is None else "is zero"
     wrong += " at a station" if value is not None and section.places else ""
-    remedy = "in the material spelling: " + " and ".join(map(quoted, PRODUCTS.get(name, SPIN)))
-    remedy = "it is κGA, N; a profile with nu or G gives it" if name.startswith("GA") else remedy
-    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 ({remedy})"
-    raise refuse(what, at=("section", name))
+    hint = REMEDIES.get(name) or "in the material spelling: " + " and ".join(map(quoted, PRODUCTS.get(name, SPIN)))
+    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 ({hint})"
+    raise refuse(what, at=(*at, "section", name))

@@ -12,9 +12,10 @@ import numpy as np
 
 from .errors import UnknownNameError, UsageError
 from .spec.load import one_line
+from .spec.modes import NEEDS
 from .spec.parameters import Parameter, parameters
 from .spec.physics import some_body_has
-from .spec.robot import NEEDS, Robot
+from .spec.robot import Robot
 
 MAX_STEPS = 10**8
 LONGEST_LIST = 8

@@ -133,8 +133,7 @@ class Oracle:
         return self._function([self.q, self.v, self.a, self.w_ext], force)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
-        spin = per_column(cloud.spin_rate, cloud.spin_inertia)
-        momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), spin]
+        momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
         acceleration, base, tip, twist = self.along_motion(momenta)
         weight = ca.repmat(ca.DM(self.gravity), 1, len(cloud.masses))
         power = ca.dot(per_column(acceleration - weight, cloud.masses), trial.rate["points"])

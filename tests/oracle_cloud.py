@@ -70,7 +70,8 @@ class Cloud:
     """One link as point masses, turning bodies and spinning sections.
 
     points, origin, joint_point, tip_point: 3×N or 3×1, inertial axes, m; R, tip_R: body to inertial axes;
-    twist: angle of each section about the centreline, 1×N; rate: d/dt of the `MOVING` ones along a velocity.
+    twist: angles of each section about the axes of the undeformed link, 3×N; rate: d/dt of the `MOVING` ones along a
+    velocity.
     """
 
     masses: np.ndarray
@@ -81,7 +82,7 @@ class Cloud:
     tip_R: ca.SX
     tip_point: ca.SX
     twist: ca.SX
-    spin_inertia: np.ndarray  # (N,): rhoIp l weights, kg·m²
+    spin_inertia: np.ndarray  # (3, N): rhoIp, rhoIy, rhoIz times l weights, kg·m²
     base_inertia: np.ndarray  # (3, 3), in F_i axes
     tip_inertia: np.ndarray  # (3, 3), in tip-frame axes
     bare: ca.SX | None = None  # points of the undeformed link, 3×N; of a link of order 2
@@ -106,13 +107,18 @@ class Cloud:
 
     @property
     def spin_rate(self) -> ca.SX:
-        """ω_x + dθ_x/dt of every section, 1×N."""
-        return self.omega[0] + self.rate["twist"]
+        """ω + dθ/dt of every section, 3×N, in F_i."""
+        return ca.repmat(self.omega, 1, self.twist.shape[1]) + self.rate["twist"]
+
+    @property
+    def spin(self) -> ca.SX:
+        """Angular momentum of every section about its own centre, 3×N, in F_i."""
+        return self.spin_rate * ca.DM(self.spin_inertia)
 
     def kinetic(self) -> ca.SX:
-        velocity, spin = self.rate["points"], self.spin_rate
+        velocity = self.rate["points"]
         points = ca.dot(per_column(velocity, self.masses), velocity)
-        spins = ca.dot(per_column(spin, self.spin_inertia), spin)
+        spins = ca.dot(self.spin, self.spin_rate)
         base = ca.dot(self.omega, ca.DM(self.base_inertia) @ self.omega)
         tip = ca.dot(self.tip_omega, ca.DM(self.tip_inertia) @ self.tip_omega)
         if self.second is not None:
@@ -137,8 +143,7 @@ class Cloud:
 
     def intrinsic_momentum(self) -> ca.SX:
         """Of base bodies about their centre of mass and of the sections' spin; inertial components."""
-        spin = ca.vertcat(ca.dot(ca.DM(self.spin_inertia).T, self.spin_rate), 0, 0)
-        return self.R @ (ca.DM(self.base_inertia) @ self.omega + spin)
+        return self.R @ (ca.DM(self.base_inertia) @ self.omega + ca.sum2(self.spin))
 
     def tip_momentum(self) -> ca.SX:
         return self.tip_R @ (ca.DM(self.tip_inertia) @ self.tip_omega)
@@ -167,7 +172,16 @@ def combine(q: ca.SX, part: slice, coefficients: np.ndarray) -> ca.SX:
 
 def deformed(link: Link, q: ca.SX, where: dict, values: dict) -> ca.SX:
     """3×N displacements [axial; y; z] in F_i, from shape values (r, N) of each direction."""
-    return ca.vertcat(*[combine(q, where[d], values[d]) for d in DIRECTIONS[:3]])
+    sheared = ca.vertcat(*[combine(q, where[d], values[d]) for d in ("shear_y", "shear_z")])
+    bent = ca.vertcat(*[combine(q, where[d], values[d]) for d in ("axial", "bending_y", "bending_z")])
+    return bent + ca.vertcat(ca.SX.zeros(1, sheared.shape[1]), sheared)
+
+
+def turned(link: Link, q: ca.SX, where: dict) -> ca.SX:
+    """3×N turns of the sections, of first order: torsion angle, -u_z' and u_y' of bending."""
+    slopes = {d: combine(q, where[d], link.shapes[d].slope / link.length) for d in ("bending_y", "bending_z")}
+    twist = combine(q, where["torsion"], link.shapes["torsion"].nodes)
+    return ca.vertcat(twist, -slopes["bending_z"], slopes["bending_y"])
 
 
 def tip_rotation(link: Link, q: ca.SX, where: dict) -> ca.SX:
@@ -221,8 +235,8 @@ def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_ro
         joint_point=joint_point,
         tip_R=tip_R,
         tip_point=tip_point,
-        twist=combine(q, where["torsion"], link.shapes["torsion"].nodes),
-        spin_inertia=link.rhoIp * link.length * link.weights,
+        twist=turned(link, q, where),
+        spin_inertia=link.inertia * link.length * link.weights,
         base_inertia=sum((b.inertia for b in link.base), np.zeros((3, 3))),
         tip_inertia=sum((b.inertia for b in link.tip), np.zeros((3, 3))),
     )

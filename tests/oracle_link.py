@@ -11,7 +11,9 @@ from oracle_second_order import SecondOrder, second_order
 from oracle_sections import intervals, property_at, stations_of
 from oracle_shapes import DIRECTIONS, Shapes, quadrature, shapes_of
 
-STIFFNESS_OF = {"axial": "EA", "bending_y": "EIz", "bending_z": "EIy", "torsion": "GJ"}
+STIFFNESS_OF = {
+    "axial": "EA", "bending_y": "EIz", "bending_z": "EIy", "torsion": "GJ", "shear_y": "GAy", "shear_z": "GAz"
+}  # fmt: skip
 UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -25,12 +27,12 @@ class Body(NamedTuple):
 
 @dataclass(frozen=True)
 class Link:
-    """Numbers of one link. K, D and mode tables are ordered axial, bending_y, bending_z, torsion."""
+    """Numbers of one link. K, D and mode tables are ordered as `DIRECTIONS`."""
 
     length: float
     a: float  # coordinate of the link's base on its centreline, from F_i (m)
     rhoA: np.ndarray  # (N,)
-    rhoIp: np.ndarray  # (N,), 0 where the file states none
+    inertia: np.ndarray  # (3, N), rhoIp, rhoIy, rhoIz; 0 where the file states none
     axes: np.ndarray  # (m, 3), unit vectors
     turns: tuple[bool, ...]  # of each axis; a link that does not turn about it slides along it
     travel: np.ndarray  # (m,), m along the axis per unit of the coordinate
@@ -83,7 +85,8 @@ def read_axis(axis) -> Axis:
     return Axis(unit_axis(getattr(axis, "axis", axis)), getattr(axis, "turn", True), getattr(axis, "travel", 0.0))
 
 
-LINE = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
+LINE = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp", "GAy", "GAz", "rhoIy", "rhoIz")
+TURNED = {"torsion": "rhoIp", "bending_y": "rhoIz", "bending_z": "rhoIy"}
 
 
 def properties_along(section, nodes: np.ndarray) -> dict[str, np.ndarray]:
@@ -95,14 +98,14 @@ def properties_along(section, nodes: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def line_properties(section: dict) -> dict:
-    """rhoA, EA, EIy, EIz, GJ, rhoIp of a section in either spelling; 0 for what it does not state."""
+    """The line properties of a section in either spelling; 0 for what it does not state."""
     if "density" not in section:
-        return {key: section.get(key, 0.0) for key in ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")}
+        return {key: section.get(key, 0.0) for key in LINE}
     keys = ("density", "area", "E", "G", "Iy", "Iz", "J")
     density, area, E, shear, Iy, Iz, J = (section.get(key, 0.0) for key in keys)
     line = {"rhoA": density * area, "EA": E * area, "EIy": E * Iy, "EIz": E * Iz, "GJ": shear * J}
     default = density * (Iy + Iz) if Iy and Iz else 0.0
-    return line | {"rhoIp": section.get("rhoIp", default)}
+    return line | {"rhoIp": section.get("rhoIp", default)} | {key: section.get(key, 0.0) for key in LINE[6:]}
 
 
 def read_body(body: dict) -> Body:
@@ -120,7 +123,10 @@ def modal_matrices(link: dict, line: dict, shapes: dict, weights: np.ndarray) ->
         power = 3 if name.startswith("bending") else 1
         strain, values = shapes[name].strain, shapes[name].nodes
         blocks.append((strain * weights * line[STIFFNESS_OF[name]]) @ strain.T / length**power)
-        inertia += [*(values**2 @ (weights * line["rhoIp" if name == "torsion" else "rhoA"]) * length)]
+        turns = shapes[name].slope / length if name.startswith("bending") else values
+        own = turns**2 @ (weights * line[TURNED[name]]) if name in TURNED else 0.0
+        moved = 0.0 if name == "torsion" else values**2 @ (weights * line["rhoA"])
+        inertia += [*(np.broadcast_to(moved + own, len(values)) * length)]
     K = scipy.linalg.block_diag(*blocks)
     return K, 2.0 * ratio * np.sqrt(np.diag(K) * np.array(inertia))
 
@@ -143,7 +149,7 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
         length=link["length"],
         a=-link.get("frame_at", 0.0),
         rhoA=line["rhoA"],
-        rhoIp=line["rhoIp"],
+        inertia=np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")]),
         axes=axes,
         turns=tuple(screw.turns for screw in screws),
         travel=np.array([screw.travel for screw in screws]),

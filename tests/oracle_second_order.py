@@ -50,13 +50,13 @@ def strains(basis: str, counts: dict[str, int], length: float) -> tuple[np.ndarr
         for k in range(counts[direction]):
             value, slope, curvature = derivatives(direction, basis, counts[direction])[:, k]
             turn, bent, stretched = {
-                "axial": (0 * value, 0 * value, slope / length),
+                "bending": (slope / length, curvature / length**2, 0 * value),
                 "torsion": (value, slope / length, 0 * value),
-            }.get(direction, (slope / length, curvature / length**2, 0 * value))
-            axis = {"axial": e_x, "bending_y": e_z, "bending_z": -e_y, "torsion": e_x}[direction]
+            }.get(direction.partition("_")[0], (0 * value, 0 * value, slope / length))
+            axis = {"bending_y": e_z, "bending_z": -e_y}.get(direction, e_x)
             psi.append(np.outer(axis, turn))
             kappa.append(np.outer(axis, bent))
-            gamma.append(np.outer(e_x, stretched))
+            gamma.append(np.outer({"shear_y": e_y, "shear_z": e_z}.get(direction, e_x), stretched))
     return tuple(np.array(x).reshape(-1, 3, DEGREE + 1) for x in (psi, kappa, gamma))
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import mpmath as mp
 import numpy as np
 
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion", "shear_y", "shear_z")
 
 
 class Shapes(NamedTuple):
@@ -18,7 +18,8 @@ class Shapes(NamedTuple):
     tip: np.ndarray  # (r,): ψ_k(1)
     tip_slope: np.ndarray  # (r,): ψ_k'(1)
     stiffness: np.ndarray  # (r, r): ∫ψ''ψ'' ds in bending, ∫ψ'ψ' ds for axial and torsion
-    strain: np.ndarray  # (r, N): ψ'' in bending, ψ' for axial and torsion
+    strain: np.ndarray  # (r, N): ψ'' in bending, ψ' in the others
+    slope: np.ndarray  # (r, N): ψ'
 
 
 WHOLE = ((0.0, 1.0),)
@@ -41,7 +42,7 @@ def bending_shapes(basis: str, modes: int, count: int, parts: tuple = WHOLE) -> 
 
 @cache
 def rod_shapes(basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
-    """Axial and torsion shapes of the named basis on `count` quadrature nodes."""
+    """Axial, torsion and shear shapes of the named basis on `count` quadrature nodes."""
     if basis == "clamped_free":
         return sine_shapes(modes, count, parts)
     return _shapes(polynomial(modes, 1), 1, count, parts)
@@ -50,7 +51,8 @@ def rod_shapes(basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shap
 def _shapes(functions: list, order: int, count: int, parts: tuple) -> Shapes:
     nodes, weights = quadrature(count, parts)
     table, tip = tabulate(functions, nodes), tabulate(functions, [1.0])
-    return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], (table[order] * weights) @ table[order].T, table[order])
+    stiffness = (table[order] * weights) @ table[order].T
+    return Shapes(table[0], tip[0, :, 0], tip[1, :, 0], stiffness, table[order], table[1])
 
 
 @cache
@@ -60,17 +62,17 @@ def sine_shapes(modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     wave = (2 * np.arange(1, modes + 1)[:, None] - 1) * np.pi / 2
     derivative = np.sqrt(2) * wave * np.cos(wave * nodes)
     value, tip = np.sqrt(2) * np.sin(wave * nodes), np.sqrt(2) * np.sin(wave[:, 0])
-    return Shapes(value, tip, np.zeros(modes), (derivative * weights) @ derivative.T, derivative)
+    return Shapes(value, tip, np.zeros(modes), (derivative * weights) @ derivative.T, derivative, derivative)
 
 
 def shapes_of(direction: str, basis: str, modes: int, count: int, parts: tuple = WHOLE) -> Shapes:
     """Shapes of one direction."""
     if modes == 0:
         none = np.zeros((0, count * len(parts)))
-        return Shapes(none, np.zeros(0), np.zeros(0), np.zeros((0, 0)), none)
-    if direction in ("axial", "torsion"):
-        return rod_shapes(basis, modes, count, parts)
-    return bending_shapes(basis, modes, count, parts)
+        return Shapes(none, np.zeros(0), np.zeros(0), np.zeros((0, 0)), none, none)
+    if direction.startswith("bending"):
+        return bending_shapes(basis, modes, count, parts)
+    return rod_shapes(basis, modes, count, parts)
 
 
 def tabulate(functions, points) -> np.ndarray:

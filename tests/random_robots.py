@@ -29,6 +29,7 @@ LIMITS = {
     "no_gravity": 0.15,
     "second_order": 0.0,  # of a link, or of a robot
     "stations": 0.0,  # of a link: a section that varies
+    "shear": 0.0,  # of each of: modes of shear in a plane, rotary inertia about an axis
     "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
 }
 
@@ -89,6 +90,7 @@ def _gravity(rng, limits) -> list[float]:
 def random_link(rng, index: int, limits: dict, soft: bool) -> dict:
     length, modes = float(rng.uniform(0.3, 1.2)), random_modes(rng, limits)
     link = {"name": f"link_{index}", "length": length, "section": random_section(rng, modes, limits)}
+    add_shear(rng, link["section"], modes, limits)
     if soft:
         soften(link["section"])
     if limits["stations"] and chance(rng, limits["stations"]):
@@ -137,6 +139,17 @@ def random_section(rng, modes: dict, limits: dict) -> dict:
     return section
 
 
+def add_shear(rng, section: dict, modes: dict, limits: dict) -> None:
+    """Shear modes with their stiffness, which may stand without them, and rotary inertia, which two of them need."""
+    for axis, other in ("yz", "zy") if limits["shear"] else ():
+        if modes and chance(rng, limits["shear"]):
+            modes[f"shear_{axis}"] = int(rng.integers(1, limits["max_modes"] + 1))
+        if f"shear_{axis}" in modes or chance(rng, 0.2):
+            section[f"GA{axis}"] = log_uniform(rng, 1e3, 1e5)
+        if modes.get(f"shear_{axis}", 0) > 1 or chance(rng, limits["shear"]):
+            section[f"rhoI{other}"] = log_uniform(rng, 2e-4, 1e-2)
+
+
 def varied(rng, section: dict):
     """Stations whose properties differ from those of `section` by factors, all in one spelling; some have steps."""
     places = [0.0, *sorted(rng.uniform(0.05, 0.95, int(rng.integers(0, 3)))), 1.0]
@@ -157,7 +170,8 @@ def varied(rng, section: dict):
 
 def soften(section: dict) -> None:
     """Lower every stiffness: axially by 1e4, else by 1e2; a soft material by 1e3 in all."""
-    for key, factor in {"EA": 1e-4, "EIy": 1e-2, "EIz": 1e-2, "GJ": 1e-2, "E": 1e-3, "G": 1e-3}.items():
+    factors = {"EA": 1e-4, "EIy": 1e-2, "EIz": 1e-2, "GJ": 1e-2, "GAy": 1e-2, "GAz": 1e-2, "E": 1e-3, "G": 1e-3}
+    for key, factor in factors.items():
         if key in section:
             section[key] *= factor
 
@@ -266,7 +280,7 @@ def slender_robot(rng, n_links: int = 3) -> dict:
 
 def mode_order(robot: dict) -> list[tuple[int, str, int]]:
     """(link, direction, mode number from 1) of every modal coordinate, in the order of q."""
-    directions = ("axial", "bending_y", "bending_z", "torsion")
+    directions = ("axial", "bending_y", "bending_z", "torsion", "shear_y", "shear_z")
     counts = [link.get("modes", {}) for link in robot["links"]]
     return [(i, d, k + 1) for i, c in enumerate(counts) for d in directions for k in range(c.get(d, 0))]
 
@@ -277,7 +291,7 @@ def joint_count(robot: dict) -> int:
 
 def modal_scale(robot: dict) -> np.ndarray:
     """Largest modal coordinates: deflections of about 0.1 l and tip rotations below about 0.5 rad in all."""
-    size = {"axial": 1e-3, "bending_y": 0.025, "bending_z": 0.025, "torsion": 0.1}
+    size = {"axial": 1e-3, "bending_y": 0.025, "bending_z": 0.025, "torsion": 0.1, "shear_y": 5e-3, "shear_z": 5e-3}
     order = mode_order(robot)
     reach = [1.0 if d == "torsion" else robot["links"][i]["length"] for i, d, _ in order]
     return np.array([size[d] * r / k**2 for r, (_, d, k) in zip(reach, order, strict=True)])

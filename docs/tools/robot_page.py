@@ -23,7 +23,7 @@ from screwgen.spec.part import Part  # noqa: E402
 PAGE = ROOT / "docs" / "robot.md"
 TABLE = re.compile(r"<!-- keys of (\w+) -->\n+(?:\|.*\n)*\n*")
 HEAD = "| key | unit | default | what |\n|---|---|---|---|\n"
-CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|GJ|rhoA|rhoIp|I[yz]|J)\b)")
+CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|GJ|GA[yz]|rhoA|rhoI[pyz]|I[yz]|J)\b)")
 """What a file holds, within a description."""
 ATOM = r"(?:kg|rad|Hz|Pa|N|m|s)[²³⁴]?"
 UNIT = re.compile(rf", ({ATOM}(?:[·/]{ATOM})*)(?=$|[ ,;:)])")

@@ -61,8 +61,12 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
 
 
 def _ways(key: LinkClass) -> tuple[str, ...]:
-    """The methods worth tracing. To second order the tip shapes of a straight link lose rank: only the factor holds."""
-    if key.order == 2 or key.modes < FEW:
+    """The methods worth tracing.
+
+    To second order the tip shapes of a straight link lose rank, and sections that turn without inertia have it at the
+    tip alone: there only the factor holds.
+    """
+    if key.order == 2 or key.light or key.modes < FEW:
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 

@@ -1,8 +1,8 @@
-"""Bases: mode shapes of bending, stretching and torsion.
+"""Bases: mode shapes of bending, stretching, torsion and shear.
 
 A basis is data: functions psi on s in [0, 1], orthonormal there, with diagonal stiffness, closed-form
 integrals, tip value and tip slope, all dimensionless. It has shapes of two orders: 2 for bending, where curvature
-stores energy, and 1 for stretching and torsion, where the first derivative does.
+stores energy, and 1 for stretching, torsion and shear, where the first derivative does.
 
 A basis is a function ``(count, order) -> Shapes``. Those of the product have names, `BASES`; a function of one's own
 may stand wherever a name may.
@@ -33,8 +33,8 @@ DEFAULT = "polynomial"
 NATURAL = "clamped_free"
 """The basis of the bare link's own modes, to which measured frequencies belong."""
 
-ORDER = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
-"""Order of the derivative that stores energy, by direction of deflection."""
+ORDER = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1, "shear_y": 1, "shear_z": 1}
+"""Order of the derivative that stores energy, by direction of deflection, in the order of the modal coordinates."""
 
 
 def shapes(basis: str | Basis, direction: str, count: int) -> Shapes:

@@ -71,11 +71,14 @@ def weighted_powers(weights: Weights, power: int) -> tuple[float, ...]:
 
 
 @cache
-def weighted_shapes(weights: Weights, shapes: Shapes, power: int) -> tuple[tuple[float, ...], ...]:
-    """The integrals of ``s^power psi_k`` times each weight function: count x stations."""
+def weighted_shapes(weights: Weights, shapes: Shapes, power: int, order: int = 0) -> tuple[tuple[float, ...], ...]:
+    """The integrals of ``s^power`` times the derivative of that order of psi_k times each weight function.
+
+    count x stations.
+    """
     with mpmath.workdps(working_digits(shapes.count)):
         pieces = weights.pieces()
-        forms = (_local(pieces, _monomial(power) * psi) for psi in shapes.functions)
+        forms = (_local(pieces, _monomial(power) * psi.derivative(order)) for psi in shapes.functions)
         return tuple(rounded(_integrals(weights, pieces, local)) for local in forms)
 
 

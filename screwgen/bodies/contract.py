@@ -7,7 +7,7 @@ link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.rigid.Rig
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from ..algebra.expression import Expression, Symbol
 from ..ir.block import Block
@@ -26,6 +26,24 @@ class RigidMoments(Protocol):
         ...
 
 
+class Turning(NamedTuple):
+    """The inertia of a body's sections about an axis of F_i, with the energy ``1/2 ∫ρI (omega + thetadot)^2 dξ``.
+
+    ``theta = shapes eta`` is their turn by the modes, of first order.
+    """
+
+    axis: int
+    """0, 1, 2 for x, y, z."""
+    density: Symbol
+    """Inertia per length, kg·m."""
+    inertia: Symbol
+    """``∫ρI dξ``, kg·m²."""
+    shapes: Expression
+    """(1, r): the turn of a section by each mode."""
+    momentum: Expression
+    """(1, r): ``∫ρI shapes dξ``."""
+
+
 class Body(Protocol):
     """The body of a link class, in the link's block."""
 
@@ -39,6 +57,8 @@ class Body(Protocol):
     """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
     stiffness: Expression
     """The (r, r) stiffness of the modes."""
+    turnings: list[Turning]
+    """The axes about which sections have an inertia of their own; known from ``modal`` on."""
 
     def declare(self, start: Expression) -> None:
         """Declare the fields; ``start`` (m) is the place of the joint on the centreline of F_i."""
@@ -49,7 +69,7 @@ class Body(Protocol):
         ...
 
     def spin(self) -> Expression:
-        """(3, 3), kg·m²: the rotary inertia of the sections about the centreline."""
+        """(3, 3), kg·m²: the sections' own inertia, about the centreline and across it."""
         ...
 
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..algebra.expression import Integral, hat, zeros
+from ..algebra.expression import Integral, hat, is_zero, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .link import LinkBlock
@@ -13,17 +13,16 @@ from .link import LinkBlock
 def energy_block(key: LinkClass) -> Block:
     """Kinetic energy of a link with its base bodies, its strain energy, and its mass moments for gravity.
 
-    ``kinetic = 1/2 ∫ rho A |v + omega x rho + udot|^2 dξ + 1/2 ∫ rho I_p (n^T nu)^2 dξ``,
+    ``kinetic = 1/2 ∫ rho A |v + omega x rho + udot|^2 dξ + 1/2 ∫ (omega + thetadot)^T rho I (omega + thetadot) dξ``,
     ``stress = 1/2 eta^T K eta``; the gravitational potential is ``-g . (m r + R S)``.
     """
     b = LinkBlock(key)
     b.name, b.title = "energy", "Energy"
     velocity = b.vel + hat(b.omega) @ b.rho + b.udot
     kinetic = b.integral(velocity.T @ velocity)
-    if key.spin:
-        omega_x = b.entries(b.omega)[0]
-        spin = omega_x + (b.body.phi_t @ b.etadot if key.counts[3] else zeros(1))
-        kinetic = kinetic + Integral(spin @ spin, b.body.rhoIp, b.body.fields.integrate)
+    for t in b.body.turnings:
+        spin = b.entries(b.omega)[t.axis] + (zeros(1) if is_zero(t.momentum) else t.shapes @ b.etadot)
+        kinetic = kinetic + Integral(spin @ spin, t.density, b.body.fields.integrate)
     half = sp.Rational(1, 2)
     b.step("kinetic", half * kinetic)
     stress = b.eta.T @ (b.body.stiffness @ b.eta) if key.modes else zeros(1)

@@ -11,13 +11,13 @@ import sympy as sp
 from ..algebra.expression import Symbol
 from ..bases import ORDER, integrals, products
 from ..ir.block import Block
-from ..spec.link_class import LinkClass
+from ..spec.link_class import AXIS, TURN, LinkClass
+from ..spec.modes import DIRECTIONS
 from .moments import XI, Moments
 from .second_order import Part, parts
 
-AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
-STRAIN = {"axial": 0, "bending_y": 1, "bending_z": 2, "torsion": 3}
-"""Row of the strain vector u_x', u_y'', u_z'', θ_x'."""
+STRAIN = {direction: row for row, direction in enumerate(DIRECTIONS)}
+"""Row of the strain vector u_x', u_y'', u_z'', θ_x', γ_y, γ_z; without shear the first four."""
 
 
 def length(b: Block, key: LinkClass) -> Symbol:
@@ -37,7 +37,9 @@ class Fields(Moments):
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
         self._constants = {d: key.shapes(d) for d, _ in key.directions}
         self.second = parts(key) if key.order == 2 else {}
-        super().__init__([XI, *self.phi, *self.strain_shape, *self.second])
+        turned = [k for k, (d, _) in enumerate(key.directions) if d in TURN and TURN[d][0] in key.rotary]
+        self.slope = {k: sp.Symbol(f"slope_{k + 1}", real=True) for k in turned}
+        super().__init__([XI, *self.phi, *self.strain_shape, *self.slope.values(), *self.second])
 
     # the shapes as matrices -------------------------------------------------------------------
 
@@ -45,13 +47,15 @@ class Fields(Moments):
         """The 3 x r matrix of displacement shapes; torsion columns are zero."""
         return self._matrix(3, lambda d: AXIS.get(d), values or self.phi)
 
-    def twist_row(self) -> np.ndarray:
-        """The 1 x r row of torsion shapes."""
-        return self._matrix(1, lambda d: 0 if d == "torsion" else None, self.phi)
+    def turns(self, axis: int) -> np.ndarray:
+        """The 1 x r row of the sections' turns about an axis: torsion shapes, -u_z' or u_y'."""
+        sign = {direction: sign for direction, (turned, sign) in TURN.items() if turned == axis}
+        shapes = [sign.get(d, 0) * self.slope.get(k, self.phi[k]) for k, (d, _) in enumerate(self.key.directions)]
+        return self._matrix(1, lambda d: 0 if d in sign else None, shapes)
 
     def strain(self) -> np.ndarray:
-        """The 4 x r strain operator: u_x', u_y'', u_z'' and θ_x' of every mode."""
-        return self._matrix(4, lambda d: STRAIN[d], self.strain_shape)
+        """The strain operator: u_x', u_y'', u_z'', θ_x' and, with shear, γ_y and γ_z of every mode."""
+        return self._matrix(len(self.key.counts), lambda d: STRAIN[d], self.strain_shape)
 
     def translational(self) -> np.ndarray:
         """The 1 x r row of displacement shapes regardless of their axis."""
@@ -63,8 +67,8 @@ class Fields(Moments):
         for k, (d, i) in enumerate(self.key.directions):
             if d == "torsion":
                 out[0, k] = number(self._constants[d].tip_value[i])
-            elif d.startswith("bending"):
-                row, sign = (2, 1) if d == "bending_y" else (1, -1)
+            elif d in TURN:
+                row, sign = TURN[d]
                 out[row, k] = sign * number(self._constants[d].tip_slope[i]) / self.length
         return out
 
@@ -82,7 +86,7 @@ class Fields(Moments):
     # integration ------------------------------------------------------------------------------
 
     def _fine(self, monomial: list[sp.Symbol]) -> sp.Expr:
-        """The integral of a product of ξ, φ_k and strain shapes: powers of l times constants of the basis.
+        """The integral of a product of ξ, φ_k, slopes and strain shapes: powers of l times constants of the basis.
 
         The grading of the second order: with a second-order shape everything else is that of the undeformed rod.
         """
@@ -90,6 +94,8 @@ class Fields(Moments):
         powers = sum(g == XI for g in monomial)
         shapes = [self.phi.index(g) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
+        if slopes := self._slopes(monomial):
+            return self._turned(slopes)
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) > 1 + powers:
                 return sp.S.Zero
@@ -112,6 +118,17 @@ class Fields(Moments):
         for part, k in itertools.product(self.second[second], range(powers + 1)):
             lever = sp.binomial(powers, k) * self.start ** (powers - k)
             yield k + 1 + part.power, lever * part.factor, part, k
+
+    def _slopes(self, monomial: list[sp.Symbol]) -> list[int]:
+        """The modes whose slopes a product has."""
+        return [k for g in monomial for k, slope in self.slope.items() if g == slope]
+
+    def _turned(self, slopes: list[int]) -> sp.Expr:
+        """The integral of a slope, or of the product of two of one direction."""
+        (shape, i), (_, j) = self._shape(slopes[0]), self._shape(slopes[-1])
+        if len(slopes) == 1:
+            return number(shape.tip_value[i])
+        return number(integrals(shape, shape, 1, 1, 1)[i][j]) / self.length
 
     def _shape(self, k: int):
         direction, i = self.key.directions[k]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..algebra.expression import (
@@ -20,11 +22,18 @@ from ..algebra.expression import (
 )
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Body
+from .contract import Body, Turning
+from .coupled_rod import CoupledRod
 from .lumped import lumped
 from .rigid import Rigid
 from .rod import Rod
 from .varying_rod import VaryingRod
+
+
+def _moment(columns: int, *moments: Expression) -> Expression:
+    """The wrenches with the sum of these moments and without force."""
+    moment = add(zeros(3, columns), *moments)
+    return zeros(6, columns) if is_zero(moment) else stack(moment, zeros(3, columns))
 
 
 class LinkBlock(Block):
@@ -65,7 +74,9 @@ class LinkBlock(Block):
     def _body(self) -> Body:
         if not self.key.beam:
             return Rigid(self)
-        return VaryingRod(self, self.key) if self.key.stations else Rod(self, self.key)
+        if self.key.stations:
+            return VaryingRod(self, self.key)
+        return CoupledRod(self, self.key) if self.key.coupled else Rod(self, self.key)
 
     def _start(self) -> Expression:
         """The place of the joint on the centreline of F_i."""
@@ -127,13 +138,9 @@ class LinkBlock(Block):
         self.step("M_DPsi", M_V - self.M_star, symmetric=True)
         moved = self.body.moved
         coupling = self.integral(stack(hat(self.rho) @ moved, moved)) if self.key.modes else zeros(6, 0)
-        M_D = self.step("M_D", add(coupling, self._spin_coupling()))
+        turned = _moment(self.key.modes, *(unit(t.axis) @ t.momentum for t in self.body.turnings))
+        M_D = self.step("M_D", add(coupling, turned))
         self.step("M_Dphi", M_D.T)
-
-    def _spin_coupling(self):
-        if not (self.key.spin and self.key.counts[3]):
-            return zeros(6, self.key.modes)
-        return stack(unit(0) @ self.body.sigma_t, zeros(3, self.key.modes))
 
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""
@@ -147,15 +154,17 @@ class LinkBlock(Block):
         h_c = self.step("h_c", half)
         bend = self.body.bend
         curved = zeros(6) if is_zero(bend) else self.integral(stack(hat(rho) @ bend, bend))
-        h_MD = self.step("h_MD", add(h_c, self._spin_bias("sigma_t"), curved))
+        h_MD = self.step("h_MD", add(h_c, self._turned(lambda t: t.momentum @ self.etadot), curved))
         field = a_0 + Omega @ rho
         rigid = self.integral(stack(hat(rho) @ field, field))
-        H = self.step("H_star", add(rigid, h_c, self._spin_bias("I_s"), self._spun_up()))
+        omegas = self.entries(omega)
+        spinning = self._turned(lambda t: t.inertia @ omegas[t.axis])
+        H = self.step("H_star", add(rigid, h_c, spinning, self._spun_up()))
         self.step("h_V", H + h_MD)
         modal = self.integral(self.body.moved.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
-        twisted = self.key.spin and self.key.counts[3] and self.turning
-        twist = self.body.sigma_t.T @ self.entries(self.alpha)[0] if twisted else zeros(self.key.modes)
-        self.step("h_eta", add(modal, twist))
+        alphas = self.entries(self.alpha) if self.turning else []
+        turned = (t.momentum.T @ alphas[t.axis] for t in self.body.turnings if self.turning and not is_zero(t.momentum))
+        self.step("h_eta", add(modal, *turned))
         if not self.turning:
             self._modal_force()
 
@@ -168,10 +177,11 @@ class LinkBlock(Block):
         return self.step("Omega", hat(self.alpha) + centripetal)
 
     def _spun_up(self):
-        """The inertial wrench of the sections' rotary inertia at ``alpha``."""
-        if not (self.key.spin and self.turning):
+        """The inertial wrench of the sections' own inertia at ``alpha``."""
+        if not self.turning:
             return zeros(6)
-        return stack(unit(0) @ (self.body.I_s @ self.entries(self.alpha)[0]), zeros(3))
+        alphas = self.entries(self.alpha)
+        return _moment(1, *(unit(t.axis) @ (t.inertia @ alphas[t.axis]) for t in self.body.turnings))
 
     def _modal_force(self) -> None:
         stress = self.body.stiffness @ self.eta
@@ -179,14 +189,9 @@ class LinkBlock(Block):
             stress = stress + Diagonal(self.body.D) @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
-    def _spin_bias(self, which: str):
-        """``rho I_p ∫(n^T nu) dξ (omega x e_x)``, for the link's rotation (I_s) or its torsion (sigma_t)."""
-        omega_x = self.entries(self.omega)[0]
-        axis = hat(self.omega) @ unit(0)
-        if not self.key.spin or (which == "sigma_t" and not self.key.counts[3]):
-            return zeros(6)
-        momentum = self.body.I_s @ omega_x if which == "I_s" else self.body.sigma_t @ self.etadot
-        return stack(momentum @ axis, zeros(3))
+    def _turned(self, momentum: Callable[[Turning], Expression]) -> Expression:
+        """``omega x l`` of the sections' own angular momentum ``l``, given about each axis."""
+        return _moment(1, *(momentum(t) @ (hat(self.omega) @ unit(t.axis)) for t in self.body.turnings))
 
     def _name_moment(self, moment: str, generators: tuple) -> None:
         """Let the entries of a step stand for the integrals of the products of its generators."""

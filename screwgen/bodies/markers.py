@@ -12,15 +12,14 @@ from typing import NamedTuple
 import numpy as np
 
 from ..bases import ORDER
-from ..spec.link_class import LinkClass
-from .fields import AXIS
+from ..spec.link_class import AXIS, LinkClass
 
 
 class Strain(NamedTuple):
     """A strain of the centreline at a section, ``weights @ eta[modes] / l**order`` with the length l of the link."""
 
     direction: str
-    """``axial`` (1), ``bending_y``, ``bending_z`` (1/m) or ``torsion`` (rad/m)."""
+    """``axial`` (1), ``bending_y``, ``bending_z`` (1/m), ``torsion`` (rad/m), ``shear_y`` or ``shear_z`` (1)."""
     modes: list[int]
     """The modes that cause it, neighbours in the link's modal coordinates."""
     weights: list[float]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, zeros
 from ..ir.block import Block
-from .contract import Moments6
+from .contract import Moments6, Turning
 from .moments import Moments
 
 
@@ -23,10 +25,11 @@ class Rigid:
         """There are no fields along a rigid link."""
         self.fields = Moments(self.b.values["rho"].flat)
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
-        self.sigma, self.sigma_t, self.K, self.D = zeros(3, 0), zeros(1, 0), zeros(0), zeros(0)
+        self.sigma, self.K, self.D = zeros(3, 0), zeros(0), zeros(0)
         self.moved, self.bend = zeros(3, 0), zeros(3)
 
     stiffness = zeros(0, 0)
+    turnings: ClassVar[list[Turning]] = []
 
     def moments(self) -> Moments6:
         """Zero: the link itself has no mass."""

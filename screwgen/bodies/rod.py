@@ -5,20 +5,29 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, identity, is_zero, unit, zeros
+from ..algebra.expression import Expression, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
-from ..spec.link_class import LinkClass
-from .contract import Moments6
-from .fields import AXIS, XI, Fields, length
+from ..spec.link_class import AXIS, TURN, LinkClass
+from .contract import Moments6, Turning
+from .fields import XI, Fields, length
 from .rod_stiffness import RodStiffness
 from .second_order import SecondOrder
 
+TURNED = (
+    ("rhoIp", "I_s", "phi_t", "sigma_t"),
+    ("rhoIy", "I_sy", "psi_y", "sigma_sy"),
+    ("rhoIz", "I_sz", "psi_z", "sigma_sz"),
+)
+"""Of each axis of the sections: inertia per length, its integral, the turn by each mode, the momentum of each mode."""
+
 
 class Rod(RodStiffness):
-    """Sections along a centreline, with mode shapes in four directions."""
+    """Sections along a centreline, with mode shapes in four directions, with shear in six."""
 
     kind: type[Fields] = Fields
 
@@ -37,7 +46,7 @@ class Rod(RodStiffness):
         self.Phi = field("Phi", f.Phi())
         self.phi_row = field("phi_row", f.translational())
         self.lever = field("xi_phi", XI * f.translational())
-        self.phi_t = field("phi_t", f.twist_row())
+        self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
         self.strain = field("strain", f.strain())
         self.moved: Symbol = self.Phi
         self.bend: Expression = zeros(3)
@@ -64,13 +73,16 @@ class Rod(RodStiffness):
         return mu, self.integral(r_b, rhoA), self.integral(r_b @ r_b.T, rhoA)
 
     def spin(self) -> Expression:
-        """``∫ rho I_p dξ e_x e_x^T``: spin about the centreline."""
-        if not self.key.spin:
-            return zeros(3, 3)
-        self.rhoIp = self._property("rhoIp")
-        self.I_s = self.b.step("I_s", self.integral(identity(1), self.rhoIp))
-        self.fields.name_moment("rhoIp", self.b.values["I_s"].item())
-        return self.I_s @ (unit(0) @ unit(0).T)
+        """The sum of ``∫ρI dξ e e^T`` over the axes about which the sections have an inertia of their own."""
+        parts: list[Expression] = [zeros(3, 3)]
+        self.densities: dict[int, Symbol] = {}
+        for axis in self.key.turned:
+            density, inertia, _, _ = TURNED[axis]
+            rho = self.densities[axis] = self._property(density)
+            whole = self.b.step(inertia, self.integral(identity(1), rho))
+            self.fields.name_moment(density, self.b.values[inertia].item())
+            parts.append(whole @ (unit(axis) @ unit(axis).T))
+        return add(*parts)
 
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
         """``∫ρA u dξ`` and its rate."""
@@ -84,26 +96,53 @@ class Rod(RodStiffness):
         phi, name = self.fields.phi, self.fields.name_moment
         self.sigma = self.b.step("sigma", self.integral(self.Phi, self.rhoA))
         self.b.step("chi", self.integral(self.lever, self.rhoA))
-        M_eta = self.integral(self.Phi.T @ self.Phi, self.rhoA)
-        if self.key.spin and self.key.counts[3]:
-            self.sigma_t = self.b.step("sigma_t", self.integral(self.phi_t, self.rhoIp))
-            M_eta = M_eta + self.integral(self.phi_t.T @ self.phi_t, self.rhoIp)
-        self.b.step("M_Wphi", M_eta, symmetric=True)
+        by_mass: Expression = self.integral(self.Phi.T @ self.Phi, self.rhoA)
+        self.turnings = [self._turning(axis) for axis in self.key.turned]
+        turned = [t for t in self.turnings if not is_zero(t.momentum)]
+        by_turn = [self.integral(t.shapes.T @ t.shapes, t.density) for t in turned]
+        if self.fields.slope:
+            by_mass = self.b.step("M_phi", by_mass, symmetric=True)
+            by_turn = [self.b.step("M_s", add(*by_turn), symmetric=True)]
+        self.b.step("M_Wphi", add(by_mass, *by_turn), symmetric=True)
         for k in self._translational():
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.b.values["sigma"][axis, k], phi[k])
             name("rhoA", self.b.values["chi"][0, k], XI, phi[k])
+        self._name_turns()
         self._name_products()
         self._products_of_shapes()
         self._stiffness()
         if self.key.order == 2:
             self.second.moments(self.rhoA)
 
+    def _turning(self, axis: int) -> Turning:
+        """The sections' inertia about an axis and the modes' momenta about it."""
+        _, inertia, _, name = TURNED[axis]
+        rho, shapes = self.densities[axis], self.turns[axis]
+        momentum: Expression = zeros(1, self.key.modes)
+        if self.key.turns(axis):
+            momentum = self.b.step(name, self.integral(shapes, rho))
+        return Turning(axis, rho, self.b.symbol(inertia), shapes, momentum)
+
+    def _name_turns(self) -> None:
+        """``∫ρI φ_k'`` and ``∫ρI φ_k' φ_m'`` of the slopes of bending, for the kinetic energy."""
+        slope, values, name = self.fields.slope, self.b.values, self.fields.name_moment
+        for i, j in itertools.combinations_with_replacement(slope, 2):
+            axis, sign = TURN[self.key.directions[i][0]]
+            density, _, _, momentum = TURNED[axis]
+            name(density, sign * values[momentum][0, i], slope[i])
+            name(density, values["M_s"][i, j], slope[i], slope[j])
+
+    @property
+    def by_mass(self) -> np.ndarray:
+        """``∫ρA Φ^T Φ dξ``: the modes' inertia without that of turning sections."""
+        return self.b.values["M_phi" if self.fields.slope else "M_Wphi"]
+
     def _name_products(self) -> None:
         """``∫ρA φ_k φ_k``: the products of different shapes of one direction have no integral."""
         for k in self._translational():
             phi = self.fields.phi[k]
-            self.fields.name_moment("rhoA", self.b.values["M_Wphi"][k, k], phi, phi)
+            self.fields.name_moment("rhoA", self.by_mass[k, k], phi, phi)
 
     def _products_of_shapes(self) -> None:
         """``∫ρA φ_k φ_m`` of modes in different directions.
@@ -111,10 +150,10 @@ class Rod(RodStiffness):
         The products of axial and bending modes are a full matrix. Those of y and z are diagonal if both directions use
         the same functions.
         """
-        groups = {d: [k for k in self._translational() if self.key.directions[k][0] == d] for d in AXIS}
-        self._product("Gamma_xy", groups["axial"], groups["bending_y"])
-        self._product("Gamma_xz", groups["axial"], groups["bending_z"])
-        self._product("Gamma_yz", groups["bending_y"], groups["bending_z"])
+        x, y, z = ([k for k in self._translational() if AXIS[self.key.directions[k][0]] == axis] for axis in range(3))
+        self._product("Gamma_xy", x, y)
+        self._product("Gamma_xz", x, z)
+        self._product("Gamma_yz", y, z)
 
     def _product(self, name: str, first: list[int], second: list[int]) -> None:
         if not (first and second):

@@ -7,10 +7,11 @@ import sympy as sp
 
 from ..algebra.expression import Diagonal, Expression, Integral, Root, Symbol, block, stack, zeros
 from ..ir.block import Block
-from ..spec.link_class import DIRECTIONS, LinkClass
+from ..spec.link_class import LinkClass
+from ..spec.modes import DIRECTIONS
 from .fields import Fields
 
-SECTION = ("EA", "EIz", "EIy", "GJ")
+SECTION = ("EA", "EIz", "EIy", "GJ", "GAy", "GAz")
 """The stiffness of a section in each direction."""
 
 
@@ -42,9 +43,10 @@ class RodStiffness:
         self._damping(inertia)
 
     def _section_stiffness(self) -> Symbol:
-        stated = zip(DIRECTIONS, SECTION, self.key.counts, strict=True)
+        stated = zip(DIRECTIONS, SECTION, self.key.counts, strict=False)
         stiff = [self._property(s) if n and d not in self.key.measured else zeros(1) for d, s, n in stated]
-        C = block(*([stiff[i] if i == j else zeros(1) for j in range(4)] for i in range(4)))
+        rows = range(len(stiff))
+        C = block(*([stiff[i] if i == j else zeros(1) for j in rows] for i in rows))
         return self.b.step("K_full", self.integral(self.strain.T @ C @ self.strain, None), symmetric=True)
 
     def _modal_inertia(self) -> Symbol:
@@ -66,7 +68,7 @@ class RodStiffness:
     def _frequencies(self) -> Expression:
         """A column for each direction that has modes: its frequencies, or zeros."""
         parts: list[Expression] = []
-        for direction, n in zip(DIRECTIONS, self.key.counts, strict=True):
+        for direction, n in zip(DIRECTIONS, self.key.counts, strict=False):
             if direction in self.key.measured:
                 parts.append(self.b.parameter(f"frequencies_{direction}", (n, 1)))
             elif n:

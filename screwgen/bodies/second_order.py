@@ -34,13 +34,13 @@ class Term(NamedTuple):
     times: int
 
 
-NAMES = {"a": "axial", "y": "bending_y", "z": "bending_z", "t": "torsion"}
+NAMES = {"a": "axial", "y": "bending_y", "z": "bending_z", "t": "torsion", "v": "shear_y", "w": "shear_z"}
 
 
 def _strains() -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """``psi``, ``kappa`` and ``gamma``: the letter of a direction with the order of its derivative."""
-    a1, y1, y2, z1, z2, t0, t1 = sp.symbols("a1 y1 y2 z1 z2 t0 t1")
-    return sp.Matrix([t0, -z1, y1]), sp.Matrix([t1, -z2, y2]), sp.Matrix([a1, 0, 0])
+    a1, y1, y2, z1, z2, t0, t1, v1, w1 = sp.symbols("a1 y1 y2 z1 z2 t0 t1 v1 w1")
+    return sp.Matrix([t0, -z1, y1]), sp.Matrix([t1, -z2, y2]), sp.Matrix([a1, v1, w1])
 
 
 def _terms(quadratic: sp.Matrix, times: int) -> list[list[Term]]:

@@ -34,7 +34,7 @@ class VaryingFields(Fields):
         return sp.Add(*(l**n * factor * mean(constants) for n, factor, constants in self._terms(monomial)))
 
     def _terms(self, monomial: list[sp.Symbol]):
-        """The integral of a product of ξ, φ_k and strain shapes: power of l, factor, and a constant per station."""
+        """The integral of a product of ξ, φ_k, slopes and strain shapes: power of l, factor, a constant per station."""
         shapes = [self._shape(self.phi.index(g)) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
         power = sum(g == XI for g in monomial)
@@ -42,6 +42,12 @@ class VaryingFields(Fields):
             if len(monomial) == 1 + power:
                 for n, factor, part, k in self._levers(*second, power):
                     yield n, factor, weighted_integrals(self.weights, *part.strains, k)[part.i][part.j]
+        elif slopes := [self._shape(k) for k in self._slopes(monomial)]:
+            (a, i), (_, j) = slopes[0], slopes[-1]
+            if len(slopes) == 1:
+                yield 0, 1, weighted_shapes(self.weights, a, 0, 1)[i]
+            else:
+                yield -1, 1, weighted_products(self.weights, a, a, 1)[i][j]
         elif len(strains) == 2:
             yield self._strain_term(*strains)
         elif len(shapes) == 2 and not power:

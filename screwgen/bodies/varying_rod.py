@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import sympy as sp
@@ -12,21 +11,18 @@ from ..algebra.expression import Expression, Symbol, add, zeros
 from ..algebra.notation import ALONG
 from ..ir.block import Block
 from ..ir.quantities import QUANTITIES
-from ..spec.link_class import DIRECTIONS, LinkClass
+from ..spec.link_class import LinkClass
+from ..spec.modes import DIRECTIONS
+from .coupled_rod import CoupledRod
 from .fields import STRAIN
-from .rod import Rod
 from .rod_stiffness import SECTION
 from .varying_fields import VaryingFields, weights
 
-LETTERS = {"axial": "x", "bending_y": "y", "bending_z": "z", "torsion": "t"}
+LETTERS = dict(zip(DIRECTIONS, ("x", "y", "z", "t", r"\gamma y", r"\gamma z"), strict=True))
 
 
-class VaryingRod(Rod):
-    """A rod whose section varies. The modes of one direction are coupled, by inertia and by stiffness.
-
-    The damping is diagonal, ``D_kk = 2 zeta sqrt(K_kk M_kk)`` of the assumed modes: closed in the parameters, and
-    positive semidefinite.
-    """
+class VaryingRod(CoupledRod):
+    """A rod whose section varies. The modes of one direction are coupled, by inertia and by stiffness."""
 
     kind = VaryingFields
     fields: VaryingFields
@@ -46,47 +42,16 @@ class VaryingRod(Rod):
         display = QUANTITIES[name].display + ALONG
         return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display)
 
-    def _name_products(self) -> None:
-        """Products of the shapes of one direction."""
-        M, phi, direction = self.b.values["M_Wphi"], self.fields.phi, self.key.directions
-        for i, j in itertools.combinations_with_replacement(range(self.key.modes), 2):
-            if direction[i][0] == direction[j][0]:
-                weight = "rhoIp" if direction[i][0] == "torsion" else "rhoA"
-                self.fields.name_moment(weight, M[i, j], phi[i], phi[j])
-
     def _section_stiffness(self) -> Symbol:
         """``∫ EA φ_x' φ_x'^T + EIz φ_y'' φ_y''^T + ...``: every direction by the property that resists it."""
         terms: list[Expression] = [zeros(self.key.modes, self.key.modes)]
-        for direction, name, count in zip(DIRECTIONS, SECTION, self.key.counts, strict=True):
+        for direction, name, count in zip(DIRECTIONS, SECTION, self.key.counts, strict=False):
             if count:
                 shapes = self.fields.strain()[[STRAIN[direction]]]
                 shown = rf"\boldsymbol{{\varphi}}_{{\varepsilon {LETTERS[direction]}}}^{{\top}}"
                 strain = self.b.field(f"strain_{direction}", shapes, shown)
                 terms.append(self.integral(strain.T @ strain, self._property(name)))
         return self.b.step("K_full", add(*terms), symmetric=True)
-
-    def _column(self, name: str, full: Symbol) -> Symbol:
-        """The diagonal of a modal matrix; the entries below it are a column of their own."""
-        values = self.b.values[full.name]
-        out = self.b.step(name, self._entries(f"{name}_entries", rf"\mathrm{{diag}}\,{full.display}", np.diag(values)))
-        if self.key.coupled:
-            below = [values[place] for place in self.key.coupled]
-            lower = self._entries(f"{name[0]}_lower", rf"\mathrm{{low}}\,{full.display}", below)
-            self.b.step(f"{name[0]}_below", lower)
-        return out
-
-    @property
-    def stiffness(self) -> Expression:
-        """The (r, r) stiffness of the modes."""
-        return self.b.symbol("K_full")
-
-    def _entries(self, name: str, display: str, values: Iterable[sp.Expr]) -> Symbol:
-        return self.b.field(name, np.array([*values], dtype=object).reshape(-1, 1), display)
-
-    def _damping(self, inertia: Symbol) -> None:
-        super()._damping(inertia)
-        if self.key.damping and self.key.coupled:
-            self.b.step("D_below", zeros(len(self.key.coupled)))
 
 
 def acting(b: Block, key: LinkClass, name: str) -> list[Symbol]:

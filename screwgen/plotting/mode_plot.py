@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from ..errors import UsageError
 from ..simulation.motion import centrelines, modal_columns, twist
+from ..spec.modes import DIRECTIONS
 from ..spec.segments import owner
 from ..studies.modes import ModeShapes, stiffness_matrix
 from . import look
@@ -36,7 +37,7 @@ WIDTH = 0.025
 STEP = 1e-6
 """m: the displacement from which the linear one is taken."""
 REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
-WORDS = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+WORDS = {direction: direction.replace("_", " in ") for direction in DIRECTIONS}
 
 
 class Shape(NamedTuple):

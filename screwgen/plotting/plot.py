@@ -132,6 +132,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
         Panel("Bending in y", eta, "m", modes("bending_y")),
         Panel("Bending in z", eta, "m", modes("bending_z")),
+        Panel("Shear in y", eta, "m", modes("shear_y")),
+        Panel("Shear in z", eta, "m", modes("shear_z")),
         Panel("Axial modes", eta, "m", modes("axial")),
         Panel("Torsion modes", eta, "rad", modes("torsion")),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),

@@ -4,8 +4,9 @@ from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .load import dump, load
+from .modes import DIRECTIONS, Modes
 from .parameters import Parameter, coordinate_names, parameters
-from .robot import DIRECTIONS, Body, Damping, Link, Modes, Robot
+from .robot import Body, Damping, Link, Robot
 from .section import Section
 from .stations import Station, Stations
 

@@ -7,11 +7,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
-from .robot import Joint, Link
+from .joint import Joint
+from .modes import DIRECTIONS, SHEARED
+from .robot import Link
 from .screw import Screw
 
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 WELD = Joint(axes=())
+AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2, "shear_y": 1, "shear_z": 2}
+"""The axis of F_i along which the modes of a direction displace the centreline; torsion does not."""
+TURN = {"torsion": (0, 1), "bending_z": (1, -1), "bending_y": (2, 1)}
+"""The axis about which the modes of a direction turn the sections, and the sign of the turn; shear does not."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +34,8 @@ class LinkClass:
 
     bases: tuple[str | Basis, ...]
     """The basis of each direction that has modes."""
-    counts: tuple[int, int, int, int]
+    counts: tuple[int, ...]
+    """The numbers of modes in the order of `DIRECTIONS`; without shear the first four."""
     screws: tuple[Screw, ...]
     """The degrees of freedom of the joint, in order."""
     mount_xyz: bool
@@ -61,6 +67,10 @@ class LinkClass:
     """The number of equal segments of the link, of which this is the class of one."""
     segment: int = 0
     """Which segment, where the section varies; segments of a uniform link have equal bodies."""
+    rotary: tuple[int, ...] = ()
+    """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
+    light: bool = False
+    """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
 
     @property
     def modes(self) -> int:
@@ -71,6 +81,15 @@ class LinkClass:
     def bends(self) -> bool:
         """Whether the link has bending modes."""
         return any(self.counts[1:3])
+
+    @property
+    def turned(self) -> tuple[int, ...]:
+        """The axes about which the sections have an inertia of their own: spin, rotary inertia."""
+        return (0,) * self.spin + self.rotary
+
+    def turns(self, axis: int) -> bool:
+        """Whether modes turn the sections about an axis."""
+        return any(d in TURN and TURN[d][0] == axis for d, _ in self.directions)
 
     @property
     def unstiffened(self) -> bool:
@@ -95,18 +114,22 @@ class LinkClass:
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""
-        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
+        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=False) for k in range(n))
 
     @cached_property
     def coupled(self) -> tuple[tuple[int, int], ...]:
         """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
 
-        A uniform rod has none. Where its sections vary the modes of one direction are coupled.
+        A uniform rod of Euler and Bernoulli has none. Where its sections vary the modes of one direction are coupled,
+        by rotary inertia those of bending in a plane, by mass those of bending and shear in a plane.
         """
-        if not self.stations:
-            return ()
         of = [d for d, _ in self.directions]
-        return tuple((i, j) for i in range(self.modes) for j in range(i) if of[i] == of[j])
+        return tuple((i, j) for i in range(self.modes) for j in range(i) if self._couples(of[i], of[j]))
+
+    def _couples(self, first: str, second: str) -> bool:
+        if first != second:
+            return AXIS.get(first) == AXIS.get(second)
+        return bool(self.stations) or (first in TURN and TURN[first][0] in self.rotary)
 
     def shapes(self, direction: str):
         """The mode shapes of a direction."""
@@ -120,12 +143,12 @@ class LinkClass:
 def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given."""
     joint, modes, count = (link.joint if segment == 0 else WELD), link.modes, link.pieces
-    counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
-    mount, stations = joint.mount, link.section.places if link.section else ()
+    counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
+    stated = link.section.states if link.section else lambda _: False
     here = {"base": segment == 0, "tip": segment == count - 1}
     bodies = [BodyClass(b.at, b.com is not None, b.inertia is not None) if here[b.at] else None for b in link.bodies]
     return LinkClass(
-        bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
+        bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
         screws=joint.screws,
         mount_xyz=mount is not None and mount.xyz is not None,
@@ -137,9 +160,9 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         length=link.length is not None,
         beam=link.section is not None,
         body=link.body if here["base"] else None,
-        spin=link.section is not None and link.section.states("rhoIp"),
+        spin=stated("rhoIp"),
         damping=link.damping is not None and any(counts),
-        section_rotation=section_rotation and any(counts[1:]),
+        section_rotation=section_rotation and any(counts[1:4]),
         bodies=tuple(bodies) if any(bodies) else (),
         order=(link.order or order) if any(counts) else 1,
         measured=modes.measured,
@@ -147,4 +170,6 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         between=link.section.between if link.section else "linear",
         segments=count,
         segment=segment if stations else 0,
+        rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
+        light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
     )

@@ -2,19 +2,17 @@
 
 from typing import TYPE_CHECKING, Any
 
-from .section import PRODUCTS
+from .modes import NEEDS, Modes
+from .section import PRODUCTS, SPIN
 from .stations import AnySection, Stations
-from .values import quoted, refuse, shown
+from .values import Path, quoted, refuse, shown
 
 if TYPE_CHECKING:
     from .robot import Link
 
-NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
-    "axial": ("EA",),
-    "bending_y": ("EIz",),
-    "bending_z": ("EIy",),
-    "torsion": ("GJ", "rhoIp"),
-}
+REMEDIES = dict.fromkeys(("GAy", "GAz"), "it is κGA, N; a profile with nu or G gives it") | dict.fromkeys(
+    ("rhoIy", "rhoIz"), "several polynomials of shear beside bending turn sections alone, which must resist"
+)
 MOST_SEGMENTS = 64
 
 
@@ -27,28 +25,33 @@ def segment_count(value: Any) -> int:
     return value
 
 
-def require_one_spelling(section: AnySection | None, direction: str) -> None:
-    """Refuse measured frequencies of a direction beside a section that states its stiffness or varies."""
+def require_uniform(section: AnySection | None, modes: Modes, direction: str) -> None:
+    """Refuse measured frequencies of a direction beside its stiffness, beside stations, shear or rotary inertia."""
     at, name = ("modes", "frequencies", direction), NEEDS[direction][0]
     if isinstance(section, Stations):
         what = "is stated beside stations; measured frequencies are those of a uniform rod, leave one of them out"
         raise refuse(what, at=at)
+    stated = [f"modes.{name}" for name in ("shear_y", "shear_z") if getattr(modes, name)]
+    stated += [f"section.{name}" for name in ("rhoIy", "rhoIz") if section and section.states(name)]
+    if stated:
+        what = f"is stated beside {stated[0]}; measured frequencies are those of a rod without shear and rotary inertia"
+        raise refuse(f"{what}, leave one of them out", at=at)
     if getattr(section, name, None) is not None:
         spelling = " and ".join(map(quoted, PRODUCTS[name]))
         both = f"is stated beside section.{name} (in the material spelling: {spelling})"
         raise refuse(f"{both}, but either gives the stiffness; leave one of them out", at=at)
 
 
-def require(section: AnySection, name: str, direction: str) -> None:
+def require(section: AnySection, name: str, direction: str, at: Path = ()) -> None:
     """Refuse a section whose property `name` is missing or zero, though modes in `direction` rest on it."""
     value = section.least(name)
     if value:
         return
     wrong = "is missing" if value is None else "is zero"
     wrong += " at a station" if value is not None and section.places else ""
-    other = " and ".join(map(quoted, PRODUCTS.get(name, ("density", "Iy", "Iz"))))
-    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 (in the material spelling: {other})"
-    raise refuse(what, at=("section", name))
+    hint = REMEDIES.get(name) or "in the material spelling: " + " and ".join(map(quoted, PRODUCTS.get(name, SPIN)))
+    what = f"{wrong}, but modes.{direction} needs it; it must be > 0 ({hint})"
+    raise refuse(what, at=(*at, "section", name))
 
 
 def require_divisible(link: "Link") -> None:

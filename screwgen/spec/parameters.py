@@ -6,7 +6,8 @@ from itertools import chain
 from typing import NamedTuple
 
 from .joint import Joint
-from .robot import DIRECTIONS, Body, Link, Robot
+from .modes import DIRECTIONS
+from .robot import Body, Link, Robot
 from .section import Section
 from .segments import segments
 from .stations import Stations
@@ -56,6 +57,10 @@ FIELDS = {
     "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
     "GJ": Field("GJ", "N·m²", "torsional stiffness"),
     "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
+    "GAy": Field("GAy", "N", "shear stiffness along y"),
+    "GAz": Field("GAz", "N", "shear stiffness along z"),
+    "rhoIy": Field("rhoIy", "kg·m", "rotary inertia per length about y"),
+    "rhoIz": Field("rhoIz", "kg·m", "rotary inertia per length about z"),
     "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
     "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
     "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
@@ -71,12 +76,11 @@ FIELDS = {
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
 }
 
-STATED = ("rhoA", "EA", "EIy", "EIz", "GJ", "rhoIp")
 FIELDS |= {  # of a section that is stated at stations
     f"section.{name}": FIELDS[name]._replace(
         pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
     )
-    for name in STATED
+    for name in Section.model_fields
 }
 
 SLIDING = {
@@ -215,6 +219,6 @@ def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
     return tuple(
         f"{segment.name}.{quantity}.{direction}[{k}]"
         for segment in segments(robot)
-        for direction, count in zip(DIRECTIONS, robot.links[segment.link].modes.counts, strict=True)
+        for direction, count in zip(DIRECTIONS, robot.links[segment.link].modes.counts, strict=False)
         for k in range(count)
     )

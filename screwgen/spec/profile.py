@@ -50,6 +50,10 @@ class Shape(Part, ABC):
     def moments(self, s: float) -> tuple[float, float, float, float]:
         """Area (m²), second moments of area about y and z, and torsion constant (m⁴) at s."""
 
+    @abstractmethod
+    def shear(self, s: float, nu: float) -> tuple[float, float]:
+        """Cowper's shear coefficients κ along y and z at s, for Poisson's ratio `nu`."""
+
 
 class Rod(Shape):
     """A solid round bar."""
@@ -58,6 +62,9 @@ class Rod(Shape):
 
     def moments(self, s: float) -> tuple[float, float, float, float]:
         return ring(self.at(s)["diameter"], 0.0)
+
+    def shear(self, s: float, nu: float) -> tuple[float, float]:
+        return (ring_shear(0.0, nu),) * 2
 
 
 class Tube(Shape):
@@ -69,6 +76,10 @@ class Tube(Shape):
     def moments(self, s: float) -> tuple[float, float, float, float]:
         d = self.at(s)
         return ring(d["outer"], d["outer"] - 2 * d["wall"])
+
+    def shear(self, s: float, nu: float) -> tuple[float, float]:
+        d = self.at(s)
+        return (ring_shear(1 - 2 * d["wall"] / d["outer"], nu),) * 2
 
     @model_validator(mode="after")
     def _hollow(self) -> Self:
@@ -91,6 +102,13 @@ class Box(Shape):
         x, y = h - 2 * t, b - 2 * t
         bredt = 2 * t * ((h - t) * (b - t)) ** 2 / (h + b - 2 * t)
         return b * h - x * y, (b * h**3 - y * x**3) / 12, (h * b**3 - x * y**3) / 12, bredt
+
+    def shear(self, s: float, nu: float) -> tuple[float, float]:
+        d = self.at(s)
+        if (t := d.get("wall")) is None:
+            return (10 * (1 + nu) / (12 + 11 * nu),) * 2
+        h, b = d["height"] - t, d["breadth"] - t
+        return box_shear(h / b, nu), box_shear(b / h, nu)
 
     @model_validator(mode="after")
     def _hollow(self) -> Self:
@@ -116,6 +134,18 @@ def ring(outer: float, inner: float) -> tuple[float, float, float, float]:
     return math.pi * (outer**2 - inner**2) / 4, I, I, 2 * I
 
 
+def ring_shear(m: float, nu: float) -> float:
+    """Cowper's κ of a circular ring whose inner diameter is `m` of the outer one."""
+    square = (1 + m * m) ** 2
+    return 6 * (1 + nu) * square / ((7 + 6 * nu) * square + (20 + 12 * nu) * m * m)
+
+
+def box_shear(m: float, nu: float) -> float:
+    """Cowper's κ of a thin-walled box with equal walls, `m` times as wide across the force as along it."""
+    own = 12 + 72 * m + 150 * m**2 + 90 * m**3 + nu * (11 + 66 * m + 135 * m**2 + 90 * m**3)
+    return 10 * (1 + nu) * (1 + 3 * m) ** 2 / (own + 10 * m**2 * ((3 + nu) * m + 3 * m**2))
+
+
 def solid_torsion(long: float, short: float) -> float:
     """The torsion constant of a solid rectangle, by Saint-Venant's series."""
     series = math.fsum(math.tanh(n * math.pi * long / (2 * short)) / n**5 for n in range(1, 60, 2))
@@ -129,9 +159,10 @@ class Profile(Part):
     """Shape and material of a link's cross-section: one of `tube`, `rod` and `box`; `E`, `density`, `nu` or `G`.
 
     It is turned into line properties at once: `rhoA`, `EA`, `EIy`, `EIz`, `rhoIp`, and `GJ` where `nu` or `G` is
-    stated. Dimensions of two values taper linearly from base to tip. The properties of a tapered shape are polynomials
-    of s up to the fourth degree, so five stations state them exactly; only the torsion constant of a box is a
-    quotient, which the polynomial through its five values approximates.
+    stated. For a link with modes of shear also `rhoIy`, `rhoIz` and, with Cowper's coefficients, `GAy` and `GAz`.
+    Dimensions of two values taper linearly from base to tip. The properties of a tapered shape are polynomials of s up
+    to the fourth degree, so five stations state them exactly; only the torsion constant of a box and the shear
+    stiffness of tubes and hollow boxes are quotients, which the polynomial through their five values approximates.
     """
 
     tube: Tube | None = Field(None, description="a round tube, as { outer = 0.1, wall = 0.004 }")
@@ -158,18 +189,22 @@ class Profile(Part):
             raise refuse("is stated beside nu; either gives the shear modulus, leave one of them out", at=("G",))
         return self
 
-    def section(self) -> Section | Stations:
-        """The line properties, at five stations where the shape is tapered."""
+    def section(self, sheared: bool = False) -> Section | Stations:
+        """The line properties, at five stations where the shape is tapered; `sheared`: with those of Timoshenko."""
         if not self.shape.tapered:
-            return Section(**self.line(0.0))
-        return Stations(stations=tuple(Station(at=s, **self.line(s)) for s in PLACES), between=POLYNOMIAL)
+            return Section(**self.line(0.0, sheared))
+        return Stations(stations=tuple(Station(at=s, **self.line(s, sheared)) for s in PLACES), between=POLYNOMIAL)
 
-    def line(self, s: float) -> dict[str, float]:
+    def line(self, s: float, sheared: bool = False) -> dict[str, float]:
         """The line properties at s."""
         area, Iy, Iz, J = self.shape.moments(s)
         line = {"rhoA": self.density * area, "EA": self.E * area, "EIy": self.E * Iy, "EIz": self.E * Iz}
-        shear = self.E / (2 * (1 + self.nu)) if self.nu is not None else self.G
-        return line | ({} if shear is None else {"GJ": shear * J}) | {"rhoIp": self.density * (Iy + Iz)}
+        G = self.E / (2 * (1 + self.nu)) if self.nu is not None else self.G
+        line |= ({} if G is None else {"GJ": G * J}) | {"rhoIp": self.density * (Iy + Iz)}
+        if sheared and G is not None:
+            nu = self.E / (2 * G) - 1 if self.nu is None else self.nu
+            line |= {f"GA{axis}": k * G * area for axis, k in zip("yz", self.shape.shear(s, nu), strict=True)}
+        return line | ({"rhoIy": self.density * Iy, "rhoIz": self.density * Iz} if sheared else {})
 
 
 def profiled(data: Any) -> Any:
@@ -180,6 +215,8 @@ def profiled(data: Any) -> Any:
         return {key: value for key, value in data.items() if key != "profile"}
     if data.get("section") is not None:
         raise refuse("is stated beside section; either gives the section, leave one of them out", at=("profile",))
-    given = data["profile"]
-    section = given.section() if isinstance(given, Profile) else checked(Profile, given, ("profile",)).section()
+    given, modes = data["profile"], data.get("modes")
+    profile = given if isinstance(given, Profile) else checked(Profile, given, ("profile",))
+    counts = modes if isinstance(modes, dict) else dict(modes) if isinstance(modes, Part) else {}
+    section = profile.section(any(counts.get(name) for name in ("shear_y", "shear_z")))
     return {key: value for key, value in data.items() if key != "profile"} | {"section": section}

@@ -5,17 +5,16 @@ stated 0.0 is a runtime parameter that happens to be zero. SI units and radians 
 those of NOTATION.md.
 """
 
-from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
-from ..bases import BASES, DEFAULT, NATURAL, Basis, Shapes, shapes
 from ..errors import UsageError
 from .frequencies import Frequencies
 from .joint import Joint, Position
+from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from .names import link_name, robot_name
-from .needs import NEEDS, require, require_divisible, require_one_spelling, segment_count
+from .needs import require, require_divisible, require_uniform, segment_count
 from .parents import marker, parent_name, parents
 from .part import Part
 from .physics import inertia, own_body
@@ -24,93 +23,12 @@ from .ranges import several, within
 from .screw import Vector
 from .segments import distinct_names
 from .stations import AnySection
-from .values import boolean, choice, count, quoted, refuse, shape_order
-
-
-def basis(value: Any) -> str | Basis:
-    """The name of a basis, or in Python a function `(count, order) -> Shapes`."""
-    return value if callable(value) else choice(*BASES)(value)
-
-
-def named(basis: str | Basis) -> str:
-    """A basis as messages call it."""
-    return quoted(basis) if isinstance(basis, str) else "of one's own"
-
+from .values import boolean, choice, refuse, shape_order
 
 Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
-Count = Annotated[int, PlainValidator(count)]
-BasisName = Annotated[str | Callable, PlainValidator(basis)]
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
-
-
-class Modes(Part):
-    """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
-
-    `basis` names the shapes. Modal coordinates are in metres, those of torsion in radians. Polynomials, the default,
-    converge fast from two bending modes, one axial and one torsion mode on; one alone in bending is too stiff.
-    `frequencies` (Hz) of the bare clamped link, if measured, take the place of the section's stiffness; those
-    directions have the link's natural modes, `clamped_free`, as shapes.
-    """
-
-    basis: BasisName = Field(DEFAULT, description=f"the shapes' family, {' or '.join(map(quoted, BASES))}")
-    axial: Count = Field(0, description="number of modes of stretching; needs EA")
-    bending_y: Count = Field(0, description="number of modes of bending that deflect in y; needs EIz")
-    bending_z: Count = Field(0, description="number of modes of bending that deflect in z; needs EIy")
-    torsion: Count = Field(0, description="number of modes of twisting; needs GJ and rhoIp")
-    frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
-
-    @model_validator(mode="before")
-    @classmethod
-    def _natural_modes_of_measured_bending(cls, given: Any) -> Any:
-        """Where bending frequencies are stated and no basis, the basis is the one that they belong to."""
-        frequencies = given.get("frequencies") if isinstance(given, dict) else None
-        stated = dict(frequencies) if isinstance(frequencies, dict | Frequencies) else {}
-        bends = stated.get("bending_y") or stated.get("bending_z")
-        return {"basis": NATURAL} | given if bends else given
-
-    @model_validator(mode="after")
-    def _one_frequency_per_mode(self) -> Self:
-        for direction, values in self.frequencies or ():
-            if values is not None and len(values) != getattr(self, direction):
-                count = f"modes.{direction} = {getattr(self, direction)}"
-                what = f"has length {len(values)}; it must hold one frequency per mode, {count}"
-                raise refuse(what, at=("frequencies", direction))
-        return self
-
-    @model_validator(mode="after")
-    def _frequencies_of_natural_modes(self) -> Self:
-        for direction in self.measured:
-            if direction.startswith("bending") and self.basis != NATURAL:
-                why = f"is stated with basis {named(self.basis)}, whose shapes are not the link's natural modes"
-                what = f'{why}; use basis "clamped_free", or state {NEEDS[direction][0]} in the section'
-                raise refuse(what, at=("frequencies", direction))
-        return self
-
-    @property
-    def measured(self) -> tuple[str, ...]:
-        """The directions whose stiffness is stated by frequencies."""
-        return tuple(self.frequencies.stated) if self.frequencies else ()
-
-    def basis_of(self, direction: str) -> str | Basis:
-        """The basis of a direction's shapes."""
-        return NATURAL if direction in self.measured else self.basis
-
-    def shapes(self, direction: str) -> Shapes:
-        """The mode shapes of a direction."""
-        return shapes(self.basis_of(direction), direction, getattr(self, direction))
-
-    @property
-    def counts(self) -> tuple[int, int, int, int]:
-        """The numbers of modes in the order of the modal coordinates, `DIRECTIONS`."""
-        return self.axial, self.bending_y, self.bending_z, self.torsion
-
-    @property
-    def total(self) -> int:
-        """The number of modal coordinates of the link."""
-        return sum(self.counts)
 
 
 class Damping(Part):
@@ -204,7 +122,7 @@ class Link(Part):
     @model_validator(mode="after")
     def _stiffness_stated_once(self) -> Self:
         for direction in self.modes.measured:
-            require_one_spelling(self.section, direction)
+            require_uniform(self.section, self.modes, direction)
         return self
 
     @model_validator(mode="after")
@@ -266,6 +184,16 @@ class Robot(Part):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"
                 raise refuse(f"{what}; leave one of them out", at=("links", i, "segments"))
+        return self
+
+    @model_validator(mode="after")
+    def _turning_sections_have_inertia(self) -> Self:
+        carrying = parents(self.links)
+        for i, link in enumerate(self.links):
+            carries = i in carrying or any(body.at == "tip" for body in link.bodies)
+            for direction, (_, needed) in SHEARED.items():
+                if link.section and link.modes.alike(direction) > (carries and self.section_rotation):
+                    require(link.section, needed, direction, ("links", i))
         return self
 
 

@@ -50,6 +50,18 @@ class LineProperties(Part):
     rhoIp: Annotated[float, PlainValidator(within("rhoIp"))] | None = Field(
         None, description="spin inertia per length about the centreline, kg·m"
     )
+    GAy: Annotated[float, PlainValidator(within("GAy"))] | None = Field(
+        None, description="shear stiffness κGA along y, for modes of shear in y, N"
+    )
+    GAz: Annotated[float, PlainValidator(within("GAz"))] | None = Field(
+        None, description="shear stiffness κGA along z, for modes of shear in z, N"
+    )
+    rhoIy: Annotated[float, PlainValidator(within("rhoIy"))] | None = Field(
+        None, description="rotary inertia per length about y, kg·m; that of sections which turn with bending in z"
+    )
+    rhoIz: Annotated[float, PlainValidator(within("rhoIz"))] | None = Field(
+        None, description="rotary inertia per length about z, kg·m; that of sections which turn with bending in y"
+    )
 
     @model_validator(mode="before")
     @classmethod

@@ -15,7 +15,8 @@ from scipy.linalg import block_diag
 from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
-from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
+from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
+from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
 from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
 from .steady import oscillations, steady
@@ -108,13 +109,15 @@ def enriched(robot: Robot) -> Robot:
 
 
 def _modes(link: Link) -> Modes:
-    counts = {d: n + _more(link, d) for d, n in zip(DIRECTIONS, link.modes.counts, strict=True)}
-    return link.modes.model_copy(update=counts)
+    return link.modes.model_copy(update={d: getattr(link.modes, d) + _more(link, d) for d in DIRECTIONS})
 
 
 def _more(link: Link, direction: str) -> bool:
     """Whether a link can have one more mode in a direction."""
-    stated = link.section and all(link.section.least(name) for name in NEEDS[direction])
+    needed = NEEDS[direction]
+    if direction in SHEARED and link.modes.alike(direction, 1):
+        needed += SHEARED[direction][1:]
+    stated = link.section and all(link.section.least(name) for name in needed)
     room = direction not in link.modes.measured and getattr(link.modes, direction) < MAX_MODES
     return bool(link.modes.total and stated and room)
 

@@ -14,6 +14,7 @@ from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..spec.load import one_line
+from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
 from ..topology.chain import Chain
 
@@ -21,7 +22,7 @@ OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
 TIP_UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
 WRENCH_UNITS = tuple((part, "N" if part.startswith("F") else "N·m") for part in WRENCH)
-STRAIN_UNITS = {"axial": "1", "bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
+STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -18,8 +18,6 @@ def label(parameter: Parameter) -> str:
             return f"armature_{index[0] + 1}"
         case "frequencies.axial" | "frequencies.bending_y" | "frequencies.bending_z" | "frequencies.torsion":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
-        case "section.rhoA" | "section.EA" | "section.EIy" | "section.EIz" | "section.GJ" | "section.rhoIp":
-            return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "bodies.mass":
@@ -28,6 +26,8 @@ def label(parameter: Parameter) -> str:
             return f"body{index[0]}_com_{'xyz'[index[1]]}"
         case "bodies.inertia":
             return f"body{index[0]}_inertia_{index[1] + 1}"
+        case field if field.startswith("section."):
+            return f"{field.replace('.', '_')}_{index[0] + 1}"
     return parameter.field
 
 

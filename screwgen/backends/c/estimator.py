@@ -45,7 +45,7 @@ def _gauge(chain: Chain, gauge) -> dict:
 
 
 def _curvatures(chain: Chain) -> list[str]:
-    """The second derivative of every mode shape at s = 0; zero for axial and torsion modes, which are not measured."""
+    """The second derivative of every mode shape at s = 0; zero for all but bending, which is what is measured."""
     out = [0.0] * max(chain.n_modes, 1)
     for gauge in gauges(chain):
         out[gauge.first : gauge.first + len(gauge.curvatures)] = gauge.curvatures

@@ -102,7 +102,8 @@ def limits(robot: Robot) -> list[str]:
     sections = [link.section if isinstance(link.section, Section) else None for link in robot.links]
     stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
-    return tests + ["link->rhoIp < 0"] * any(s and s.rhoIp is not None for s in sections)
+    inertias = ("rhoIp", "rhoIy", "rhoIz")
+    return tests + [f"link->{name} < 0" for name in inertias if any(s and s.states(name) for s in sections)]
 
 
 def _limit(name: str, values: Sequence[float | None]) -> str:

@@ -71,7 +71,8 @@ def statics(chain: Chain) -> ca.Function:
 def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     """The strains of the beam at the base section of every link, one for each of its directions that has modes.
 
-    Axial: u_x' (1); bending: the curvatures u_y'' and u_z'' (1/m); torsion: the twist θ_x' (rad/m).
+    Axial: u_x' (1); bending: the curvatures u_y'' and u_z'' (1/m); torsion: the twist θ_x' (rad/m);
+    shear: γ_y and γ_z (1).
     """
     names = [x.name for x in parameters(chain.robot)]
     rows = []

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
 from ...ir.block import Binding, Block
-from ...spec.link_class import LinkClass
+from ...spec.link_class import AXIS, LinkClass
 from ..templates import render
 from .content import Display, Heading, Item, Paragraph, Section, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
@@ -21,7 +21,6 @@ ORDER = (
 )
 """The order of the blocks that are known; others follow."""
 
-ROW = {"axial": 0, "bending_y": 1, "bending_z": 2}
 FORMULAS = 6
 """Of up to that many polynomial shapes the coefficients are printed."""
 
@@ -101,8 +100,11 @@ def _field(key: LinkClass) -> Iterator[Item]:
         r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
+    sheared = len(key.counts) > 4
+    if sheared or key.rotary:
+        yield from parse(render("latex/timoshenko.tex.jinja", shear=sheared, rotary=key.rotary))
     if key.order == 2:
-        yield from parse(render("latex/second_order.tex.jinja"))
+        yield from parse(render("latex/second_order.tex.jinja", shear=sheared))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)
@@ -110,7 +112,8 @@ def _field(key: LinkClass) -> Iterator[Item]:
     for directions in alike.values():
         yield from _family(key.shapes(directions[0]), directions)
     yield Paragraph(
-        r"Constants of the shapes; $p$ is 1 for axial and torsion shapes and 2 for bending, so that the last but two "
+        f"Constants of the shapes; $p$ is 1 for axial{', shear' * sheared} and torsion shapes and 2 for bending, "
+        r"so that the last but two "
         r"is the dimensionless stiffness:"
     )
     yield modes(key)
@@ -145,7 +148,7 @@ def _shape_matrix(key: LinkClass) -> str:
     for direction in dict.fromkeys(d for d, _ in key.directions):
         numbers = [k + 1 for k, (d, _) in enumerate(key.directions) if d == direction]
         shown = numbers if len(numbers) <= 3 else [numbers[0], 0, numbers[-1]]
-        columns += [_column(ROW.get(direction), k) for k in shown]
+        columns += [_column(AXIS.get(direction), k) for k in shown]
     text = matrix([[column[i] for column in columns] for i in range(3)])
     assert width(text) <= PAGE
     return text

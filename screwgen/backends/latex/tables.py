@@ -11,13 +11,14 @@ from ...algebra.notation import number
 from ...bases import Basis, Shapes
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
+from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
 from ...spec.screw import Screw
 from .content import Table
 from .symbols import Entry
 
-DIRECTION = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+DIRECTION = {direction: direction.replace("_", " in ") for direction in DIRECTIONS}
 KNOWN: dict[Binding | None, str] = {Binding.CONSTANT: "always", Binding.PARAMETER: "parameters", Binding.STATE: "state"}
 
 NONE = "–"
@@ -31,7 +32,8 @@ def decimal(value: float) -> str:
 
 def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> Table:
     """One row per link: its class, joint, shapes and bodies."""
-    head = ("link", "name", "class", "length", "joint axes", "modes: x, y, z, torsion", "bodies, remarks")
+    kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
+    head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
     rows, first = [], 0
     for link in robot.links:
         own = keys[first : first + link.pieces]
@@ -88,6 +90,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "modal damping": key.damping,
         "frame off the joint": key.frame_at,
         "spin inertia": key.spin,
+        "rotary inertia": key.rotary,
         "measured frequencies": key.measured,
     }
     return "; ".join(split + bodies + [name for name, present in stated.items() if present])

@@ -85,6 +85,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "spin inertia": key.spin,
         "measured frequencies": key.measured,
     }
+    bodies += [f"on `{link.parent}`"] if link.parent else []
     return "; ".join(bodies + [name for name, present in stated.items() if present])
 
 

@@ -38,6 +38,7 @@ LINE = "{ rhoA = 1.0, EA = 1e7, EIy = 1e3, EIz = 1e3, GJ = 1e3, rhoIp = 1e-3 }"
 MODES = '{ basis = "clamped_free", axial = 1, bending_y = 2, bending_z = 2, torsion = 1 }'
 BODY = '{ at = "tip", mass = 2.0, com = [0.0, 0.0, 0.1], inertia = [1.0, 2.0, 2.5, 0.0, 0.0, 0.0] }'
 INERTIA = "inertia = [1.0, 2.0, 2.5, 0.0, 0.0, 0.0]"
+UPPER_NAME, FORE_NAME = 'name = "upper"', 'name = "fore"'
 FREE = 'axes = ["z"]'
 SCREW = 'axes = [{ screw = "z", pitch = 0.1 }]'
 PLANE = 'axes = [{ slide = "x" }, { slide = "y" }, { slide = [1, 1, 0] }]'
@@ -154,6 +155,17 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     (AXES, 'axes = ["z", [0.0, 0.0, 1.0]]', f"{UPPER}.joint.axes[1]", "is parallel to the axis before it"),
     (AXES, 'axes = ["z", [0.0, 0.0, -2.0]]', f"{UPPER}.joint.axes[1]", "is parallel to the axis before it"),
     (AXES, "axes = [[1, 1, 1], [0.577, 0.577, 0.577]]", f"{UPPER}.joint.axes[1]", "is parallel"),
+    # the tree
+    (FORE_NAME, f'{FORE_NAME}\nparent = "Upper"', f"{FORE}.parent", 'is "Upper", which is no link; a link comes after'),
+    (FORE_NAME, f'{FORE_NAME}\nparent = "fore"', f"{FORE}.parent", 'is "fore", which is the link itself; a link comes'),
+    (UPPER_NAME, f'{UPPER_NAME}\nparent = "fore"', f"{UPPER}.parent", 'is "fore", which comes later; a link'),
+    (FORE_NAME, f"{FORE_NAME}\nparent = 1", f"{FORE}.parent", "is 1; it must be a string"),
+    (FORE_NAME, f'{FORE_NAME}\nparent = ""', f"{FORE}.parent", 'is ""; it must be a C identifier'),
+    (FORE_NAME, f'{FORE_NAME}\nparents = "upper"', f"{FORE}.parents", "did you mean parent?"),
+    (FORE_NAME, f'{FORE_NAME}\nat = "base"', f"{FORE}.at", 'is "base"; it must be "tip", the only place that links'),
+    (FORE_NAME, f"{FORE_NAME}\nat = {{ s = 0.4 }}", f"{FORE}.at", 'is a table; it must be "tip", the only place that'),
+    (FORE_NAME, f'{FORE_NAME}\nat = "hook"', f"{FORE}.at", 'is "hook"; it must be "tip", the only place that links'),
+    (FORE_NAME, f"{FORE_NAME}\nat = 0.4", f"{FORE}.at", 'is 0.4; it must be "tip", the only place that links'),
     # slides and screws
     (FREE, 'axes = [{ slid = "z" }]', f"{AXIS}.slid", "did you mean slide? known here: slide, screw, pitch"),
     (FREE, "axes = [{}]", AXIS, 'is neither a slide nor a screw; write { slide = "x" } or { screw = "x", pitch ='),

@@ -2,6 +2,7 @@
 
 import numpy as np
 import random_robots as rr
+from oracle import parents_of
 from oracle_link import read_axis
 from scipy.spatial.transform import Rotation
 
@@ -47,8 +48,10 @@ def pinocchio_model(robot):
     """Pinocchio's rigid model, the joint index of each link and the placement of its joint point there."""
     import pinocchio as pin
 
-    model, parent, place, found = pin.Model(), 0, pin.SE3.Identity(), []
-    for i, link in enumerate(robot["links"]):
+    model, found = pin.Model(), []
+    tips = {-1: (0, pin.SE3.Identity())}
+    for i, (link, carrier) in enumerate(zip(robot["links"], parents_of(robot["links"]), strict=True)):
+        parent, place = tips[carrier]
         mount = link["joint"].get("mount", {})
         turn = Rotation.from_euler("xyz", mount.get("rpy", [0, 0, 0])).as_matrix()
         place = place * pin.SE3(turn, np.array(mount.get("xyz", [0.0, 0, 0])))
@@ -58,7 +61,7 @@ def pinocchio_model(robot):
         for inertia in pinocchio_inertias(pin, link):
             model.appendBodyToJoint(parent, inertia, place)
         found.append((parent, place))
-        place = place * pin.SE3(np.eye(3), np.array([link["length"], 0, 0]))
+        tips[i] = parent, place * pin.SE3(np.eye(3), np.array([link["length"], 0, 0]))
     return pin, model, found
 
 

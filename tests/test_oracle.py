@@ -126,9 +126,9 @@ def test_rigid_rod_spin_inertia():
     assert np.isclose(oracle.mass_matrix([0.4])[0, 0], 0.7 * 3e-3, rtol=1e-13)
 
 
-@pytest.mark.parametrize(("seed", "sliding"), [*((seed, 0.0) for seed in SEEDS), *((seed, 0.6) for seed in SEEDS)])
-def test_rigid_robots_match_pinocchio(seed, sliding):
-    robot, state, oracle = regular(seed, rigid=1.0, material=0.0, sliding=sliding)
+@pytest.mark.parametrize(("seed", "share"), [*((seed, 0.0) for seed in SEEDS), *((seed, 0.6) for seed in SEEDS)])
+def test_rigid_robots_match_pinocchio(seed, share):
+    robot, state, oracle = regular(seed, rigid=1.0, material=0.0, sliding=share, branching=share)
     pin, model, found = pinocchio_model(robot)
     model.gravity.linear = np.array(robot["gravity"])
     model.armature = oracle.armature

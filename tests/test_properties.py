@@ -200,16 +200,18 @@ def test_forward_and_inverse_dynamics_undo_each_other(seed):
 # -------- the rigid limit
 
 
-RIGID = [(n, sliding) for sliding in (0.0, 0.6) for n in (1, 2, 3, 5, 8, 12)]
+RIGID = [(n, share) for share in (0.0, 0.6) for n in (1, 2, 3, 5, 8, 12)]
 
 
-@pytest.mark.parametrize(("n_links", "sliding"), swept(RIGID, (1, 0.0), (3, 0.0), (8, 0.0), (3, 0.6), (8, 0.6)))
-def test_rigid_chains_equal_pinocchio(n_links, sliding):
-    """ABA and RNEA of Pinocchio: axes, slides, screws, mounts, bodies, armature, springs, losses, tip wrenches."""
+@pytest.mark.parametrize(("n_links", "share"), swept(RIGID, (1, 0.0), (3, 0.0), (8, 0.0), (3, 0.6), (8, 0.6)))
+def test_rigid_robots_equal_pinocchio(n_links, share):
+    """ABA and RNEA of Pinocchio: axes, mounts, bodies, armature, springs, losses, tip wrenches; slides and branches."""
     import pinocchio as pin
 
     limit = 1e8 if n_links < 8 else 1e9
-    case = drawn(500 + n_links, n_links, rigid=1.0, material=0.0, limit=limit, frame_at=0.3, sliding=sliding)
+    case = drawn(
+        500 + n_links, n_links, rigid=1.0, material=0.0, limit=limit, frame_at=0.3, sliding=share, branching=share
+    )
     _, model, found = pinocchio_model(case.robot)
     oracle, (q, v, tau, w_ext) = case.oracle, case.inputs
     model.gravity.linear, model.armature = np.array(case.robot["gravity"]), oracle.armature

@@ -1,11 +1,22 @@
-"""The topology: what several links hand to one node is summed."""
+"""Trees: what several links hand to one node is summed, in every back end and form."""
+
+import tomllib
+from functools import cache
 
 import numpy as np
 import pytest
-from helpers import model_of
+from conftest import swept
+from helpers import Case, casadi_forward, drawn, model_of, quick
+from matplotlib.text import Text
 
+from screwgen import Robot, UsageError, derive, equilibrium, rollout, simulate
 from screwgen.algorithms.fused import forward_dynamics, inverse_dynamics
 from screwgen.ir.replay import run
+from screwgen.plotting import mode_plot, plot
+from screwgen.simulation.motion import centrelines
+from screwgen.spec import dump
+from screwgen.studies.analysis.regularity import structure
+from screwgen.studies.modes import mode_shapes
 from screwgen.topology.tree import Tree
 
 SECTION = {"rhoA": 1.5, "EIy": 900.0, "EIz": 700.0}
@@ -24,11 +35,6 @@ def arm(*links: dict):
     return model_of({"name": "tree", "gravity": [0.0, 1.0, -9.81], "links": list(links)})
 
 
-def tree_of(model, parents):
-    model.chain.tree = Tree(parents)
-    return model
-
-
 def energy_balance(model, q, v, tau):
     """Rate of the energy, by differences, less the power of the torques, W."""
     n, h = model.numpy(), 1e-6
@@ -41,17 +47,18 @@ def energy_balance(model, q, v, tau):
 @pytest.fixture
 def forked():
     """A trunk with two branches at its tip."""
-    branches = [rod(name, joint) for name, joint in zip(("left", "right"), BRANCHES, strict=True)]
-    return tree_of(arm(rod("trunk", {"axes": ["y"]}), *branches), (-1, 0, 0))
+    branches = [rod(name, joint, parent="trunk") for name, joint in zip(("left", "right"), BRANCHES, strict=True)]
+    return arm(rod("trunk", {"axes": ["y"]}), *branches)
 
 
 def test_branches_that_are_stiff_and_welded_are_bodies_of_the_trunk():
     body = {"at": "tip", "mass": 0.8, "com": [0.1, 0.2, 0.0], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}
     other = {"at": "tip", "mass": 0.3, "com": [0.0, -0.1, 0.2]}
     bodies = {"a": body, "b": other}
-    welded = [{"name": n, "joint": {"axes": []}, "bodies": [b | {"at": "base"}]} for n, b in bodies.items()]
+    weld = {"joint": {"axes": []}, "parent": "trunk"}
+    welded = [{"name": n, "bodies": [b | {"at": "base"}], **weld} for n, b in bodies.items()]
     trunk = rod("trunk", {"axes": ["y", "z"]})
-    tree = tree_of(arm(trunk, *welded), (-1, 0, 0))
+    tree = arm(trunk, *welded)
     chain = arm(trunk | {"bodies": [body, other]})
     rng = np.random.default_rng(0)
     q, v, tau = 0.2 * rng.normal(size=chain.nq), rng.normal(size=chain.nq), rng.normal(size=2)
@@ -94,3 +101,127 @@ def _stumpff(op: str):
 def test_a_child_must_come_after_its_parent():
     with pytest.raises(ValueError, match="must come after"):
         Tree((-1, 2, 0))
+
+
+# -------- random trees against the oracle
+
+
+@cache
+def random_tree(seed: int) -> Case:
+    """A robot of three to eight links, most of which any earlier link or the world carries."""
+    return drawn(9000 + seed, 3 + seed % 6, branching=0.7, sliding=0.2, second_order=0.1, max_modes=1 + (seed % 6 < 3))
+
+
+@pytest.fixture(params=swept(range(24), 1, 5))
+def tree(request) -> Case:
+    return random_tree(request.param)
+
+
+def test_numpy_and_casadi_equal_the_oracle(tree):
+    assert not tree.model.chain.tree.is_chain
+    for vdot, wrench in (tree.model.numpy().forward_dynamics(*tree.inputs), casadi_forward(tree.model, *tree.inputs)):
+        assert max(tree.oracle.errors(tree.state, vdot, wrench).values()) < tree.tolerance
+
+
+def test_the_assembled_system_has_the_wrenches_and_accelerations_of_the_joint_form(tree):
+    q, v, tau, w_ext = tree.inputs
+    numeric, n = tree.model.numpy(), tree.model.n_links
+    M, H, W = numeric.assemble(numeric.dae_state(q, v), tau, w_ext)
+    z = np.linalg.solve(M, W - H)
+    vdot, wrench = numeric.forward_dynamics(*tree.inputs)
+    assert np.allclose(z[: 12 * n].reshape(n, 12)[:, :6], wrench, rtol=0, atol=1e-8 * abs(wrench).max())
+    assert np.allclose(z[12 * n :], vdot[tree.model.n_joints :], rtol=0, atol=1e-8 * abs(vdot).max())
+    assert set(structure(tree.model).kinds) <= {"joint", "inertia", "wrench", "coupling"}
+
+
+@pytest.mark.parametrize("layout", ["fused", "modular"])
+def test_compiled_c_equals_the_oracle_in_both_forms(layout):
+    tree = random_tree(1)
+    compiled = quick(tree.model, layout=layout)
+    for form in ("joint", "dae"):
+        errors = tree.oracle.errors(tree.state, *compiled.forward_dynamics(*tree.inputs, form))
+        assert max(errors.values()) < tree.tolerance
+
+
+def test_derivatives_are_those_of_differences(forked):
+    rng, h, numeric = np.random.default_rng(5), 1e-6, forked.numpy()
+    q, v, tau = 0.05 * rng.normal(size=forked.nq), rng.normal(size=forked.nq), rng.normal(size=3)
+    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, np.zeros((3, 6)))[0]  # noqa: E731
+    by_q, by_v, _ = numeric.derivatives(q, v, tau, np.zeros((3, 6)))
+    for found, change in (
+        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
+        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
+    ):
+        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
+        assert np.allclose(found, expected, rtol=0, atol=1e-6 * abs(expected).max())
+
+
+# -------- the robot file, and what users see
+
+
+def test_arms_on_the_world_do_not_know_of_each_other():
+    alone = arm(rod("left", BRANCHES[0]), rod("fore", {"axes": ["z"]}))
+    twin = [rod("right", BRANCHES[0], parent="world"), rod("other", {"axes": ["z"]})]
+    both = arm(rod("left", BRANCHES[0]), rod("fore", {"axes": ["z"]}), *twin)
+    assert both.chain.tree.parents == (-1, 0, -1, 2)
+    rng = np.random.default_rng(6)
+    joints, modes = (rng.normal(size=2), 1e-2 * rng.normal(size=6)), rng.normal(size=(2, 6))
+    one = [np.append(x, y) for x, y in ((joints[0], joints[1]), (joints[0], modes[0]))]
+    two = [np.concatenate([x[:2], x[:2], x[2:], x[2:]]) for x in one]
+    expected, _ = alone.numpy().forward_dynamics(*one, np.ones(2), np.zeros((2, 6)))
+    found, _ = both.numpy().forward_dynamics(*two, np.ones(4), np.zeros((4, 6)))
+    assert np.allclose(found, np.concatenate([expected[:2], expected[:2], expected[2:], expected[2:]]), rtol=1e-12)
+    counts = [forward_dynamics(m.chain).operation_count for m in (alone, both)]
+    assert counts[1] <= 2.02 * counts[0]
+
+
+def test_a_tree_survives_its_file(forked):
+    text = dump(forked.robot)
+    assert text.count('parent = "trunk"') == 2 and "at" not in tomllib.loads(text)["links"][1]
+    again = Robot.model_validate(tomllib.loads(text))
+    assert again == forked.robot and derive(again).chain.tree.parents == (-1, 0, 0)
+
+
+def test_both_forms_and_the_batch_make_the_same_motion(forked):
+    x0 = np.zeros((2, 2 * forked.nq))
+    x0[1, :3] = (0.2, -0.3, 0.1)
+    batch = rollout(forked, x0, np.zeros((2, 20, 3)), step=1e-3)
+    joint, dae = (simulate(forked, 0.02, 1e-3, q0=x0[1, : forked.nq], form=form) for form in ("joint", "dae"))
+    assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11 * abs(joint.q).max())
+    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-6)
+
+
+def test_an_equilibrium_of_a_tree_carries_the_weight_of_its_branches(forked):
+    rest = equilibrium(forked, [0.0, 0.0, 0.0], hold=True)
+    weight = 1.5 * 0.7 * np.linalg.norm(forked.robot.gravity)
+    assert np.linalg.norm(rest.wrench[:, 3:], axis=1) == pytest.approx([3 * weight, weight, weight], rel=1e-12)
+
+
+def test_pictures_draw_every_branch_from_the_tip_that_carries_it(forked):
+    run = simulate(forked, 0.01, 1e-3)
+    figure = plot.figure(run, forked)
+    space = next(axes for axes in figure.axes if hasattr(axes, "get_zlim"))
+    starts = [np.array(line.get_data_3d()).T[0] for line in space.lines if len(line.get_data_3d()[0]) == 18]
+    tip = centrelines(forked, run.q[-1], [1.0])[0, 0]
+    assert len(starts) == 15 and np.allclose(starts[-3:], [np.zeros(3), tip, tip]) and np.linalg.norm(tip) > 0.6
+    assert any("path of its tip, right" in text.get_text() for text in figure.findobj(Text))
+    found = mode_shapes(forked, np.zeros(forked.nq), "locked")
+    drawn = next(a for a in mode_plot.figure(forked, np.zeros(forked.nq), found).axes if hasattr(a, "get_zlim"))
+    assert sum(line.get_marker() == "D" for line in drawn.lines) == 4  # two tips, at rest and moved
+
+
+def test_the_header_and_the_document_of_a_tree_name_its_parents(forked, tmp_path):
+    forked.write(tmp_path / "out", targets=("c", "latex"), layout="modular")
+    header = (tmp_path / "out" / "c" / "tree.h").read_text()
+    assert "TREE_LINK_RIGHT = 2 /* on trunk */" in header and "TREE_LINK_TRUNK = 0, /* on the base */" in header
+    text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
+    assert "The links form a tree." in text and r"on \texttt{trunk}" in text and "Z-form" not in text
+    assert r"\mathbf{M}_{\mathcal{W},3}" in text
+
+
+def test_what_is_of_chains_alone_is_refused_on_trees(forked):
+    assert "assemble_z" not in forked.casadi()
+    with pytest.raises(UsageError, match="the Z-form is that of a chain; leave out parent"):
+        _ = forked.cauchy_names
+    with pytest.raises(UsageError, match="the paper's arm is a chain; leave out parent, or the formulation"):
+        derive(forked.robot, formulation="printed")

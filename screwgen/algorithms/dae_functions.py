@@ -167,9 +167,8 @@ def block_places(chain: Chain, i: int) -> dict[str, tuple[int, int, int, int]]:
         "eta_eta": (modal, modal, r, r),
     }
     carried = chain.tree.children[chain.tree.tip(i)]
-    return {name: place for name, place in places.items() if place[3]} | (
-        edge_places(chain, carried[-1]) if carried else {}
-    )
+    own = {name: place for name, place in places.items() if place[3]}
+    return own | (edge_places(chain, carried[-1]) if carried else {})
 
 
 def edge_places(chain: Chain, child: int) -> dict[str, tuple[int, int, int, int]]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from ..errors import UsageError
 from ..plugins import Plugin
+
+NO_TREE = "the Z-form is that of a chain; leave out parent"
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
@@ -33,6 +36,8 @@ def _printed(robot):
 def _names(model) -> list[str]:
     from .z_functions import cauchy_names
 
+    if not model.chain.tree.is_chain:
+        raise UsageError(f"{model.robot.name}: {NO_TREE}")
     return cauchy_names(model.chain)
 
 
@@ -51,13 +56,13 @@ def _common() -> dict:
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain)
+    return z_functions(chain) if chain.tree.is_chain else {}
 
 
 def _chapter(chain):
     from .z_latex import z_chapter
 
-    return z_chapter(chain)
+    return z_chapter(chain) if chain.tree.is_chain else None
 
 
 PLUGIN = Plugin(

@@ -59,6 +59,8 @@ class PrintedModel:
         self.model = derive(self.robot)
         if any(direction == "torsion" for key in self.model.chain.keys for direction, _ in key.directions):
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
+        if not self.model.chain.tree.is_chain:
+            raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
 
     def _reduced(self, robot: Robot) -> Robot:
         bare = {"bodies": ()} if "26" in self.as_printed else {}

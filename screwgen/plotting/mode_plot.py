@@ -19,6 +19,7 @@ from ..spec.segments import owner
 from ..studies.modes import ModeShapes, stiffness_matrix
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
+from .strands import strands
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -72,7 +73,7 @@ def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
     _legend(out, any(modal_columns(model, i, "torsion") for i in range(len(model.robot.links))))
     for k, axes in enumerate(into_space(out, spaces)):
         shape, title = found.shapes[:, k], f"{k + 1}: {found.frequencies[k]:.4g} Hz"
-        points = _draw(axes, rest, frames, amplified(rest, field(model, q, shape)))
+        points = _draw(axes, model, rest, frames, amplified(rest, field(model, q, shape)))
         fit(axes, points, title, meaning(model, shape))
     return out
 
@@ -132,17 +133,19 @@ def meaning(model: Model, shape: np.ndarray) -> str:
 # ------------------------------------------------------------------------------ how it is drawn
 
 
-def _draw(axes: Axes, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
+def _draw(axes: Axes, model: Model, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
     """Draw the arm at rest and at both ends of the vibration; returns the points to frame, (N, 3) m."""
     points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):
         now = shape.scaled(share)
         line = rest + now.motion
         points.append(line)
-        axes.plot(*line.reshape(-1, 3).T, color=color, linewidth=weight)
+        for strand in strands(model, line):
+            axes.plot(*strand.T, color=color, linewidth=weight)
         if share >= 0:
             axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
-            axes.plot(*line[-1, -1], "D", color=color, markersize=5)
+            for node in model.chain.tree.leaves:
+                axes.plot(*line[node - 1, -1], "D", color=color, markersize=5)
             for i, turn in now.turns.items():
                 corners = sections(line[i], frames[i], turn, float(width))
                 _sections(axes, corners, DENSE if len(now.turns) <= 2 else SPARSE, color)

@@ -20,6 +20,7 @@ from ..spec.segments import owner
 from . import look
 from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
+from .strands import feet, strands
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -279,30 +280,24 @@ def _space(axes: Axes, run: Run, model: Model | None) -> None:
     if model is not None:
         rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
         postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
-        mount = model.robot.links[0].joint.mount
-        foot = np.array(mount.xyz if mount and mount.xyz else np.zeros(3))
-        _arm(axes, postures, foot)
-        points += [postures.reshape(-1, 3), foot[None]]
+        _arm(axes, [strands(model, posture) for posture in postures], feet(model))
+        points += [postures.reshape(-1, 3), np.array(feet(model))]
     cloud = np.concatenate(points)
     _, size, direction = np.linalg.svd(cloud - cloud.mean(axis=0), full_matrices=False)
     elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])
     axes.view_init(elev=elevation, azim=azimuth)
     what = "The path of the tip" if model is None else "The arm and the path of its tip"
+    what += f", {link_names(run)[-1]}" if model is not None and len(model.chain.tree.leaves) > 1 else ""
     look.fit(axes, cloud, f"{what}, true to scale")
 
 
-def _arm(axes: Axes, postures: np.ndarray, foot: np.ndarray) -> None:
-    """Postures (K, n, stations, 3): the earlier ones pale, the last one link by link in their colours.
-
-    `foot` (3,): where the arm is mounted, from which the first link may slide away.
-    """
-    n = postures.shape[1]
-    for links in postures[:-1]:
-        axes.plot(*np.concatenate([foot[None], links.reshape(-1, 3)]).T, **EARLIER)
-        axes.plot(*links[:, 0].T, "o", color=PALE, markersize=3)
-    axes.plot(*np.array([foot, postures[-1, 0, 0]]).T, color=color(0, n), linewidth=2.4)
-    for i, link in enumerate(postures[-1]):
-        end = postures[-1, i + 1, :1] if i + 1 < n else link[-1:]
-        axes.plot(*np.concatenate([link, end]).T, color=color(i, n), linewidth=2.4)
-        axes.plot(*link[:1].T, "o", color=color(i, n), markersize=4.5)
-    axes.plot(*foot[:, None], "s", color=INK, markersize=7)
+def _arm(axes: Axes, postures: list[list[np.ndarray]], starts: list[np.ndarray]) -> None:
+    """The strands of postures: the earlier ones pale, the last one link by link in their colours; where they start."""
+    for posture in postures[:-1]:
+        for strand in posture:
+            axes.plot(*strand.T, **EARLIER)
+            axes.plot(*strand[1:2].T, "o", color=PALE, markersize=3)
+    for i, strand in enumerate(postures[-1]):
+        axes.plot(*strand.T, color=color(i, len(postures[-1])), linewidth=2.4)
+        axes.plot(*strand[1:2].T, "o", color=color(i, len(postures[-1])), markersize=4.5)
+    axes.plot(*np.array(starts).T, "s", color=INK, markersize=7, linestyle="none")

@@ -148,8 +148,9 @@ class Link(Part):
 class Robot(Part):
     """Links, each after the one that carries it. `name` is the prefix of everything generated.
 
-    Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall in the inertial frame. `section_rotation`: the next link
-    follows the slope of the tip (true by default). A loop can build a robot of any number of links:
+    Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall
+    in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). A loop can
+    build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """

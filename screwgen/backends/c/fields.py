@@ -127,6 +127,15 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     }
 
 
+def topology(chain: Chain) -> dict[str, list]:
+    """Of a tree, the nodes that carry the links and the names of their links, for the templates; empty for a chain."""
+    if chain.tree.is_chain:
+        return {"bases": [], "carriers": []}
+    names = ["the base", *(link.name for link in chain.robot.links)]
+    bases = [chain.tree.base(i) for i in range(chain.n)]
+    return {"bases": bases, "carriers": [names[node] for node in bases]}
+
+
 def node_fields(programs: Iterable[Program]) -> list[Field]:
     """The members of a node that the programs read or write."""
     return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, ("base.", "tip.")).items()]

@@ -248,19 +248,8 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        return signals | {
-            "c",
-            "link",
-            "base",
-            "tip",
-            "place",
-            "M",
-            "M_PLACE",
-            "M_OFFSET",
-            "Q_OFFSET",
-            "BELOW_OFFSET",
-            "BASE",
-        }
+        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "BELOW_OFFSET", "BASE"}
+        return signals | tables | {"c", "link", "base", "tip", "place", "M"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""

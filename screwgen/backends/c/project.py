@@ -34,6 +34,7 @@ from .fields import (
     store_fields,
     structs,
     stumpff_terms,
+    topology,
 )
 from .links import RUNS, WATCHED, WITHIN, Links, sparsity
 from .parameters import body_count, changing_parameter, defaults, limits, members, parameter_structs, place
@@ -157,7 +158,7 @@ class CProject:
             "prepare": self.prepare_functions,
             "prepare_calls": self.prepare_calls,
             "baked": self.baked_tables,
-            "bases": [] if chain.tree.is_chain else [chain.tree.base(i) for i in range(chain.n)],
+            **topology(chain),
             "q_offset": chain.q_offset[:-1],
             "eta_offset": chain.eta_offset[:-1],
             "programs": list(self.links.functions.values()),

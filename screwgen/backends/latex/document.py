@@ -158,6 +158,7 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         pattern=pattern(chain, "V"),
         several=chain.n > 1,
         slides=chain.slides,
+        tree=not chain.tree.is_chain,
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

@@ -71,7 +71,8 @@ def _cell(chain: Chain, row: Place, column: Place, rate: str) -> str:
         ("joint", "link"): rf"\mathbf{{M}}_{{{rate}{number}}}^{{-}}",
         ("joint", "modes"): r"\mathbf{M}_{\eta" + number + "}^{-}",
     }
-    coupling = {0: inside, 1: onward, -1: back}.get(j - i, {})
+    tree = chain.tree.parents
+    coupling = inside if i == j else onward if tree[j] == i else back if tree[i] == j else {}
     return coupling.get((of, to), r"\mathbf{0}")
 
 

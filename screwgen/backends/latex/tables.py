@@ -93,6 +93,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "rotary inertia": key.rotary,
         "measured frequencies": key.measured,
     }
+    bodies += [f"on `{link.parent}`"] if link.parent else []
     return "; ".join(split + bodies + [name for name, present in stated.items() if present])
 
 

@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...algorithms import fused
-from ...algorithms.dae_functions import block_places, unknown_size
+from ...algorithms.dae_functions import block_places, edge_places, unknown_size
 from ...ir.block import Binding
 from ...ir.lower import lower
 from ...ir.program import Tracer
+from ...topology.tree import BASE
 
 if TYPE_CHECKING:
     from ...model import Model
@@ -232,7 +233,8 @@ def structure(model: Model) -> Structure:
     kinds = np.full((size, size), "", dtype="<U8")
     named = {name: kind for kind, names in KINDS.items() for name in names}
     for i in range(n):
-        for name, (row, column, height, width) in block_places(chain, i).items():
+        blocks = block_places(chain, i) | (edge_places(chain, i) if chain.tree.parents[i] != BASE else {})
+        for name, (row, column, height, width) in blocks.items():
             kinds[row : row + height, column : column + width] = named[name]
     core = (rows < 12 * n) & (columns < 12 * n)
     across = np.abs(rows // 6 - columns // 6)[core]

@@ -1,0 +1,31 @@
+"""The links of a robot as lines in space: each from the tip that carries it, or from where it is mounted."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def feet(model: Model) -> list[np.ndarray]:
+    """The places (3,), m, at which links that no link carries are mounted."""
+    carried = zip(model.robot.links, model.chain.tree.parents, strict=True)
+    return [_mount(link) for link, parent in carried if parent < 0]
+
+
+def strands(model: Model, lines: np.ndarray) -> list[np.ndarray]:
+    """The polylines (1 + stations, 3), m, of links with the centrelines `lines` (n, stations, 3).
+
+    The first point of each is the tip of its parent, or its mount: a joint that slides moves the link away from it.
+    """
+    carried = enumerate(model.chain.tree.parents)
+    starts = [lines[parent, -1] if parent >= 0 else _mount(model.robot.links[i]) for i, parent in carried]
+    return [np.concatenate([start[None], line]) for start, line in zip(starts, lines, strict=True)]
+
+
+def _mount(link) -> np.ndarray:
+    mount = link.joint.mount
+    return np.array(mount.xyz if mount and mount.xyz else np.zeros(3), float)

@@ -1,9 +1,11 @@
 """ELLA under PD against Exudyn's geometrically exact beams: how far tip and joint moments of its modes are off.
 
-    python bench/exact_beams.py [--elements 8,16,32] [--modes polynomial:2,clamped_free:1] [--step MS] [--record FILE]
+    python bench/exact_beams.py [--elements 8,16,32] [--modes polynomial:2,polynomial:2:2,clamped_free:1]
+                                [--softer 9] [--step MS] [--record FILE]
 
 The arm of examples/ella.toml, torsion rigid on both sides, rests under gravity and PD with its reference at zero; then
-the reference moves to the set points of `MOTION` by minimum jerk. --record writes the finest mesh's motion, against
+the reference moves to the set points of `MOTION` by minimum jerk. --modes lists basis, modes per plane and, where it is
+not 1, order; --softer divides the bending stiffness on both sides. --record writes the finest mesh's motion, against
 which a test holds the modes without Exudyn. Some minutes.
 """
 
@@ -59,20 +61,41 @@ class Samples(NamedTuple):
 # --------------------------------------------------------------------------------------------- screwgen
 
 
-def arm(basis: str, bending: int) -> screwgen.Robot:
+def softened(softer: float) -> screwgen.Robot:
+    """ELLA, its bending stiffness divided by `softer`."""
+    robot, links = screwgen.load(ELLA), []
+    for link in robot.links:
+        section = link.section.model_copy(update={k: getattr(link.section, k) / softer for k in ("EIy", "EIz")})
+        links.append(link.model_copy(update={"section": section}))
+    return robot.model_copy(update={"links": tuple(links)})
+
+
+def arm(basis: str, bending: int, order: int = 1, softer: float = 1.0) -> screwgen.Robot:
     """ELLA with so many bending modes per plane, else rigid; PD's gains `kp` are springs of its joints."""
-    robot, links, gains = screwgen.load(ELLA), [], list(MOTION["kp"])
+    robot, links, gains = softened(softer), [], list(MOTION["kp"])
     modes = screwgen.Modes(basis=basis, bending_y=bending, bending_z=bending)
     for link in robot.links:
         springs = tuple(gains.pop(0) for _ in link.joint.axes)
         joint = link.joint.model_copy(update={"stiffness": springs})
         links.append(link.model_copy(update={"modes": modes, "joint": joint}))
+    return robot.model_copy(update={"links": tuple(links), "order": order})
+
+
+def pieced(robot: screwgen.Robot, count: int) -> screwgen.Robot:
+    """The arm with every link cut into so many welded pieces."""
+    links = []
+    for link in robot.links:
+        for k in range(count):
+            own = {"name": f"{link.name}_{k + 1}", "length": link.length / count}
+            own["bodies"] = tuple(b for b in link.bodies if b.at == "tip" and k == count - 1)
+            own |= {} if k == 0 else {"joint": screwgen.Joint(axes=[])}
+            links.append(link.model_copy(update=own))
     return robot.model_copy(update={"links": tuple(links)})
 
 
-def modes_run(basis: str, bending: int, sample: float = SAMPLE) -> Samples:
+def modes_run(robot: screwgen.Robot, sample: float = SAMPLE) -> Samples:
     """The motion by modes: CasADi's forward dynamics under PD, by CVODES, so that no step spoils the comparison."""
-    model = screwgen.derive(arm(basis, bending))
+    model = screwgen.derive(robot)
     functions, p, n = model.casadi(), model.parameter_values, model.n_joints
     q, v, t = ca.SX.sym("q", model.nq), ca.SX.sym("v", model.nq), ca.SX.sym("t")
     angles, rates = zip(*(reference(t, k) for k in range(n)), strict=True)
@@ -85,7 +108,9 @@ def modes_run(basis: str, bending: int, sample: float = SAMPLE) -> Samples:
     states = np.column_stack([start, solver(x0=start)["xf"].full()])
     watch = ca.Function("watch", [t, x], [wrench[:3, :], functions["tip_pose"](q, p)[1]])
     moments, tips = zip(*(watch(*at) for at in zip(times, states.T, strict=True)), strict=True)
-    return Samples(times, np.array([m.full()[:, 0] for m in tips]), np.array([m.full().T for m in moments]))
+    elbow = len(robot.links) // 2
+    moments = np.array([m.full().T[[0, elbow]] for m in moments])
+    return Samples(times, np.array([m.full()[:, 0] for m in tips]), moments)
 
 
 def reference(t, axis: int):
@@ -97,7 +122,7 @@ def reference(t, axis: int):
 # ----------------------------------------------------------------------------------------------- Exudyn
 
 
-def exact_run(elements: int, step: float) -> Samples:
+def exact_run(elements: int, step: float, softer: float) -> Samples:
     """The motion by so many elements per link. The generalised-α method; moments are those of the joints."""
     try:
         import exudyn as exu
@@ -105,7 +130,7 @@ def exact_run(elements: int, step: float) -> Samples:
         raise SystemExit(f"exact_beams: the Python package 'exudyn' is not installed ({error})") from None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        model = ExactArm(exu, elements)
+        model = ExactArm(exu, elements, softer)
         model.settle()
         return model.move(step)
 
@@ -113,10 +138,10 @@ def exact_run(elements: int, step: float) -> Samples:
 class ExactArm:
     """Exudyn's model. The universal joint is two revolute ones with a body of no weight between them."""
 
-    def __init__(self, exu, elements: int):
+    def __init__(self, exu, elements: int, softer: float):
         from exudyn import itemInterface
 
-        self.exu, self.items, self.robot = exu, itemInterface, screwgen.load(ELLA)
+        self.exu, self.items, self.robot = exu, itemInterface, softened(softer)
         model = screwgen.derive(self.robot)
         self.values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
         self.container, self.moving = exu.SystemContainer(), False
@@ -232,11 +257,11 @@ def thinned(run: Samples, every: int = 1) -> Samples:
     return Samples(*(x[every::every] for x in run))
 
 
-def record(path: Path, elements: int, step: float, run: Samples) -> None:
+def record(path: Path, elements: int, step: float, softer: float, run: Samples) -> None:
     """What the test reads, with the recipe that made it."""
     recipe = f"bench/exact_beams.py: Exudyn, {elements} geometrically exact beams per link, steps of {1e3 * step:g} ms"
     few = thinned(run, round(RECORDED / SAMPLE))
-    data = {"recipe": recipe, "motion": MOTION, "t": few.t.round(6).tolist()}
+    data = {"recipe": recipe, "motion": MOTION, "softer": softer, "t": few.t.round(6).tolist()}
     data["peaks"] = thinned(run).peaks().round(4).tolist()
     data |= {"tip": few.tip.round(7).tolist(), "moments": few.moments.round(4).tolist()}
     path.write_text(json.dumps(data).replace("], [[", "],\n [[").replace('"tip"', '\n"tip"') + "\n", encoding="utf-8")
@@ -251,24 +276,25 @@ def report(name: str, run: Samples, judge: Samples, seconds: float) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--elements", default="8,16,32")
-    parser.add_argument("--modes", default="polynomial:2,polynomial:3,clamped_free:1")
+    parser.add_argument("--modes", default="polynomial:2,polynomial:3,polynomial:2:2,polynomial:3:2,clamped_free:1")
+    parser.add_argument("--softer", type=float, default=1.0, help="what the bending stiffness is divided by")
     parser.add_argument("--step", type=float, default=2.0, help="Exudyn's, in ms")
     parser.add_argument("--record", type=Path, help="a JSON file for the motion of the finest mesh")
     args = parser.parse_args()
     meshes, runs = [int(n) for n in args.elements.split(",")], {}
     for n in meshes:
         clock = time.perf_counter()
-        runs[n] = exact_run(n, args.step / 1e3), time.perf_counter() - clock
+        runs[n] = exact_run(n, args.step / 1e3, args.softer), time.perf_counter() - clock
     finest = runs[meshes[-1]][0]
     if args.record:
-        record(args.record, meshes[-1], args.step / 1e3, finest)
+        record(args.record, meshes[-1], args.step / 1e3, args.softer, finest)
     print(f"{'against ' + str(meshes[-1]) + ' elements':24} {'tip, mm':>9} {'base, %':>9} {'elbow, %':>9}")
     for n in meshes[:-1]:
         report(f"{n} elements", runs[n][0], finest, runs[n][1])
-    for basis, count in (m.split(":") for m in args.modes.split(",") if m):
-        clock = time.perf_counter()
-        own = modes_run(basis, int(count))
-        report(f"{count} {basis}", own, finest, time.perf_counter() - clock)
+    for basis, *numbers in (m.split(":") for m in args.modes.split(",") if m):
+        clock, (count, order) = time.perf_counter(), (*map(int, numbers), 1)[:2]
+        own = modes_run(arm(basis, count, order, args.softer))
+        report(f"{count} {basis}, order {order}", own, finest, time.perf_counter() - clock)
     return 0
 
 

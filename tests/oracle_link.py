@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import casadi as ca
 import numpy as np
 import scipy.linalg
+from oracle_flexible import FlexibleLink
 from oracle_second_order import SecondOrder, second_order
 from oracle_sections import intervals, property_at, stations_of
 from oracle_shapes import DIRECTIONS, Shapes, quadrature, shapes_of
@@ -48,6 +50,65 @@ class Link:
     K: np.ndarray  # (r, r), modal stiffness
     damping: np.ndarray  # (r,), modal damping coefficients
     second: SecondOrder | None  # of a link of order 2 with modes
+
+    tip_axes = np.eye(3)
+
+    @property
+    def masses(self) -> np.ndarray:
+        """(N,) kg, of the elements."""
+        return self.rhoA * self.length * self.weights
+
+    @property
+    def spin_inertia(self) -> np.ndarray:
+        """(N,) kg·m², of the elements."""
+        return self.rhoIp * self.length * self.weights
+
+    def undeformed(self) -> np.ndarray:
+        """(3, N): the elements of the straight link, in F_i."""
+        return np.outer([1.0, 0, 0], self.a + self.length * self.nodes)
+
+    def _columns(self, eta: ca.SX, values: dict[str, np.ndarray]) -> dict[str, ca.SX]:
+        """Of each direction the sum of its modes, whose values (r, N) are given; a row."""
+        out, first = {}, 0
+        for d in DIRECTIONS:
+            coefficients = np.atleast_2d(values[d])
+            modes, first = eta[first : first + self.counts[d]], first + self.counts[d]
+            out[d] = modes.T @ ca.DM(coefficients) if modes.numel() else ca.SX.zeros(1, coefficients.shape[-1])
+        return out
+
+    def shift(self, eta: ca.SX) -> ca.SX:
+        """(3, N): the elements' linear displacements."""
+        moved = self._columns(eta, {d: self.shapes[d].nodes for d in DIRECTIONS})
+        return ca.vertcat(*[moved[d] for d in DIRECTIONS[:3]])
+
+    def twist(self, eta: ca.SX) -> ca.SX:
+        """(1, N): the turn of the elements about the centreline."""
+        return self._columns(eta, {d: self.shapes[d].nodes for d in DIRECTIONS})["torsion"]
+
+    def second_shift(self, eta: ca.SX) -> ca.SX | None:
+        """(3, N): their second-order displacements."""
+        if self.second is None:
+            return None
+        return ca.horzcat(*[quadratic(self.second.place[..., j], eta) for j in range(len(self.nodes))])
+
+    def tip_place(self, eta: ca.SX) -> ca.SX:
+        """The tip point in F_i."""
+        moved = self._columns(eta, {d: self.shapes[d].tip[:, None] for d in DIRECTIONS})
+        place = ca.vertcat(*[moved[d] for d in DIRECTIONS[:3]]) + ca.DM([self.a + self.length, 0, 0])
+        return place if self.second is None else place + quadratic(self.second.tip, eta)
+
+    def tip_turn(self, eta: ca.SX) -> ca.SX:
+        """The rotation vector of the tip section: [torsion, -u_z', u_y'] at the tip."""
+        slopes = {d: self.shapes[d].tip_slope / self.length for d in ("bending_y", "bending_z")}
+        values = slopes | {"axial": self.shapes["axial"].tip, "torsion": self.shapes["torsion"].tip}
+        at = self._columns(eta, {d: values[d][:, None] for d in DIRECTIONS})
+        theta = ca.vertcat(at["torsion"], -at["bending_z"], at["bending_y"])
+        return theta if self.second is None else theta + quadratic(self.second.turn, eta)
+
+
+def quadratic(H: np.ndarray, eta: ca.SX) -> ca.SX:
+    """1/2 eta^T H_c eta for the three axes c of H (3, r, r)."""
+    return ca.vertcat(*[ca.dot(eta, ca.DM(h) @ eta) / 2 for h in H])
 
 
 def hat(a) -> np.ndarray:
@@ -109,24 +170,13 @@ def modal_matrices(link: dict, line: dict, shapes: dict, weights: np.ndarray) ->
     return K, 2.0 * ratio * np.sqrt(np.diag(K) * np.array(inertia))
 
 
-def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
-    """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
-    modes, joint, parts = link.get("modes", {}), link["joint"], tuple(intervals(link["section"]))
-    counts = {name: modes.get(name, 0) for name in DIRECTIONS}
-    count = 16 + 4 * max(counts.values()) + extra_nodes
-    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count, parts) for d in DIRECTIONS}
-    nodes, weights = quadrature(count, parts)
-    line = properties_along(link["section"], nodes)
-    K, damping = modal_matrices(link, line, shapes, weights)
+def read_mounting(link: dict) -> dict:
+    """The joint of a link and its bodies, by the names of `Link`."""
+    joint, bodies = link["joint"], link.get("bodies", [])
     axes = np.array([unit_axis(getattr(axis, "axis", axis)) for axis in joint["axes"]]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
-    mount, bodies = joint.get("mount", {}), link.get("bodies", [])
-    quadratic = link.get("order", order) == 2 and any(counts.values())
-    return Link(
-        length=link["length"],
-        a=-link.get("frame_at", 0.0),
-        rhoA=line["rhoA"],
-        rhoIp=line["rhoIp"],
+    mount = joint.get("mount", {})
+    return dict(
         axes=axes,
         turns=tuple(getattr(axis, "turn", True) for axis in joint["axes"]),
         travel=np.array([getattr(axis, "travel", 0.0) for axis in joint["axes"]]),
@@ -137,6 +187,29 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
         joint_stiffness=per_axis("stiffness"),
         base=[read_body(b) for b in bodies if b["at"] == "base"],
         tip=[read_body(b) for b in bodies if b["at"] == "tip"],
+    )
+
+
+def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
+    """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
+    if "cloud" in link:
+        cloud = link["cloud"]
+        damping = np.zeros(cloud.modes) if cloud.damping is None else cloud.damping
+        return FlexibleLink(cloud=cloud, damping=damping, **read_mounting(link))
+    modes, parts = link.get("modes", {}), tuple(intervals(link["section"]))
+    counts = {name: modes.get(name, 0) for name in DIRECTIONS}
+    count = 16 + 4 * max(counts.values()) + extra_nodes
+    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count, parts) for d in DIRECTIONS}
+    nodes, weights = quadrature(count, parts)
+    line = properties_along(link["section"], nodes)
+    K, damping = modal_matrices(link, line, shapes, weights)
+    quadratic = link.get("order", order) == 2 and any(counts.values())
+    return Link(
+        length=link["length"],
+        a=-link.get("frame_at", 0.0),
+        rhoA=line["rhoA"],
+        rhoIp=line["rhoIp"],
+        **read_mounting(link),
         shapes=shapes,
         counts=counts,
         nodes=nodes,

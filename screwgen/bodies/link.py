@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from ..algebra.expression import (
-    Diagonal,
     Expression,
     Integral,
     Trace,
@@ -22,6 +21,7 @@ from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .contract import Body
 from .lumped import lumped
+from .reduced import Reduced
 from .rigid import Rigid
 from .rod import Rod
 from .varying_rod import VaryingRod
@@ -63,6 +63,8 @@ class LinkBlock(Block):
         self.udot = self.generators("udot")
 
     def _body(self) -> Body:
+        if self.key.elastic is not None:
+            return Reduced(self, self.key)
         if not self.key.beam:
             return Rigid(self)
         return VaryingRod(self, self.key) if self.key.stations else Rod(self, self.key)
@@ -176,7 +178,7 @@ class LinkBlock(Block):
     def _modal_force(self) -> None:
         stress = self.body.stiffness @ self.eta
         if self.key.damping:
-            stress = stress + Diagonal(self.body.D) @ self.etadot
+            stress = stress + self.body.resistance @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
     def _spin_bias(self, which: str):

@@ -79,6 +79,15 @@ class Rod(RodStiffness):
         sigma2 = self.b.symbol("sigma2")
         return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
 
+    def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
+        """That of the sections' spin, ``∫ρI_p (n^T nu)^2 dξ``."""
+        if not self.key.spin:
+            return zeros(1)
+        spin: Expression = self.b.entries(omega)[0]
+        if self.key.counts[3]:
+            spin = spin + self.phi_t @ etadot
+        return self.integral(spin @ spin, self.rhoIp)
+
     def modal(self) -> None:
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment

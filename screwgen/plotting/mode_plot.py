@@ -35,7 +35,13 @@ WIDTH = 0.025
 STEP = 1e-6
 """m: the displacement from which the linear one is taken."""
 REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
-WORDS = {"axial": "axial", "bending_y": "bending in y", "bending_z": "bending in z", "torsion": "torsion"}
+WORDS = {
+    "axial": "axial",
+    "bending_y": "bending in y",
+    "bending_z": "bending in z",
+    "torsion": "torsion",
+    "elastic": "modes",
+}
 
 
 class Shape(NamedTuple):

@@ -14,6 +14,7 @@ from ..arguments import Numbers
 from ..bodies import markers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
+from ..spec.reduced import end
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -69,7 +70,7 @@ def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
     (R, r), points, lines = model.numpy().link_pose(q), np.asarray(points, float), []
     for i, link in enumerate(model.robot.links):
         place = displacements(model, q[None], i, points)[0]
-        place[:, 0] += (link.length or 0.0) * points - (link.frame_at or 0.0)
+        place += points[:, None] * end(link) - [link.frame_at or 0.0, 0, 0]
         lines.append(r[i] + place @ R[i].T)
     return np.array(lines)
 

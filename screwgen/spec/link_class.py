@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
+from ..reduction.invariants import Invariants
+from .reduced import damped, directions, elastic
 from .robot import Link
 from .screw import Screw
-
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
+from .values import DIRECTIONS
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,8 @@ class LinkClass:
     """Whether the link states a section, and so is a rod."""
     body: Hashable | None = None
     """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
+    elastic: Invariants | None = None
+    """A flexible body given by numbers; they are part of the class."""
     order: int = 1
     """The order of the rod's shape in its strains, 1 or 2."""
     measured: tuple[str, ...] = ()
@@ -59,17 +62,17 @@ class LinkClass:
     @property
     def modes(self) -> int:
         """The number of modal coordinates."""
-        return sum(self.counts)
+        return len(self.directions)
 
     @property
     def bends(self) -> bool:
-        """Whether the link has bending modes."""
-        return any(self.counts[1:3])
+        """Whether the link has modes of bending, or of a body from a file whose tip is not at its base."""
+        return any(self.counts[1:3]) or (self.elastic is not None and self.elastic.reach > 0)
 
     @property
     def unstiffened(self) -> bool:
-        """Whether the link bends in a model that leaves out what axial loads and rotation do to its stiffness."""
-        return self.bends and self.order == 1
+        """Whether the link is a rod whose model leaves out what axial loads and rotation do to its bending."""
+        return any(self.counts[1:3]) and self.order == 1
 
     @property
     def joints(self) -> int:
@@ -89,14 +92,17 @@ class LinkClass:
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""
-        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=True) for k in range(n))
+        return directions(self.counts, self.elastic)
 
     @cached_property
     def coupled(self) -> tuple[tuple[int, int], ...]:
         """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
 
-        A uniform rod has none. Where its sections vary the modes of one direction are coupled.
+        A uniform rod has none. Where its sections vary the modes of one direction are coupled; those of a body from a
+        file are as its matrices have it.
         """
+        if self.elastic is not None:
+            return self.elastic.coupled
         if not self.stations:
             return ()
         of = [d for d, _ in self.directions]
@@ -114,7 +120,7 @@ class LinkClass:
 def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
     """The class of a link in a robot whose ``section_rotation`` and ``order`` are given."""
     joint, modes = link.joint, link.modes
-    counts = (modes.axial, modes.bending_y, modes.bending_z, modes.torsion)
+    counts, body = modes.counts, elastic(link)
     mount = joint.mount
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=True)),
@@ -128,12 +134,13 @@ def link_class(link: Link, section_rotation: bool, order: int = 1) -> LinkClass:
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,
-        body=link.body,
+        body=None if body else link.body,
+        elastic=body,
         spin=link.section is not None and link.section.states("rhoIp"),
-        damping=link.damping is not None and any(counts),
-        section_rotation=section_rotation and any(counts[1:]),
+        damping=damped(link) and (any(counts) or body is not None),
+        section_rotation=section_rotation and (any(counts[1:]) or body is not None),
         bodies=tuple(BodyClass(b.at, b.com is not None, b.inertia is not None) for b in link.bodies),
-        order=(link.order or order) if any(counts) else 1,
+        order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,
         measured=modes.measured,
         stations=link.section.places if link.section else (),
         between=link.section.between if link.section else "linear",

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
-from .robot import DIRECTIONS, Body, Joint, Link, Robot
+from .reduced import of_link as directions
+from .robot import Body, Joint, Link, Robot
 from .section import Section
 from .stations import Stations
 
@@ -179,8 +180,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
-    counts = [pair for link in robot.links for pair in zip(DIRECTIONS, link.modes.counts, strict=True)]
-    modal = ["rad" if direction == "torsion" else "m" for direction, count in counts for _ in range(count)]
+    modal = ["rad" if direction == "torsion" else "m" for link in robot.links for direction, _ in directions(link)]
     return [screw.unit for link in robot.links for screw in link.joint.screws] + modal
 
 
@@ -197,8 +197,5 @@ def per_axis(robot: Robot, quantity: str) -> tuple[str, ...]:
 def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
     """One name for each mode, link by link; within a link by direction, then by mode."""
     return tuple(
-        f"{link.name}.{quantity}.{direction}[{k}]"
-        for link in robot.links
-        for direction, count in zip(DIRECTIONS, link.modes.counts, strict=True)
-        for k in range(count)
+        f"{link.name}.{quantity}.{direction}[{k}]" for link in robot.links for direction, k in directions(link)
     )

@@ -1,7 +1,7 @@
 """Physical consistency of related numbers: the axes of one joint, the inertia of one body."""
 
 import math
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -74,13 +74,6 @@ def inertia(value: Any) -> tuple[float, ...]:
             "is an inertia that no body has; no principal moment may be negative, nor exceed the sum of the other two"
         )
     return entries
-
-
-def own_body(value: Any) -> Any:
-    """A rigid body made in Python, which a file cannot state."""
-    if value is None or (callable(getattr(value, "moments", None)) and isinstance(value, Hashable)):
-        return value
-    raise refuse(f"is {shown(value)}; it must be a hashable Python object with moments(block)")
 
 
 def some_body_has(entries: tuple[float, ...]) -> bool:

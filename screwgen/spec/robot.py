@@ -16,13 +16,14 @@ from ..errors import UsageError
 from .frequencies import Frequencies
 from .names import distinct, link_name, robot_name
 from .part import Part
-from .physics import axes, inertia, own_body
+from .physics import axes, inertia
 from .profile import profiled
 from .ranges import several, within
+from .reduced import link_body, refuse_axes, refuse_rod
 from .screw import Screw
 from .section import PRODUCTS
 from .stations import AnySection, Stations
-from .values import boolean, choice, count, quoted, refuse, shape_order
+from .values import DIRECTIONS, boolean, choice, count, quoted, refuse, shape_order
 
 
 def basis(value: Any) -> str | Basis:
@@ -46,7 +47,6 @@ End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
 PER_AXIS = ("armature", "damping", "stiffness")
-DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
 NEEDS = {  # direction of deflection: its stiffness, then what else of the section it cannot do without
     "axial": ("EA",),
@@ -233,7 +233,9 @@ class Link(Part):
     )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
-    body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
+    body: Annotated[Any, PlainValidator(link_body)] = Field(
+        None, description="in place of length and section: a flexible body from finite elements"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -242,6 +244,7 @@ class Link(Part):
 
     @model_validator(mode="after")
     def _section_along_a_length(self) -> Self:
+        refuse_rod(self)
         if self.length is None and (self.section is not None or self.frame_at is not None):
             raise refuse("is missing; state the length of the centreline, m", at=("length",))
         if self.section is None and self.modes.total:
@@ -311,6 +314,7 @@ class Robot(Part):
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct([link.name for link in self.links])
+        refuse_axes(self)
         return self
 
 

@@ -16,6 +16,7 @@ from pydantic_core import PydanticCustomError
 Path = tuple[str | int, ...]
 
 MAX_MODES = 32
+DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 LONGEST_SHOWN = 40
 
 

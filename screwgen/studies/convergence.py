@@ -15,6 +15,7 @@ from scipy.linalg import block_diag
 from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
+from ..spec.reduced import elastic
 from ..spec.robot import DIRECTIONS, NEEDS, Link, Modes, Robot
 from ..spec.values import MAX_MODES
 from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
@@ -106,4 +107,6 @@ def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray
             shapes = many.modes.shapes(d)
             kept = shapes if d in directions else few.modes.shapes(d)
             blocks.append(np.reshape(products(shapes, kept), (shapes.count, kept.count)))
+        body = elastic(few)
+        blocks.append(np.eye(body.modes if body else 0))
     return block_diag(*blocks)

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..errors import UsageError
+from ..spec.reduced import reach, sizes
 from .modes import stiffness
 
 if TYPE_CHECKING:
@@ -107,8 +108,8 @@ class Statics:
     @cached_property
     def reach(self) -> np.ndarray:
         """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
-        lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
-        own = [lengths[name.partition(".")[0]] for name in self.model.q_names]
+        links = self.model.robot.links
+        own = [0.0] * self.model.n_joints + [(reach(link) or 1.0) / size for link in links for size in sizes(link)]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
         return np.where(self.turning, np.maximum(1.0, wound / (2 * np.pi)), own)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ...algorithms.gauges import gauges
 from ...algorithms.tip_acceleration import tip_acceleration
-from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .code import Place, literal
 from .derivatives import LIMIT, check_size
@@ -31,7 +30,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "per_entry": 6 * chain.nq**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),
-        "lengths": [literal(p.value) for p in parameters(chain.robot) if p.link is not None and p.field == "length"],
+        "lengths": [literal(link.length or 0.0) for link in chain.robot.links],
     }
 
 

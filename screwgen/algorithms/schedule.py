@@ -59,8 +59,11 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
 
 
 def _ways(key: LinkClass) -> tuple[str, ...]:
-    """The methods worth tracing. To second order the tip shapes of a straight link lose rank: only the factor holds."""
-    if key.order == 2 or key.modes < FEW:
+    """The methods worth tracing. Only the factor holds where the tip shapes may lose rank.
+
+    That is to second order, when a link is straight, and where they are the numbers of a file.
+    """
+    if key.order == 2 or key.modes < FEW or key.elastic is not None:
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 

@@ -1,10 +1,10 @@
 """Reduction of a finite-element model: from sparse matrices of mass and stiffness to the invariants of a body.
 
-The base's nodes are clamped. With the ``fixed`` interface (Craig and Bampton) the tip's nodes are a rigid spider; the
-shapes are the six static ones of its unit displacements and rotations, and the lowest modes of the body with the tip
-held too. With the ``free`` interface they are the lowest modes of the body with the tip free, and the tip's motion is
-the rigid one nearest to that of its nodes (least squares). Either way the coordinates are the modes of what is left,
-each scaled to the body's mass, so that they are metres.
+The base's nodes are clamped, the tip's nodes move as one rigid body. The shapes are the lowest modes of the body, its
+tip ``free``, and the six static ones that forces and moments at the tip cause; or with the tip ``fixed`` the lowest
+modes of the body whose tip is held too, and the same static ones (Craig and Bampton); or the ``natural`` modes alone,
+the tip free. The coordinates are the modes in the span of these, each scaled to the body's mass, so that they are
+metres.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .invariants import EPS, Invariants, Node, hat
 from .sid import content
 from .standard import MOST_MODES
 
-INTERFACES = ("fixed", "free")
+INTERFACES = ("free", "fixed", "natural")
 MAX_BYTES = 2**31
 PARTS = ("data", "indices", "indptr", "shape")
 NOISE = 1e-11
@@ -78,7 +78,7 @@ def load_npz(
     path: str | os.PathLike[str],
     modes: int | None,
     frequency: float | None = None,
-    interface: str = "fixed",
+    interface: str = INTERFACES[0],
     base: str = "base",
     tip: str = "tip",
 ) -> Invariants:
@@ -138,12 +138,12 @@ def reduced(
     mesh: Mesh,
     modes: int | None,
     frequency: float | None = None,
-    interface: str = "fixed",
+    interface: str = INTERFACES[0],
     base: str = "base",
     tip: str = "tip",
     file: str = "mesh",
 ) -> Invariants:
-    """The body with ``modes`` modes (beside the six static shapes of a fixed interface), or all up to ``frequency`` Hz.
+    """The body with ``modes`` modes beside the static shapes, or all up to ``frequency`` Hz.
 
     Raises RobotFileError where the sets, the matrices or the count do not allow it.
     """
@@ -165,41 +165,54 @@ def reduced(
 
 def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[np.ndarray, np.ndarray]:
     """The modes (all degrees of freedom, r), each of the body's mass, and their angular frequencies."""
-    held = np.union1d(mesh.of(base), mesh.of(tip)) if interface == "fixed" else mesh.of(base)
-    inner = np.setdiff1d(np.arange(mesh.M.shape[0]), held)
-    static = np.zeros((mesh.M.shape[0], 6 if interface == "fixed" else 0))
-    factor = splu(mesh.K[np.ix_(inner, inner)].tocsc())
-    if interface == "fixed":
-        static[mesh.of(tip)] = mesh.rigid(tip)
-        static[inner] = -factor.solve(mesh.K[inner][:, mesh.of(tip)] @ mesh.rigid(tip))
-    V = np.hstack([static, _inner(mesh, inner, modes, frequency, file, static.shape[1])])
-    squares, turn = scipy.linalg.eigh(V.T @ (mesh.K @ V), V.T @ (mesh.M @ V))
+    inner = np.setdiff1d(np.arange(mesh.M.shape[0]), np.union1d(mesh.of(base), mesh.of(tip)))
+    T = _rigid_tip(mesh, inner, tip)
+    M, K = ((T.T @ x @ T).tocsc() for x in (mesh.M, mesh.K))
+    own = len(inner) if interface == "fixed" else T.shape[1]
+    V = np.zeros((T.shape[1], 0))
+    if interface != "natural":
+        unit = np.zeros((T.shape[1], 6))
+        unit[-6:] = np.eye(6)
+        V = splu(K).solve(unit)
+    lowest = np.zeros((T.shape[1], 0))
+    if modes != 0:
+        shapes = _lowest(K[:own, :own], M[:own, :own], modes, frequency, MOST_MODES - V.shape[1], file)
+        lowest = np.vstack([shapes, np.zeros((T.shape[1] - own, shapes.shape[1]))])
+    V = V - lowest @ (lowest.T @ (M @ V))
+    V = np.hstack([V / np.sqrt(np.sum(V * (M @ V), axis=0)), lowest])
+    if not V.shape[1]:
+        raise RobotFileError(f"{file}: no mode is left; raise modes or frequency")
+    squares, turn = scipy.linalg.eigh(V.T @ (K @ V), V.T @ (M @ V))
     if squares[0] <= 0:
         raise np.linalg.LinAlgError
     rigid = mesh.linear(np.zeros(3))[:, :1]
     mass = (rigid.T @ (mesh.M @ rigid)).item()
-    return _untangled(mesh, V @ turn * np.sqrt(mass), np.sqrt(squares), tip), np.sqrt(squares)
+    return _untangled(mesh, T @ (V @ turn) * np.sqrt(mass), np.sqrt(squares), tip), np.sqrt(squares)
 
 
-def _inner(mesh: Mesh, inner, modes, frequency, file, static) -> np.ndarray:
-    """The lowest modes of what is not held."""
-    out, most = np.zeros((mesh.M.shape[0], 0)), min(MOST_MODES - static, len(inner) - 1)
-    M, K = (x[np.ix_(inner, inner)].tocsc() for x in (mesh.M, mesh.K))
-    count = modes if modes is not None else min(8, most)
-    while count:
-        if count > most:
-            raise RobotFileError(f"{file}: has {count} modes; at most {most} are allowed")
-        squares, shapes = eigsh(K, k=count, M=M, sigma=0, v0=np.ones(len(inner)))
+def _rigid_tip(mesh: Mesh, inner: np.ndarray, tip: str) -> sparse.csr_matrix:
+    """(all, inner + 6): the degrees of freedom by those of inner nodes and of the tip, the base's at rest."""
+    own, rigid = mesh.of(tip), mesh.rigid(tip)
+    rows, columns = np.repeat(own, 6), np.tile(len(inner) + np.arange(6), len(own))
+    entries = np.append(np.ones(len(inner)), rigid.ravel())
+    places = np.append(inner, rows), np.append(np.arange(len(inner)), columns)
+    return sparse.csr_matrix((entries, places), shape=(mesh.M.shape[0], len(inner) + 6))
+
+
+def _lowest(K, M, modes: int | None, frequency: float | None, most: int, file: str) -> np.ndarray:
+    """The lowest modes (n, count), mass-normalised: ``modes`` of them, or those up to ``frequency`` Hz."""
+    most, count = min(most, K.shape[0] - 1), modes or 8
+    while count <= most:
+        squares, shapes = eigsh(K, k=count, M=M, sigma=0, v0=np.ones(K.shape[0]))
         order = np.argsort(squares)
-        kept = order if frequency is None else order[squares[order] <= (2 * np.pi * frequency) ** 2]
-        if frequency is None or len(kept) < count:
-            out = np.zeros((mesh.M.shape[0], len(kept)))
-            out[inner] = shapes[:, kept]
-            break
-        count = 2 * count if count == most else min(2 * count, most)
-    if not out.shape[1] + static:
-        raise RobotFileError(f"{file}: has no mode up to {frequency} Hz; raise frequency")
-    return out
+        if frequency is None:
+            return shapes[:, order]
+        kept = order[squares[order] <= (2 * np.pi * frequency) ** 2]
+        if len(kept) < count:
+            return shapes[:, kept]
+        count *= 2
+    wanted = f"modes = {modes}" if modes else f"more than {most} modes up to {frequency:g} Hz"
+    raise RobotFileError(f"{file}: {wanted}; a reduced body has at most {most} beside its static shapes")
 
 
 def _untangled(mesh: Mesh, V: np.ndarray, omega: np.ndarray, tip: str) -> np.ndarray:

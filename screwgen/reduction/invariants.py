@@ -58,7 +58,10 @@ class Invariants:
     """A flexible body of r modes; bodies of the same numbers compare and hash equal."""
 
     gram: np.ndarray
-    """(4 + 3 r, 4 + 3 r): integrals over the mass of products of 1, x, y, z, then ``phi_ak`` mode by mode; kg, m."""
+    """(4 + 3 r, 4 + 3 r): integrals over the mass of products of 1, x, y, z, then ``phi_ak`` mode by mode; kg, m.
+
+    With each product of two modes stands what the second-order displacement adds to the second moment of mass.
+    """
     inertia: np.ndarray
     """(r, r) kg, of the modes."""
     stiffness: np.ndarray
@@ -182,14 +185,18 @@ class Invariants:
         if self.geometric and (b.phi.any() or b.psi.any()):
             what = f"node {b.name} is the base, but its modes move it, and the body has geometric stiffness"
             raise RobotFileError(f"{what}; clamp the base in the modes, or take order = 1")
-        T = self._change(turn)
-        gram = T @ self.gram @ T.T
-        trace = lambda Q: np.einsum("akal->kl", Q)  # noqa: E731
-        inertia = self.inertia + trace(replace(self, gram=gram).products) - trace(self.products)
-        shifted = self.swing - np.einsum("cab,a,bkl->ckl", EPS, b.origin, self.sag)
+        T, lowered = self._change(turn), np.einsum("a,bkl->akbl", b.origin, self.sag) / 2
+        shifted = self.gram.copy()
+        shifted[4:, 4:] -= (
+            (lowered + lowered.transpose(2, 1, 0, 3)).transpose(1, 0, 3, 2).reshape(shifted[4:, 4:].shape)
+        )
+        gram = T @ shifted @ T.T
+        trace = lambda G: np.einsum("akal->kl", replace(self, gram=G).products)  # noqa: E731
+        inertia = self.inertia + trace(gram) - trace(shifted)
+        swing = self.swing - np.einsum("cab,a,bkl->ckl", EPS, b.origin, self.sag)
         rotated = lambda x: np.einsum("ab,bkl->akl", turn, x)  # noqa: E731
         nodes = tuple(self._seen(n, turn) for n in self.nodes)
-        return replace(self, gram=gram, inertia=inertia, sag=rotated(self.sag), swing=rotated(shifted), nodes=nodes)
+        return replace(self, gram=gram, inertia=inertia, sag=rotated(self.sag), swing=rotated(swing), nodes=nodes)
 
     def _change(self, turn: np.ndarray) -> np.ndarray:
         """The new generators as sums of the old."""

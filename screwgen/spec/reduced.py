@@ -46,13 +46,15 @@ class Reduced(Part):
         None, description="a file of sparse mass and stiffness matrices, nodes and node sets"
     )
     modes: Annotated[int, PlainValidator(count)] | None = Field(
-        None, description="of an npz: the number of normal modes, beside the six static shapes of a fixed interface"
+        None, description="of an npz: the number of normal modes, beside six static shapes of the tip"
     )
     frequency: Annotated[float, PlainValidator(within("frequency"))] | None = Field(
         None, description="of an npz, in place of modes: all normal modes up to this frequency, Hz"
     )
     interface: Annotated[str, PlainValidator(choice(*INTERFACES))] = Field(
-        INTERFACES[0], description='of an npz: the tip while modes are computed, "fixed" (Craig–Bampton) or "free"'
+        INTERFACES[0],
+        description='of an npz: the tip of the normal modes, "free", "fixed" (Craig–Bampton), or "natural" (free, and '
+        "no static shapes)",
     )
     base: Annotated[str, PlainValidator(text)] | None = Field(
         None, description="the node or set of the base; without it the first node, the set base"

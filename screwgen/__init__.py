@@ -29,6 +29,7 @@ HOMES = {
     "studies.equilibrium": ("Equilibrium", "NoEquilibriumError", "equilibrium"),
     "studies.linear": ("LinearModel",),
     "studies.modes": ("natural_frequencies",),
+    "studies.standard_data": ("write_sid",),
 }
 """The public names by the module that defines them."""
 

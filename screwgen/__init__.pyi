@@ -37,4 +37,5 @@ from .studies.equilibrium import NoEquilibriumError as NoEquilibriumError
 from .studies.equilibrium import equilibrium as equilibrium
 from .studies.linear import LinearModel as LinearModel
 from .studies.modes import natural_frequencies as natural_frequencies
+from .studies.standard_data import write_sid as write_sid
 from .version import __version__ as __version__

@@ -162,81 +162,38 @@ def modal_slices(link: Link, first: int) -> dict[str, slice]:
     return dict(zip(DIRECTIONS, slices([link.counts[d] for d in DIRECTIONS], first), strict=True))
 
 
-def combine(q: ca.SX, part: slice, coefficients: np.ndarray) -> ca.SX:
-    """Σ_k coefficients[k, :] q[part][k] as a row; zeros where there are no modes."""
-    coefficients = np.atleast_2d(coefficients)
-    if part.stop == part.start:
-        return ca.SX.zeros(1, coefficients.shape[-1])
-    return q[part].T @ ca.DM(coefficients)
-
-
-def deformed(link: Link, q: ca.SX, where: dict, values: dict) -> ca.SX:
-    """3×N displacements [axial; y; z] in F_i, from shape values (r, N) of each direction."""
-    sheared = ca.vertcat(*[combine(q, where[d], values[d]) for d in ("shear_y", "shear_z")])
-    bent = ca.vertcat(*[combine(q, where[d], values[d]) for d in ("axial", "bending_y", "bending_z")])
-    return bent + ca.vertcat(ca.SX.zeros(1, sheared.shape[1]), sheared)
-
-
-def turned(link: Link, q: ca.SX, where: dict) -> ca.SX:
-    """3×N turns of the sections, of first order: torsion angle, -u_z' and u_y' of bending."""
-    slopes = {d: combine(q, where[d], link.shapes[d].slope / link.length) for d in ("bending_y", "bending_z")}
-    twist = combine(q, where["torsion"], link.shapes["torsion"].nodes)
-    return ca.vertcat(twist, -slopes["bending_z"], slopes["bending_y"])
-
-
-def tip_rotation(link: Link, q: ca.SX, where: dict) -> ca.SX:
-    """Rotation of the tip section against F_i: θ = [torsion, -u_z', u_y'] at the tip."""
-    column = lambda d, values: combine(q, where[d], values[:, None])  # noqa: E731
-    slope_y = column("bending_y", link.shapes["bending_y"].tip_slope) / link.length
-    slope_z = column("bending_z", link.shapes["bending_z"].tip_slope) / link.length
-    twist = column("torsion", link.shapes["torsion"].tip)
-    theta = ca.vertcat(twist, -slope_z, slope_y)
-    return rotation_vector_matrix(theta if link.second is None else theta + quadratic(link.second.turn, q, where))
-
-
-def quadratic(H: np.ndarray, q: ca.SX, where: dict) -> ca.SX:
-    """1/2 eta^T H_c eta for the three axes c of H (3, r, r)."""
-    eta = q[where[DIRECTIONS[0]].start : where[DIRECTIONS[-1]].stop]
-    return ca.vertcat(*[ca.dot(eta, ca.DM(h) @ eta) / 2 for h in H])
-
-
-def build_cloud(link: Link, q, angles, where, parent_R, parent_point, section_rotation) -> Cloud:
+def build_cloud(link, q, angles, where, parent_R, parent_point, section_rotation) -> Cloud:
     """Place one link's elements and bodies in the inertial frame, outboard of a tip frame."""
+    eta = q[where[DIRECTIONS[0]].start : where[DIRECTIONS[-1]].stop]
     R = parent_R @ ca.DM(link.mount_R)
     joint_point = parent_point + parent_R @ ca.DM(link.mount_xyz)
     for axis, turns, travel, angle in zip(link.axes, link.turns, link.travel, angles, strict=True):
         joint_point += R @ ca.DM(axis * travel) * angle
         R = R @ turn(axis, angle) if turns else R
     origin = joint_point - R @ ca.DM([link.a, 0, 0])
-    shift = deformed(link, q, where, {d: link.shapes[d].nodes for d in DIRECTIONS})
-    shift[0, :] += ca.DM(link.a + link.length * link.nodes).T
-    tip_shift = deformed(link, q, where, {d: link.shapes[d].tip[:, None] for d in DIRECTIONS})
-    if link.second is not None:
-        tip_shift += quadratic(link.second.tip, q, where)
-    tip_point = origin + R @ (tip_shift + ca.DM([link.a + link.length, 0, 0]))
-    tip_R = R @ tip_rotation(link, q, where) if section_rotation else R
-    placed = [ca.repmat(origin, 1, len(link.nodes)) + R @ shift]
+    places, count = ca.DM(link.undeformed()), len(link.masses)
+    tip_point = origin + R @ link.tip_place(eta)
+    tip_R = R @ rotation_vector_matrix(link.tip_turn(eta)) @ ca.DM(link.tip_axes) if section_rotation else R
+    placed = [ca.repmat(origin, 1, count) + R @ (places + link.shift(eta))]
     placed += [joint_point + R @ ca.DM(body.com) for body in link.base]
     placed += [tip_point + tip_R @ ca.DM(body.com) for body in link.tip]
-    bare, second = None, None
-    if link.second is not None:
+    bare, second = None, link.second_shift(eta)
+    if second is not None:
         fixed = ca.SX.zeros(3, len(link.base) + len(link.tip))
-        places = ca.DM(np.outer([1.0, 0, 0], link.a + link.length * link.nodes))
-        bare = ca.horzcat(ca.repmat(origin, 1, len(link.nodes)) + R @ places, fixed)
-        moved = [quadratic(link.second.place[..., j], q, where) for j in range(len(link.nodes))]
-        second = ca.horzcat(R @ ca.horzcat(*moved), fixed)
+        bare = ca.horzcat(ca.repmat(origin, 1, count) + R @ places, fixed)
+        second = ca.horzcat(R @ second, fixed)
     return Cloud(
         bare=bare,
         second=second,
-        masses=np.array([*(link.rhoA * link.length * link.weights), *(b.mass for b in link.base + link.tip)]),
+        masses=np.array([*link.masses, *(b.mass for b in link.base + link.tip)]),
         points=ca.horzcat(*placed),
         R=R,
         origin=origin,
         joint_point=joint_point,
         tip_R=tip_R,
         tip_point=tip_point,
-        twist=turned(link, q, where),
-        spin_inertia=link.inertia * link.length * link.weights,
+        twist=link.twist(eta),
+        spin_inertia=link.spin_inertia,
         base_inertia=sum((b.inertia for b in link.base), np.zeros((3, 3))),
         tip_inertia=sum((b.inertia for b in link.tip), np.zeros((3, 3))),
     )

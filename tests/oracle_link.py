@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import casadi as ca
 import numpy as np
 import scipy.linalg
+from oracle_flexible import FlexibleLink
 from oracle_second_order import SecondOrder, second_order
 from oracle_sections import intervals, property_at, stations_of
 from oracle_shapes import DIRECTIONS, Shapes, quadrature, shapes_of
@@ -50,6 +52,70 @@ class Link:
     K: np.ndarray  # (r, r), modal stiffness
     damping: np.ndarray  # (r,), modal damping coefficients
     second: SecondOrder | None  # of a link of order 2 with modes
+
+    tip_axes = np.eye(3)
+
+    @property
+    def masses(self) -> np.ndarray:
+        """(N,) kg, of the elements."""
+        return self.rhoA * self.length * self.weights
+
+    @property
+    def spin_inertia(self) -> np.ndarray:
+        """(3, N) kg·m², of the elements about the axes of F_i."""
+        return self.inertia * self.length * self.weights
+
+    def undeformed(self) -> np.ndarray:
+        """(3, N): the elements of the straight link, in F_i."""
+        return np.outer([1.0, 0, 0], self.a + self.length * self.nodes)
+
+    def _columns(self, eta: ca.SX, values: dict[str, np.ndarray]) -> dict[str, ca.SX]:
+        """Of each direction the sum of its modes, whose values (r, N) are given; a row."""
+        out, first = {}, 0
+        for d in DIRECTIONS:
+            coefficients = np.atleast_2d(values[d])
+            modes, first = eta[first : first + self.counts[d]], first + self.counts[d]
+            out[d] = modes.T @ ca.DM(coefficients) if modes.numel() else ca.SX.zeros(1, coefficients.shape[-1])
+        return out
+
+    def shift(self, eta: ca.SX) -> ca.SX:
+        """(3, N): the elements' linear displacements."""
+        return self._moved(eta, {d: self.shapes[d].nodes for d in DIRECTIONS})
+
+    def _moved(self, eta: ca.SX, values: dict[str, np.ndarray]) -> ca.SX:
+        """Displacements along x, y, z: bending and shear add."""
+        by = self._columns(eta, values)
+        return ca.vertcat(by["axial"], by["bending_y"] + by["shear_y"], by["bending_z"] + by["shear_z"])
+
+    def twist(self, eta: ca.SX) -> ca.SX:
+        """(3, N): the turns of the sections, of first order: torsion angle, -u_z' and u_y' of bending."""
+        slopes = {d: self.shapes[d].slope / self.length for d in ("bending_y", "bending_z")}
+        by = self._columns(eta, {d: slopes.get(d, self.shapes[d].nodes) for d in DIRECTIONS})
+        return ca.vertcat(by["torsion"], -by["bending_z"], by["bending_y"])
+
+    def second_shift(self, eta: ca.SX) -> ca.SX | None:
+        """(3, N): their second-order displacements."""
+        if self.second is None:
+            return None
+        return ca.horzcat(*[quadratic(self.second.place[..., j], eta) for j in range(len(self.nodes))])
+
+    def tip_place(self, eta: ca.SX) -> ca.SX:
+        """The tip point in F_i."""
+        place = self._moved(eta, {d: self.shapes[d].tip[:, None] for d in DIRECTIONS})
+        place += ca.DM([self.a + self.length, 0, 0])
+        return place if self.second is None else place + quadratic(self.second.tip, eta)
+
+    def tip_turn(self, eta: ca.SX) -> ca.SX:
+        """The rotation vector of the tip section: [torsion, -u_z', u_y'] at the tip."""
+        slopes = {d: self.shapes[d].tip_slope / self.length for d in ("bending_y", "bending_z")}
+        at = self._columns(eta, {d: slopes.get(d, self.shapes[d].tip)[:, None] for d in DIRECTIONS})
+        theta = ca.vertcat(at["torsion"], -at["bending_z"], at["bending_y"])
+        return theta if self.second is None else theta + quadratic(self.second.turn, eta)
+
+
+def quadratic(H: np.ndarray, eta: ca.SX) -> ca.SX:
+    """1/2 eta^T H_c eta for the three axes c of H (3, r, r)."""
+    return ca.vertcat(*[ca.dot(eta, ca.DM(h) @ eta) / 2 for h in H])
 
 
 def hat(a) -> np.ndarray:
@@ -131,25 +197,14 @@ def modal_matrices(link: dict, line: dict, shapes: dict, weights: np.ndarray) ->
     return K, 2.0 * ratio * np.sqrt(np.diag(K) * np.array(inertia))
 
 
-def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
-    """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
-    modes, joint, parts = link.get("modes", {}), link["joint"], tuple(intervals(link["section"]))
-    counts = {name: modes.get(name, 0) for name in DIRECTIONS}
-    count = 16 + 4 * max(counts.values()) + extra_nodes
-    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count, parts) for d in DIRECTIONS}
-    nodes, weights = quadrature(count, parts)
-    line = properties_along(link["section"], nodes)
-    K, damping = modal_matrices(link, line, shapes, weights)
+def read_mounting(link: dict) -> dict:
+    """The joint of a link and its bodies, by the names of `Link`."""
+    joint, bodies = link["joint"], link.get("bodies", [])
     screws = [read_axis(axis) for axis in joint["axes"]]
     axes = np.array([screw.direction for screw in screws]).reshape(-1, 3)
     per_axis = lambda key: np.array(joint.get(key, [0.0] * len(axes)), dtype=float)  # noqa: E731
-    mount, bodies = joint.get("mount", {}), link.get("bodies", [])
-    quadratic = link.get("order", order) == 2 and any(counts.values())
-    return Link(
-        length=link["length"],
-        a=-link.get("frame_at", 0.0),
-        rhoA=line["rhoA"],
-        inertia=np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")]),
+    mount = joint.get("mount", {})
+    return dict(
         axes=axes,
         turns=tuple(screw.turns for screw in screws),
         travel=np.array([screw.travel for screw in screws]),
@@ -160,6 +215,29 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
         joint_stiffness=per_axis("stiffness"),
         base=[read_body(b) for b in bodies if b["at"] == "base"],
         tip=[read_body(b) for b in bodies if b["at"] == "tip"],
+    )
+
+
+def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
+    """Turn one `[[links]]` table into numbers; `extra_nodes` raises the quadrature order."""
+    if "cloud" in link:
+        cloud = link["cloud"]
+        damping = np.zeros(cloud.modes) if cloud.damping is None else cloud.damping
+        return FlexibleLink(cloud=cloud, damping=damping, **read_mounting(link))
+    modes, parts = link.get("modes", {}), tuple(intervals(link["section"]))
+    counts = {name: modes.get(name, 0) for name in DIRECTIONS}
+    count = 16 + 4 * max(counts.values()) + extra_nodes
+    shapes = {d: shapes_of(d, modes.get("basis", "polynomial"), counts[d], count, parts) for d in DIRECTIONS}
+    nodes, weights = quadrature(count, parts)
+    line = properties_along(link["section"], nodes)
+    K, damping = modal_matrices(link, line, shapes, weights)
+    quadratic = link.get("order", order) == 2 and any(counts.values())
+    return Link(
+        length=link["length"],
+        a=-link.get("frame_at", 0.0),
+        rhoA=line["rhoA"],
+        inertia=np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")]),
+        **read_mounting(link),
         shapes=shapes,
         counts=counts,
         nodes=nodes,

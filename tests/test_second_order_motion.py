@@ -22,7 +22,7 @@ FREE = [*(Screw(tuple(axis), turn=False, travel=1.0) for axis in (E_X, E_Y, E_Z)
 
 
 def undamped(rng, links: int) -> dict:
-    """A random arm in space, flexible links of order 2; nothing dissipates. Joints of two axes have no singular posture."""
+    """A random arm in space, flexible links of order 2; nothing dissipates, and no joint has a singular posture."""
     robot = rr.random_robot(rng, links, rigid=0.0, welded=0.0, material=0.0, soft=0.0, max_axes=2)
     robot |= {"order": 2, "gravity": rr.numbers(rng.uniform(-10, 10, 3))}
     for link in robot["links"]:

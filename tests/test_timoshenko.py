@@ -251,7 +251,7 @@ def test_sections_may_turn_without_inertia_where_the_tip_has_some():
         < case.tolerance
     )
     bare = arm(link("rod", 1.0, ["z", "y"], 1.0, modes, section=section))
-    with pytest.raises(ValueError, match="is missing, but modes[.]shear_y needs it"):
+    with pytest.raises(ValueError, match=r"is missing, but modes[.]shear_y needs it"):
         Robot.model_validate(bare)
 
 

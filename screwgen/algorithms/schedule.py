@@ -61,12 +61,12 @@ def trace(key: LinkClass, algorithm: Algorithm) -> tuple[Program, ...]:
 
 
 def _ways(key: LinkClass) -> tuple[str, ...]:
-    """The methods worth tracing.
+    """The methods worth tracing. Only the factor holds where the tip shapes may lose rank.
 
-    To second order the tip shapes of a straight link lose rank, and sections that turn without inertia have it at the
-    tip alone: there only the factor holds.
+    That is to second order, when a link is straight; where sections that turn without inertia have rank at the tip
+    alone; and where the shapes are the numbers of a file.
     """
-    if key.order == 2 or key.light or key.modes < FEW:
+    if key.order == 2 or key.light or key.modes < FEW or key.elastic is not None:
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 

@@ -2,7 +2,8 @@
 
 The equations (:mod:`.link`) are written in a body's moments of mass, its modal momenta, inertia and stiffness, and the
 integrals of products of its fields. A body declares the parameters of these invariants and states them as steps of the
-link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.rigid.Rigid` has no modes.
+link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.reduced.Reduced` has numbers, and
+:class:`.rigid.Rigid` has no modes.
 """
 
 from __future__ import annotations
@@ -57,6 +58,8 @@ class Body(Protocol):
     """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
     stiffness: Expression
     """The (r, r) stiffness of the modes."""
+    resistance: Expression
+    """Their (r, r) damping."""
     turnings: list[Turning]
     """The axes about which sections have an inertia of their own; known from ``modal`` on."""
 
@@ -74,6 +77,10 @@ class Body(Protocol):
 
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
         """``∫ρA u dξ`` (3, 1) of the elastic displacement, and its rate."""
+        ...
+
+    def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
+        """Twice the kinetic energy of the body that the motion of its elements' points does not have, J."""
         ...
 
     def modal(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..algebra.expression import Integral, hat, is_zero, zeros
+from ..algebra.expression import add, hat, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .link import LinkBlock
@@ -19,10 +19,7 @@ def energy_block(key: LinkClass) -> Block:
     b = LinkBlock(key)
     b.name, b.title = "energy", "Energy"
     velocity = b.vel + hat(b.omega) @ b.rho + b.udot
-    kinetic = b.integral(velocity.T @ velocity)
-    for t in b.body.turnings:
-        spin = b.entries(b.omega)[t.axis] + (zeros(1) if is_zero(t.momentum) else t.shapes @ b.etadot)
-        kinetic = kinetic + Integral(spin @ spin, t.density, b.body.fields.integrate)
+    kinetic = add(b.integral(velocity.T @ velocity), b.body.own_energy(b.omega, b.etadot))
     half = sp.Rational(1, 2)
     b.step("kinetic", half * kinetic)
     stress = b.eta.T @ (b.body.stiffness @ b.eta) if key.modes else zeros(1)

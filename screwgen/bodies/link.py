@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 
 from ..algebra.expression import (
-    Diagonal,
     Expression,
     Integral,
     Trace,
@@ -25,6 +24,7 @@ from ..spec.link_class import LinkClass
 from .contract import Body, Turning
 from .coupled_rod import CoupledRod
 from .lumped import lumped
+from .reduced import Reduced
 from .rigid import Rigid
 from .rod import Rod
 from .varying_rod import VaryingRod
@@ -72,6 +72,8 @@ class LinkBlock(Block):
         self.udot = self.generators("udot")
 
     def _body(self) -> Body:
+        if self.key.elastic is not None:
+            return Reduced(self, self.key)
         if not self.key.beam:
             return Rigid(self)
         if self.key.stations:
@@ -186,7 +188,7 @@ class LinkBlock(Block):
     def _modal_force(self) -> None:
         stress = self.body.stiffness @ self.eta
         if self.key.damping:
-            stress = stress + Diagonal(self.body.D) @ self.etadot
+            stress = stress + self.body.resistance @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
     def _turned(self, momentum: Callable[[Turning], Expression]) -> Expression:

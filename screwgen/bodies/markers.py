@@ -10,9 +10,14 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
 from ..bases import ORDER
+from ..reduction.invariants import Invariants
 from ..spec.link_class import AXIS, LinkClass
+
+NEAR = 0.01
+"""Distance from the straight line between base and tip, over its length, within which a node shapes the line drawn."""
 
 
 class Strain(NamedTuple):
@@ -29,11 +34,30 @@ class Strain(NamedTuple):
 
 @lru_cache(maxsize=64)
 def displacement(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
-    """(points, 3, r): displacement of the centreline at s in [0, 1] by each mode, in F_i components."""
+    """(points, 3, r): displacement of the centreline at s in [0, 1] by each mode, in F_i components.
+
+    The line of a body from a file runs from base to tip through its nodes that are near the straight line between.
+    """
+    if key.elastic is not None:
+        return through_nodes(key.elastic, np.array(points))
     out = np.zeros((len(points), 3, key.modes))
     for direction in dict.fromkeys(d for d, _ in key.directions if d in AXIS):
         out[:, AXIS[direction], _columns(key, direction)] = _values(key, direction, points)
     return out
+
+
+def through_nodes(body: Invariants, points: np.ndarray) -> np.ndarray:
+    """(points, 3, r): between two nodes the cubic that has their displacements, and their rotations as slopes."""
+    line, places = body.tip.origin, {}
+    for n in (body.base, body.tip, *body.nodes[1:-1]):
+        s = float(n.origin @ line / (line @ line)) if body.reach else 0.0
+        if 0 <= s <= 1 and np.linalg.norm(n.origin - s * line) <= NEAR * body.reach:
+            places.setdefault(round(s, 6), n)
+    if len(places) < 2:
+        return points[:, None, None] * body.tip.phi
+    nodes = [places[s] for s in sorted(places)]
+    slopes = [np.cross(n.psi.T, line).T for n in nodes]
+    return CubicHermiteSpline(sorted(places), np.array([n.phi for n in nodes]), np.array(slopes))(points)
 
 
 @lru_cache(maxsize=64)
@@ -46,10 +70,10 @@ def twist(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
 
 
 def strains(key: LinkClass, s: float) -> list[Strain]:
-    """The strains at the section s, one for each direction that has modes."""
+    """The strains at the section s, one for each direction that has modes; none of a body from a file."""
     return [
         Strain(d, _columns(key, d), [float(x) for x in _values(key, d, (s,), ORDER[d])[0]], ORDER[d])
-        for d in dict.fromkeys(d for d, _ in key.directions)
+        for d in dict.fromkeys(d for d, _ in key.directions if d in ORDER)
     ]
 
 

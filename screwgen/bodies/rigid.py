@@ -28,7 +28,7 @@ class Rigid:
         self.sigma, self.K, self.D = zeros(3, 0), zeros(0), zeros(0)
         self.moved, self.bend = zeros(3, 0), zeros(3)
 
-    stiffness = zeros(0, 0)
+    stiffness = resistance = zeros(0, 0)
     turnings: ClassVar[list[Turning]] = []
 
     def moments(self) -> Moments6:
@@ -42,6 +42,10 @@ class Rigid:
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
         """Zero: nothing bends."""
         return self.sigma @ eta, self.sigma @ etadot
+
+    def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
+        """Zero: the link itself has none."""
+        return zeros(1)
 
     def modal(self) -> None:
         """No modes."""

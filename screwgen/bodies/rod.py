@@ -91,6 +91,16 @@ class Rod(RodStiffness):
         sigma2 = self.b.symbol("sigma2")
         return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
 
+    def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
+        """That of the sections' turning, ``∫ρI (n^T nu)^2 dξ`` about each axis."""
+        parts = []
+        for t in self.turnings:
+            rate: Expression = self.b.entries(omega)[t.axis]
+            if not is_zero(t.momentum):
+                rate = rate + t.shapes @ etadot
+            parts.append(self.integral(rate @ rate, t.density))
+        return add(*parts) if parts else zeros(1)
+
     def modal(self) -> None:
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment

@@ -87,6 +87,11 @@ class RodStiffness:
         """The (r, r) stiffness of the modes."""
         return Diagonal(self.K)
 
+    @property
+    def resistance(self) -> Expression:
+        """The (r, r) damping of the modes."""
+        return Diagonal(self.D)
+
     def _column(self, name: str, full: Symbol) -> Symbol:
         """The diagonal of a modal matrix."""
         return self.b.step(name, full @ self._ones(name))

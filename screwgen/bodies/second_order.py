@@ -155,10 +155,14 @@ class SecondOrder:
                 self.fields.name_coarse([out[i, k]], [value])
         return out
 
-    def moments(self, rhoA: Symbol) -> None:
-        """``∫ρA H_c dξ`` and ``∫ρA ξ H_c dξ``, and with them the moments of ``Phi_2`` and of its rate."""
-        xi = self.b.field("xi", np.array([[XI]], dtype=object))
+    def momenta(self, rhoA: Symbol) -> None:
+        """``∫ρA H_c dξ``, and with it the moments of ``Phi_2`` and of its rate."""
         self._moments(rhoA, self.H, "E_{}", {"sigma2": "sigma2", "sigma2dot": "sigma2dot"})
+
+    def moments(self, rhoA: Symbol) -> None:
+        """The same, and those weighted by the place on the centreline, ``∫ρA ξ H_c dξ``."""
+        xi = self.b.field("xi", np.array([[XI]], dtype=object))
+        self.momenta(rhoA)
         self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", {"chi2": "sigma2", "chi2dot": "sigma2dot"}, XI)
 
     def _moments(self, rhoA: Symbol, fields: list, names: str, steps: dict[str, str], *lever: sp.Symbol) -> None:

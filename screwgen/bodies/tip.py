@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, block, hat, identity, unit, zeros
+from ..algebra.expression import Expression, Symbol, block, hat, identity, matrix, unit, vector, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .fields import Fields, length
 from .lumped import lumped
+from .reduced import numerals
 from .rotation import angle_steps
 from .second_order import PLACE, TURN, at_tip
 
@@ -73,16 +78,48 @@ def tip_pose_block(key: LinkClass) -> Block:
 def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     """``R_T = exp(hat(theta))`` and ``r_T = r_b(c) + Phi(c) eta``: the tip section in F_i."""
     eta = b.input("eta", (key.modes, 1))
-    l = length(b, key) if key.length else None
-    fields = Fields(key, b.values[l.name].item() if l else sp.S.Zero, sp.S.Zero)
-    Phi: Expression = b.field("Phi_tip", fields.tip())
-    moved = _with_slopes(b, key, "Phi_c", Phi, _constants(b, "H", PLACE, fields), eta)
-    reach: Expression = l or zeros(1)
+    end = end_of_body(b, key) if key.elastic is not None else end_of_rod(b, key)
+    moved = _with_slopes(b, key, "Phi_c", b.field("Phi_tip", end.Phi), _constants(b, "H", end.H), eta)
+    r_T = b.step("r_T", end.place + moved)
+    return _tip_rotation(b, key, end, eta), r_T
+
+
+class End(NamedTuple):
+    """The tip section of a body: its place and axes, undeformed, in F_i, and what the modes do to it."""
+
+    place: Expression
+    """(3, 1) m."""
+    axes: Expression
+    """(3, 3): takes tip-frame components to F_i."""
+    Phi: np.ndarray
+    """(3, r): displacement by each mode."""
+    Psi: np.ndarray
+    """(3, r): rotation vector by each mode."""
+    H: Sequence[np.ndarray]
+    """The (r, r) matrices of the second-order displacement along x, y, z; none at first order."""
+    T: Sequence[np.ndarray]
+    """Those of the second-order rotation vector."""
+
+
+def end_of_rod(b: Block, key: LinkClass) -> End:
+    """The tip section of a rod, or the tip of a rigid link."""
+    whole: Expression = length(b, key) if key.length else zeros(1)
+    fields = Fields(key, b.values[whole.name].item() if key.length else sp.S.Zero, sp.S.Zero)
+    second = [[at_tip(key, t, fields.length) for t in terms] if key.order == 2 else () for terms in (PLACE, TURN)]
+    reach = whole
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1))
-        reach = b.step("reach", reach - frame_at)
-    r_T = b.step("r_T", reach @ unit(0) + moved)
-    return _tip_rotation(b, key, fields, eta), r_T
+        reach = b.step("reach", whole - frame_at)
+    return End(reach @ unit(0), identity(3), fields.tip(), fields.rotation(), *second)
+
+
+def end_of_body(b: Block, key: LinkClass) -> End:
+    """The tip node of a body from a file."""
+    tip, entries = key.elastic.tip, lambda x: np.array([numerals(row) for row in x], dtype=object)
+    place = vector(numerals(tip.origin), r"\mathbf{r}_{b}(c_i)")
+    axes = identity(3) if np.array_equal(tip.axes, np.eye(3)) else matrix(entries(tip.axes), (3, 3), r"\mathbf{A}_P")
+    second = [[entries(part) for part in x] if key.order == 2 else () for x in (tip.phi2, tip.psi2)]
+    return End(place, axes, entries(tip.phi), entries(tip.psi), *second)
 
 
 def _with_slopes(b: Block, key: LinkClass, name: str, linear: Expression, H: list[Symbol], eta: Symbol) -> Expression:
@@ -94,12 +131,9 @@ def _with_slopes(b: Block, key: LinkClass, name: str, linear: Expression, H: lis
     return linear @ eta + sp.Rational(1, 2) * (Gamma @ eta)
 
 
-def _constants(b: Block, letter: str, terms: list, fields: Fields) -> list[Symbol]:
+def _constants(b: Block, letter: str, parts: Sequence[np.ndarray]) -> list[Symbol]:
     """The matrices ``H_c`` of the second-order shape at the tip, as steps; none at first order."""
-    if fields.key.order == 1:
-        return []
-    parts = [at_tip(fields.key, t, fields.length) for t in terms]
-    named = zip("xyz", parts, strict=True)
+    named = zip("xyz", parts, strict=False)
     return [b.step(f"{letter}_{c}", b.field(f"{letter}_{c}_tip", H), symmetric=True) for c, H in named]
 
 
@@ -107,14 +141,14 @@ def _rows(b: Block, letter: str, x: Symbol) -> Expression:
     return block(*([x.T @ b.symbol(f"{letter}_{c}")] for c in "xyz"))
 
 
-def _tip_rotation(b: Block, key: LinkClass, fields: Fields, eta: Symbol) -> Expression:
+def _tip_rotation(b: Block, key: LinkClass, end: End, eta: Symbol) -> Expression:
     if not key.section_rotation:
         return identity(3)
-    Psi = b.field("Psi_tip", fields.rotation())
-    theta = b.step("theta", _with_slopes(b, key, "Psi_c", Psi, _constants(b, "T", TURN, fields), eta))
+    Psi = b.field("Psi_tip", end.Psi)
+    theta = b.step("theta", _with_slopes(b, key, "Psi_c", Psi, _constants(b, "T", end.T), eta))
     _, c1, c2, c3, square = angle_steps(b, theta, "x", "c", "tip section")
     b.step("J_l", identity(3) + c2 @ hat(theta) + c3 @ square)
-    return b.step("R_T", identity(3) + c1 @ hat(theta) + c2 @ square)
+    return b.step("R_T", (identity(3) + c1 @ hat(theta) + c2 @ square) @ end.axes)
 
 
 def _turning(b: Block, key: LinkClass, etadot: Symbol) -> tuple[Expression, Expression]:

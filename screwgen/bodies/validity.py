@@ -19,12 +19,15 @@ the next links are a mass at the tip.
 
 from __future__ import annotations
 
+import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Inverse, Root, Symbol, number
 from ..ir.block import Block
+from ..reduction.invariants import Invariants
 from ..spec.link_class import LinkClass
 from .fields import Fields, length
+from .reduced import numeral, numerals
 from .varying_rod import acting
 
 OWN_WEIGHT = 7.8373474
@@ -40,26 +43,37 @@ MEASURES = tuple(BOUNDS)
 
 
 def validity_block(key: LinkClass) -> Block:
-    """The measures of a link; a link without bending modes has none, and its block no steps."""
+    """The measures of a link; a link without bending modes has none, and its block no steps.
+
+    Of a body from a file deflection and slope are measured, across the line from base to tip. Its file does not say
+    which loads buckle or stiffen it.
+    """
     b = Block("validity", "Limits of the model")
-    if key.bends:
+    if key.elastic is not None and key.bends:
+        _tip(b, key, number(numeral(key.elastic.reach)), across(key.elastic))
+    elif key.bends:
         l = length(b, key)
-        _tip(b, key, l)
+        fields = Fields(key, b.values[l.name].item(), 0)
+        _tip(b, key, l, (fields.tip()[1:], fields.rotation()[1:]))
         if key.unstiffened:
             _loads(b, key, l)
     return b
 
 
-def _tip(b: Block, key: LinkClass, length: Symbol) -> None:
-    """Displacement over length and slope of the tip section."""
+def across(body: Invariants) -> tuple[np.ndarray, np.ndarray]:
+    """(2, r) each: displacement and rotation of the tip by each mode across the line from base to tip."""
+    line = body.tip.origin - body.base.origin
+    normal = np.linalg.svd(line[None])[2][1:]
+    return tuple(np.array([numerals(row) for row in normal @ x], dtype=object) for x in (body.tip.phi, body.tip.psi))
+
+
+def _tip(b: Block, key: LinkClass, length: Expression, shapes: tuple[np.ndarray, np.ndarray]) -> None:
+    """Displacement over length and slope of the tip section, of whose shapes two rows are given."""
     eta = b.input("eta", (key.modes, 1))
-    fields = Fields(key, b.values[length.name].item(), 0)
-    for name, rows, field in (
-        ("deflection", fields.tip(), r"\boldsymbol{\phi}_i(c_i)"),
-        ("slope", fields.rotation(), r"\boldsymbol{\Psi}_i(c_i)"),
-    ):
-        across = b.step(f"{name}_T", b.field(f"{name}_shapes", rows[1:], field) @ eta)
-        size: Expression = Root(b.step(f"{name}_2", across.T @ across))
+    fields = (r"\boldsymbol{\phi}_i(c_i)", r"\boldsymbol{\Psi}_i(c_i)")
+    for name, rows, field in zip(("deflection", "slope"), shapes, fields, strict=True):
+        tip = b.step(f"{name}_T", b.field(f"{name}_shapes", rows, field) @ eta)
+        size: Expression = Root(b.step(f"{name}_2", tip.T @ tip))
         b.step(name, Inverse(length) @ size if name == "deflection" else size)
 
 

@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 from ..errors import UsageError
 from ..simulation.motion import centrelines, modal_columns, twist
 from ..spec.modes import DIRECTIONS
+from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from ..studies.modes import ModeShapes, stiffness_matrix
 from . import look
@@ -38,7 +39,7 @@ WIDTH = 0.025
 STEP = 1e-6
 """m: the displacement from which the linear one is taken."""
 REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
-WORDS = {direction: direction.replace("_", " in ") for direction in DIRECTIONS}
+WORDS = {direction: direction.replace("_", " in ") for direction in DIRECTIONS} | {ELASTIC: "modes"}
 
 
 class Shape(NamedTuple):

@@ -14,6 +14,7 @@ from ..arguments import Numbers
 from ..bodies import markers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
+from ..spec.reduced import end
 from ..spec.segments import owner
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link:
     for k in np.unique(number):
         i, at, local = first + k, number == k, own.pieces * points[number == k] - k
         place = _bent(model, q, i, local)
-        place[..., 0] += (own.length or 0.0) / own.pieces * local - (own.frame_at or 0.0)
+        place += local[:, None] / own.pieces * end(own) - [own.frame_at or 0.0, 0.0, 0.0]
         out[:, at] = r[:, None, i] + place @ R[:, i].transpose(0, 2, 1)
     return out
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..bodies.validity import MEASURES
+from ..spec.reduced import reach
 from .integrate import Evaluator
 from .validity import Validity, Watch
 
@@ -50,11 +51,12 @@ def _of(values: np.ndarray, *place: int) -> np.ndarray:
 def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndarray]:
     """Deflection over length and slope of a link, (batch, samples) each; none for a link that cannot bend."""
     values, offset = model.blocks(i)["validity"].values, model.n_joints + model.chain.eta_offset[i]
-    if "length" not in values:
+    if f"{MEASURES[0]}_shapes" not in values:
         return []
     segment = model.chain.segments[i]
-    length = p[:, model.parameter_names.index(f"{segment.owner}.length")][:, None] / segment.count
-    unit = {values.get("segment", values["length"]).item(): 1}
+    named = model.parameter_names.index(f"{segment.owner}.length") if "length" in values else None
+    length = reach(model.robot.links[segment.link]) if named is None else p[:, named][:, None] / segment.count
+    unit = dict.fromkeys(np.ravel(values.get("segment", values.get("length", ()))), 1)
     eta = q[..., offset : offset + model.chain.keys[i].modes]
     shapes = (values[f"{name}_shapes"] for name in MEASURES[:2])
     rows = (np.array([[float(x.subs(unit)) for x in row] for row in shape]) for shape in shapes)

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..bases import Basis, shapes
+from ..reduction.invariants import Invariants
 from .joint import Joint
 from .modes import DIRECTIONS, SHEARED
+from .reduced import damped, directions, elastic
 from .robot import Link
 from .screw import Screw
 
@@ -55,6 +57,8 @@ class LinkClass:
     """Whether the link states a section, and so is a rod."""
     body: Hashable | None = None
     """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
+    elastic: Invariants | None = None
+    """A flexible body given by numbers; they are part of the class."""
     order: int = 1
     """The order of the rod's shape in its strains, 1 or 2."""
     measured: tuple[str, ...] = ()
@@ -75,12 +79,12 @@ class LinkClass:
     @property
     def modes(self) -> int:
         """The number of modal coordinates."""
-        return sum(self.counts)
+        return len(self.directions)
 
     @property
     def bends(self) -> bool:
-        """Whether the link has bending modes."""
-        return any(self.counts[1:3])
+        """Whether the link has modes of bending, or of a body from a file whose tip is not at its base."""
+        return any(self.counts[1:3]) or (self.elastic is not None and self.elastic.reach > 0)
 
     @property
     def turned(self) -> tuple[int, ...]:
@@ -93,8 +97,8 @@ class LinkClass:
 
     @property
     def unstiffened(self) -> bool:
-        """Whether the link bends in a model that leaves out what axial loads and rotation do to its stiffness."""
-        return self.bends and self.order == 1
+        """Whether the link is a rod whose model leaves out what axial loads and rotation do to its bending."""
+        return any(self.counts[1:3]) and self.order == 1
 
     @property
     def joints(self) -> int:
@@ -114,15 +118,18 @@ class LinkClass:
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
         """Direction and number (from 0) of every modal coordinate, in their order."""
-        return tuple((d, k) for d, n in zip(DIRECTIONS, self.counts, strict=False) for k in range(n))
+        return directions(self.counts, self.elastic)
 
     @cached_property
     def coupled(self) -> tuple[tuple[int, int], ...]:
         """Row and column of the entries below the diagonal of the modal inertia, stiffness and damping.
 
         A uniform rod of Euler and Bernoulli has none. Where its sections vary the modes of one direction are coupled,
-        by rotary inertia those of bending in a plane, by mass those of bending and shear in a plane.
+        by rotary inertia those of bending in a plane, by mass those of bending and shear in a plane. Those of a body
+        from a file are as its matrices have it.
         """
+        if self.elastic is not None:
+            return self.elastic.coupled
         of = [d for d, _ in self.directions]
         return tuple((i, j) for i in range(self.modes) for j in range(i) if self._couples(of[i], of[j]))
 
@@ -142,7 +149,7 @@ class LinkClass:
 
 def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given."""
-    joint, modes, count = (link.joint if segment == 0 else WELD), link.modes, link.pieces
+    joint, modes, count, body = (link.joint if segment == 0 else WELD), link.modes, link.pieces, elastic(link)
     counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
     stated = link.section.states if link.section else lambda _: False
     here = {"base": segment == 0, "tip": segment == count - 1}
@@ -159,12 +166,13 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,
-        body=link.body if here["base"] else None,
+        body=link.body if here["base"] and not body else None,
+        elastic=body,
         spin=stated("rhoIp"),
-        damping=link.damping is not None and any(counts),
-        section_rotation=section_rotation and any(counts[1:4]),
+        damping=damped(link) and (any(counts) or body is not None),
+        section_rotation=section_rotation and (any(counts[1:4]) or body is not None),
         bodies=tuple(bodies) if any(bodies) else (),
-        order=(link.order or order) if any(counts) else 1,
+        order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,
         measured=modes.measured,
         stations=stations,
         between=link.section.between if link.section else "linear",

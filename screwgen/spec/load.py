@@ -12,6 +12,7 @@ from ..errors import RobotFileError, UsageError
 from ..files import NotRegularError, open_regular
 from .axes import LETTERS
 from .messages import explain
+from .reduced import FOLDER, Reduced
 from .robot import Robot
 
 SCREWS = ("slide", "screw")
@@ -28,7 +29,7 @@ def load(path: str | os.PathLike[str]) -> Robot:
     file = one_line(os.fsdecode(path))
     data = parse(decode(read(path, file), file), file)
     try:
-        return Robot.model_validate(data)
+        return Robot.model_validate(data, context={FOLDER: os.path.dirname(os.fspath(path))})
     except ValidationError as error:
         raise RobotFileError(f"{file}: {explain(error, Robot, data)}") from None
 
@@ -104,7 +105,7 @@ def dump(robot: Robot) -> str:
     for link in robot.links:
         own = {
             "modes.basis": callable(link.modes.basis),
-            "body": link.body is not None,
+            "body": not isinstance(link.body, Reduced | None),
         }
         if made := next((key for key, is_object in own.items() if is_object), None):
             raise UsageError(f"link '{link.name}': {made} holds an object made in Python; a robot file cannot state it")

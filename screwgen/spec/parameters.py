@@ -6,7 +6,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from .joint import Joint
-from .modes import DIRECTIONS
+from .reduced import of_link as directions
 from .robot import Body, Link, Robot
 from .section import Section
 from .segments import segments
@@ -219,6 +219,5 @@ def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
     return tuple(
         f"{segment.name}.{quantity}.{direction}[{k}]"
         for segment in segments(robot)
-        for direction, count in zip(DIRECTIONS, robot.links[segment.link].modes.counts, strict=False)
-        for k in range(count)
+        for direction, k in directions(robot.links[segment.link])
     )

@@ -1,10 +1,9 @@
 """Physical consistency of related numbers: the inertia of one body."""
 
-from collections.abc import Hashable
 from typing import Any
 
 from .ranges import several
-from .values import refuse, shown
+from .values import refuse
 
 ROUNDING = 1e-6  # of the trace: what the printed digits of an inertia may miss
 
@@ -17,13 +16,6 @@ def inertia(value: Any) -> tuple[float, ...]:
             "is an inertia that no body has; no principal moment may be negative, nor exceed the sum of the other two"
         )
     return entries
-
-
-def own_body(value: Any) -> Any:
-    """A rigid body made in Python, which a file cannot state."""
-    if value is None or (callable(getattr(value, "moments", None)) and isinstance(value, Hashable)):
-        return value
-    raise refuse(f"is {shown(value)}; it must be a hashable Python object with moments(block)")
 
 
 def some_body_has(entries: tuple[float, ...]) -> bool:

@@ -17,9 +17,10 @@ from .names import link_name, robot_name
 from .needs import require, require_divisible, require_uniform, segment_count
 from .parents import marker, parent_name, parents
 from .part import Part
-from .physics import inertia, own_body
+from .physics import inertia
 from .profile import profiled
 from .ranges import several, within
+from .reduced import link_body, refuse_axes, refuse_rod
 from .screw import Vector
 from .segments import distinct_names
 from .stations import AnySection
@@ -95,7 +96,9 @@ class Link(Part):
     )
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
-    body: Annotated[Any, PlainValidator(own_body)] = Field(None, exclude=True, repr=False)
+    body: Annotated[Any, PlainValidator(link_body)] = Field(
+        None, description="in place of length and section: a flexible body from finite elements"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -104,6 +107,7 @@ class Link(Part):
 
     @model_validator(mode="after")
     def _section_along_a_length(self) -> Self:
+        refuse_rod(self)
         if self.length is None and (self.section is not None or self.frame_at is not None):
             raise refuse("is missing; state the length of the centreline, m", at=("length",))
         if self.section is None and self.modes.total:
@@ -181,6 +185,7 @@ class Robot(Part):
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct_names(self)
         parents(self.links)
+        refuse_axes(self)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

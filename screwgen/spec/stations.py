@@ -122,10 +122,10 @@ def section_or_stations(value: Any, handler: Any) -> Any:
     return checked(Stations, data, (), 1 if listed else 0)
 
 
-def checked(model: type[Validated], data: Any, at: Path, skipped: int = 0) -> Validated:
+def checked(model: type[Validated], data: Any, at: Path, skipped: int = 0, context: Any = None) -> Validated:
     """`data` as a `model`, or its first error as one at the path `at`, less the first keys of its own path."""
     try:
-        return model.model_validate(data)
+        return model.model_validate(data, context=context)
     except ValidationError as error:
         record = first_error(error)
         path = (*record["loc"], *record.get("ctx", {}).get("at", ()))

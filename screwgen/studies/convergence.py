@@ -16,6 +16,7 @@ from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
 from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
+from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
 from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
@@ -131,4 +132,6 @@ def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray
             shapes = many.modes.shapes(d)
             kept = shapes if d in directions else few.modes.shapes(d)
             blocks.append(np.reshape(products(shapes, kept), (shapes.count, kept.count)))
+        body = elastic(few)
+        blocks.append(np.eye(body.modes if body else 0))
     return block_diag(*blocks)

@@ -11,7 +11,7 @@ from scipy.optimize import least_squares
 
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
-from ..spec.segments import owner
+from ..spec.reduced import reach, sizes
 from .modes import stiffness
 
 if TYPE_CHECKING:
@@ -111,8 +111,8 @@ class Statics:
     @cached_property
     def reach(self) -> np.ndarray:
         """(nq,): the scale that makes a coordinate an angle: a link's length, or 1; larger for wound springs."""
-        lengths = {link.name: link.length or 0.0 for link in self.model.robot.links}
-        deflections = [lengths[owner(name)] for name in self.model.q_names[self.model.n_joints :]]
+        links = self.model.robot.links
+        deflections = [(reach(link) or 1.0) / size for link in links for size in link.pieces * sizes(link)]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
         own = np.append(np.ones(self.model.n_joints), deflections)
         return np.where(self.bending, own, np.maximum(1.0, wound / (2 * np.pi)))

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
 from ...ir.block import Binding, Block
+from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, LinkClass
 from ..templates import render
 from .content import Display, Heading, Item, Paragraph, Section, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
-from .tables import DIRECTION, modes, named_axes
+from .tables import DIRECTION, decimal, modes, named_axes
 
 ORDER = (
     *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
@@ -95,6 +96,9 @@ def _field(key: LinkClass) -> Iterator[Item]:
     if not key.modes:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
         return
+    if key.elastic is not None:
+        yield from _from_file(key.elastic)
+        return
     yield Paragraph(
         r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with "
         r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
@@ -117,6 +121,22 @@ def _field(key: LinkClass) -> Iterator[Item]:
         r"is the dimensionless stiffness:"
     )
     yield modes(key)
+
+
+def _from_file(body: Invariants) -> Iterator[Item]:
+    """What the symbols of a body given by numbers mean."""
+    modes = ", ".join(f"{k}: {name}" for k, name in enumerate(body.names, 1) if name)
+    yield Paragraph(
+        r"The body is given by numbers, standard input data: $\mathbf{C}_t$, $\mathbf{M}_e$, $\mathbf{K}_e$ and "
+        r"$\mathbf{D}_e$ are matrices of the file. $\mathbf{r}_b$ is an element's place, the columns of "
+        r"$\boldsymbol{\phi}$ its displacements by the modes, and integrals with $\rho_iA_i\,d\xi$ are those over the "
+        rf"mass, {decimal(body.mass)} kg; those of products of two fields are numbers. Modes: {modes or 'no names'}."
+    )
+    if body.geometric:
+        yield Paragraph(
+            r"The displacement has a part of second order, $\tfrac{1}{2}\,\boldsymbol{\eta}_i^{\top}\,\mathbf{H}_c\,"
+            r"\boldsymbol{\eta}_i$ along the axes $c$; it meets the undeformed body only: the geometric stiffness."
+        )
 
 
 def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:

@@ -45,7 +45,8 @@ def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass])
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
-    return f"{decimal(link.length)} m" if link.length is not None else "-", _axes(key), _modes(key)
+    length = link.length if key.elastic is None else key.elastic.reach
+    return f"{decimal(length)} m" if length is not None else "-", _axes(key), _modes(key)
 
 
 def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
@@ -71,6 +72,8 @@ def _axis(axis: Sequence[float]) -> str:
 
 
 def _modes(key: LinkClass) -> str:
+    if key.elastic is not None:
+        return f"{key.modes}, from a file"
     counts = ", ".join(str(n) for n in key.counts)
     return f"{counts} `{'`, `'.join(dict.fromkeys(_basis(b) for b in key.bases if b))}`" if key.modes else "rigid"
 

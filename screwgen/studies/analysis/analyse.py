@@ -14,6 +14,8 @@ import numpy as np
 from ...errors import SingularError, UsageError
 from ...simulation.state import State, state_of
 from ...spec.parameters import turning
+from ...spec.reduced import elastic, reach, sizes
+from ...spec.robot import Link
 from .findings import Findings, StateAnalysis
 from .regularity import LinkBlock, link_blocks, regularity, structure, with_projectors_alone
 from .spectrum import Law, Linearised, Motion, check_step, motions, speed
@@ -143,20 +145,24 @@ def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
     """Deflections (n_modes,) and rates of random states, at most."""
     links, constants = model.robot.links, model.numpy().constants
     values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
-    beams = [_mass_per_length(values, link.name) * (link.length or 0.0) for link in links]
+    beams = [_own_mass(values, link) for link in links]
     masses = [beam + sum(body.mass for body in link.bodies) for beam, link in zip(beams, links, strict=True)]
     K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
     turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
-    lengths = np.repeat([link.length or 0.0 for link in links], [link.pieces * link.modes.total for link in links])
-    load, room = WEIGHT * sum(masses) * np.where(turns, lengths, 1.0), SAG * np.where(turns, 1.0, lengths)
+    lengths = np.repeat([reach(link) for link in links], [link.pieces * len(sizes(link)) for link in links])
+    unit = np.array([x for link in links for x in link.pieces * sizes(link)])
+    load, room = WEIGHT * sum(masses) * np.where(turns, lengths, unit), SAG * np.where(turns, 1.0, lengths / unit)
     deflection = np.minimum(load / K, room)
     return deflection, deflection * np.sqrt(K / M_eta)
 
 
-def _mass_per_length(values: dict[str, float], link: str) -> float:
-    """Of a link, kg/m; the mean of its stations' where it varies; 0 without a section."""
-    stations = [x for name, x in values.items() if name.startswith(f"{link}.section[") and name.endswith("].rhoA")]
-    return float(np.mean(stations)) if stations else values.get(f"{link}.rhoA", 0.0)
+def _own_mass(values: dict[str, float], link: Link) -> float:
+    """The mass of a link itself, kg; by the mean of its stations where it varies; 0 without a section."""
+    if body := elastic(link):
+        return body.mass
+    section = f"{link.name}.section["
+    stations = [x for name, x in values.items() if name.startswith(section) and name.endswith("].rhoA")]
+    return (float(np.mean(stations)) if stations else values.get(f"{link.name}.rhoA", 0.0)) * (link.length or 0.0)
 
 
 def holding(model: Model, q: np.ndarray) -> np.ndarray:

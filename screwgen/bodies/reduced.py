@@ -1,0 +1,156 @@
+"""The body of a link from finite elements: its invariants are numbers, constants of the generated code.
+
+Its fields are generators as those of a rod are, the coordinates of an element and its displacement along each axis by
+each mode. Where a rod integrates their products in closed form, their integrals are read off a table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import sympy as sp
+
+from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, number, vector, zeros
+from ..ir.block import Block
+from ..spec.link_class import LinkClass
+from .contract import Moments6
+from .moments import Moments
+from .second_order import AXES, SecondOrder, entry
+
+ROUNDING = 1e-12
+"""Rotary inertia of the modes below this, over their inertia, is a rounding error."""
+
+
+class Table(Moments):
+    """The generators of a body given by numbers, and the integrals of their products over its mass."""
+
+    def __init__(self, key: LinkClass):
+        body, r = key.elastic, range(key.modes)
+        self.place = sp.symbols("r_x:z", real=True)
+        self.phi = [[sp.Symbol(f"phi_{axis}_{k + 1}", real=True) for axis in AXES] for k in r]
+        one = sp.S.One
+        known = [one, *self.place, *(g for shapes in self.phi for g in shapes)]
+        self.table = {
+            frozenset({known[i], known[j]}): numeral(body.gram[i, j]) for i, j in np.ndindex(body.gram.shape) if i <= j
+        }
+        self.second: dict[sp.Symbol, None] = {}
+        for a, k, m in np.ndindex(body.sag.shape) if body.geometric else ():
+            h = entry(AXES[a], k, m)
+            self.second[h] = None
+            self.table[frozenset({one, h})] = numeral(body.sag[a, k, m])
+            for b in {0, 1, 2} - {a}:
+                sign = 1 if (b, a) in ((0, 1), (1, 2), (2, 0)) else -1
+                half = sign * body.swing[3 - a - b, k, m] / 2
+                self.table[frozenset({self.place[b], h})] = numeral(half)
+        super().__init__([*known[1:], *self.second])
+
+    def _weighted(self, weight: str | None, monomial: list[sp.Symbol]) -> sp.Expr:
+        """The integral over the mass; of products with second-order shapes those with the undeformed body are kept."""
+        if len(monomial) > 2:
+            raise ValueError(f"no integral of {sp.Mul(*monomial)}")
+        pair = [*monomial, sp.S.One, sp.S.One][:2] if len(monomial) < 2 else monomial
+        return self.table.get(frozenset(pair), sp.S.Zero)
+
+
+class Reduced:
+    """A flexible body from a file."""
+
+    def __init__(self, b: Block, key: LinkClass):
+        self.b, self.key, self.data = b, key, key.elastic
+        density = np.array([[sp.Symbol("rhoA", real=True)]], dtype=object)
+        self.rhoA = b.field("rhoA", density, r"\rho_i A_i")
+
+    def declare(self, start: Expression) -> None:
+        """The fields of the body; F_i sits at the base."""
+        f = self.fields = Table(self.key)
+        field, values = self.b.field, self.b.values
+        self.r_b = field("r_b", np.array([f.place], dtype=object).T)
+        self.moved: Expression = field("Phi", np.array(f.phi, dtype=object).T)
+        self.bend: Expression = zeros(3)
+        self.phi_row = field("phi_row", np.array([[g for shapes in f.phi for g in shapes]], dtype=object))
+        u, udot = (values["Phi"].dot(values[x]) for x in ("eta", "etadot"))
+        if self.key.order == 2:
+            self.second = SecondOrder(self.b, f, f.second, self.key.modes)
+            self.moved, self.bend = self.second.Phi, self.second.bend
+            u, udot = u + self.second.u, udot + self.second.udot
+        self.u, self.udot_modal = field("u", u), field("udot_modal", udot)
+        f.name_coarse(values["udot"], udot)
+        f.name_coarse(values["rho"], values["r_b"] + u)
+
+    def moments(self) -> Moments6:
+        """Mass, first and second moment of the undeformed body about the origin of F_i."""
+        G = self.data.gram
+        mu = self.b.step("mu", number(numeral(self.data.mass)))
+        S = vector(numerals(G[0, 1:4]), r"\int\mathbf{r}_b\,dm")
+        return mu, S, self._matrix(G[1:4, 1:4], r"\int\mathbf{r}_b\mathbf{r}_b^{\top}dm")
+
+    def spin(self) -> Expression:
+        """Zero: the second moment has all inertia."""
+        return zeros(3, 3)
+
+    def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
+        """``∫ u dm`` and its rate."""
+        if self.key.order == 1:
+            return self.sigma @ eta, self.sigma @ etadot
+        sigma2 = self.b.symbol("sigma2")
+        return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
+
+    def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
+        """That of nodes which turn with the modes: what the modes' inertia has beyond ``∫ Phi^T Phi dm``."""
+        rest = self.data.inertia - np.einsum("akal->kl", self.data.products)
+        rest[np.abs(rest) < ROUNDING * np.abs(self.data.inertia).max()] = 0.0
+        return etadot.T @ (self._matrix(rest, r"\mathbf{M}_{e,\mathrm{turn}}") @ etadot)
+
+    def modal(self) -> None:
+        """The modal invariants of the file."""
+        d, step = self.data, self.b.step
+        self.sigma = step("sigma", self._matrix(d.momenta, r"\mathbf{C}_t^{\top}"))
+        step("M_Wphi", self._matrix(d.inertia, r"\mathbf{M}_e"), symmetric=True)
+        step("K_full", self._matrix(d.stiffness, r"\mathbf{K}_e"), symmetric=True)
+        self.M_eta = step("M_eta", self._column(d.inertia, r"\mathrm{diag}\,\mathbf{M}_e"))
+        self.K = step("K", self._column(d.stiffness, r"\mathrm{diag}\,\mathbf{K}_e"))
+        self._damping()
+        for name, full in (("M", d.inertia), ("K", d.stiffness), ("D", d.damping)):
+            if self.key.coupled and (name != "D" or self.key.damping):
+                low = [full[place] for place in self.key.coupled]
+                step(f"{name}_below", vector(numerals(low), rf"\mathrm{{low}}\,\mathbf{{{name}}}_e"))
+        if self.key.order == 2:
+            self.second.momenta(self.rhoA)
+
+    def _damping(self) -> None:
+        """That of the file, or a ratio for each mode."""
+        self.D: Expression = zeros(self.key.modes)
+        if self.data.damping.any():
+            self.D = self.b.step("D", self._column(self.data.damping, r"\mathrm{diag}\,\mathbf{D}_e"))
+        elif self.key.damping:
+            ratio = self.b.parameter("damping_ratio", (1, 1))
+            self.D = self.b.step("D", (2 * ratio) @ Root(Diagonal(self.K) @ self.M_eta))
+
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+        return self.b.symbol("K_full")
+
+    @property
+    def resistance(self) -> Expression:
+        """The (r, r) damping of the modes."""
+        if self.data.damping.any():
+            return self._matrix(self.data.damping, r"\mathbf{D}_e")
+        return Diagonal(self.D)
+
+    def _matrix(self, values: np.ndarray, display: str) -> Expression:
+        return matrix([numerals(row) for row in values], values.shape, display)
+
+    def _column(self, full: np.ndarray, display: str) -> Expression:
+        return vector(numerals(np.diag(full)), display)
+
+
+def numeral(value: float) -> sp.Expr:
+    """A number of the file: exact if it is a whole number, else the nearest double."""
+    return sp.Integer(int(value)) if value == int(value) else sp.Float(value)
+
+
+def numerals(values: Sequence[float]) -> list[sp.Expr]:
+    """Numbers of the file."""
+    return [numeral(float(value)) for value in values]

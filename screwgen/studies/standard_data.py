@@ -12,7 +12,8 @@ import sympy as sp
 from ..backends.numpy.numeric import Numeric
 from ..bodies import markers
 from ..bodies.fields import XI, Fields
-from ..bodies.second_order import PLACE, TURN, at_tip, entry
+from ..bodies.second_order import PLACE, at_tip, entry
+from ..bodies.second_order import TURN as TURNED
 from ..bodies.varying_fields import VaryingFields
 from ..errors import UsageError
 from ..reduction.invariants import EPS, Invariants, Node
@@ -135,7 +136,7 @@ class Integrals:
                 psi[axis, k] = sign * self.key.shapes(d).evaluate([s], int(slope))[i][0] / self.length**slope
         quadratic = self.key.order == 2 and s == 1.0
         parts = [
-            [at_tip(self.key, term, sp.Float(self.length)) for term in x] if quadratic else () for x in (PLACE, TURN)
+            [at_tip(self.key, term, sp.Float(self.length)) for term in x] if quadratic else () for x in (PLACE, TURNED)
         ]
         second = [np.array(x, float) if quadratic else np.zeros((3,) + psi.shape[1:] * 2) for x in parts]
         place = np.array([self.start + s * self.length, 0.0, 0.0])

@@ -288,6 +288,7 @@ def casadi_files(
         functions=rows,
         others=[name for name in functions if name not in saved],
         parameters=parameter_names,
+        split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,
     )

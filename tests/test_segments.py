@@ -17,11 +17,12 @@ from screwgen.algorithms.fused import forward_dynamics
 from screwgen.algorithms.gauges import gauges
 from screwgen.backends.c.project import CProject
 from screwgen.cli.commands import evaluation
+from screwgen.plotting import mode_plot, plot
 from screwgen.simulation import motion
 from screwgen.simulation.state import state_of
 from screwgen.spec.advice import advice
 from screwgen.studies.equilibrium import equilibrium
-from screwgen.studies.modes import natural_frequencies
+from screwgen.studies.modes import mode_shapes, natural_frequencies
 
 sys.path.insert(0, str(ROOT / "docs" / "tools"))
 import limits
@@ -221,6 +222,21 @@ def test_lines_are_drawn_through_the_segments():
     columns = motion.modal_columns(model, 0, "torsion")
     weight = model.chain.keys[0].shapes("torsion").tip_value[0]
     assert len(columns) == 4 and np.allclose(motion.twist(model, q[None], 0, [1.0]), weight * q[columns].sum())
+
+
+def test_figures_show_links():
+    """One curve of a link's tip in place of its segments' modes, one of its joint, and a name in the key."""
+    model = divided(3)
+    run = screwgen.simulate(model, 0.01, 1e-3)
+    shown = {panel.title: panel.lines for panel in plot.panels(run, model=model)}
+    assert plot.link_names(run) == ["boom", "jib"]
+    assert len(shown["Joint forces"]) == 2 and len(shown["Bending in y"]) == len(shown["Bending in z"]) == 1
+    (line,) = shown["Bending in z"]
+    assert np.allclose(line.values, motion.displacements(model, run.q, 0, [1.0])[:, 0, 2]) and line.values.max() > 0
+    assert len({panel.title: panel.lines for panel in plot.panels(run)}["Bending in y"]) == 6
+    shape = mode_shapes(model).shapes[:, 0]
+    assert mode_plot.meaning(model, shape).startswith("bending in y of boom, 100 %")
+    assert mode_plot.field(model, np.zeros(model.nq), shape).motion.shape == (2, 25, 3)
 
 
 def test_the_watch_names_link_segment_and_remedy():

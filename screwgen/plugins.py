@@ -73,6 +73,8 @@ class Plugin:
     """What the README of the CasADi functions says of them, in Markdown."""
     chapter: Callable[[Chain], Chapter | None] = lambda _: None
     """What a robot's document says, before its link classes."""
+    trees: bool = True
+    """Whether documents of robots that are no chains have its blocks and its chapter."""
 
 
 def plugins() -> tuple[Plugin, ...]:

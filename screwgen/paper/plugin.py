@@ -62,7 +62,7 @@ def _casadi(chain) -> dict:
 def _chapter(chain):
     from .z_latex import z_chapter
 
-    return z_chapter(chain) if chain.tree.is_chain else None
+    return z_chapter(chain)
 
 
 PLUGIN = Plugin(
@@ -74,4 +74,5 @@ PLUGIN = Plugin(
     casadi=_casadi,
     casadi_notes=Z_FORM,
     chapter=_chapter,
+    trees=False,
 )

@@ -37,13 +37,12 @@ dynamics: forward dynamics with wrenches and tip pose; then one step of each int
 over the states of the self-check. error: the largest in 1,000 steps of modal_implicit at 1 ms, against double here."""
 
 
-def generate(model: screwgen.Model) -> dict[tuple[str, str], Sources]:
+def generate(model: screwgen.Model, place: Path) -> dict[tuple[str, str], Sources]:
     """The C of the model in every layout and with both kinds of parameters."""
     out = {}
-    shutil.rmtree(WORK, ignore_errors=True)
     for layout in LAYOUTS:
         for parameters in PARAMETERS:
-            folder = WORK / "source" / f"{layout}_{parameters}"
+            folder = place / f"{layout}_{parameters}"
             folder.mkdir(parents=True, exist_ok=True)
             for name, data in model.c_files(parameters, layout).items():
                 (folder / name).write_bytes(data)
@@ -88,15 +87,20 @@ def measure(variant: Variant, sources: Sources, model: screwgen.Model, reference
     return Row(variant, sizes | stacks(build, found), counts, error, found.sizes, check)
 
 
-def measure_all(wanted: Sequence[Variant], model: screwgen.Model, workers: int) -> list[Row]:
+def measure_all(wanted: Sequence[Variant], robot: screwgen.Robot, workers: int) -> list[Row]:
     """One row per variant; says each as it is done."""
-    sources = generate(model)
-    host = host_program(sources["fused", "runtime"], WORK / "host")
-    reference = read_findings(run(host))
+    shutil.rmtree(WORK, ignore_errors=True)
+    models, sources, references = {}, {}, {}
+    for order in sorted({v.order for v in wanted}):
+        models[order] = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
+        sources[order] = generate(models[order], WORK / f"source{order}")
+        host = host_program(sources[order]["fused", "runtime"], WORK / f"host{order}")
+        references[order] = read_findings(run(host))
     counter = Counter(WORK / "counter")
 
     def one(variant: Variant) -> Row:
-        row = measure(variant, sources[variant.layout, variant.parameters], model, reference, counter)
+        k, own = variant.order, sources[variant.order][variant.layout, variant.parameters]
+        row = measure(variant, own, models[k], references[k], counter)
         print(f"{variant.name}: {row.check}", file=sys.stderr, flush=True)
         return row
 
@@ -144,15 +148,15 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--workers", type=int, default=2, help="variants at a time")
     options = parser.parse_args(arguments)
     targets = chosen("m4f" if options.quick and not options.targets else options.targets)
-    wanted = [v for v in variants(targets) if not options.quick or v.name in QUICK]
-    model = screwgen.derive(screwgen.load(options.robot))
-    rows = measure_all(wanted, model, options.workers)
+    example = options.robot.resolve() == EXAMPLE
+    wanted = [v for v in variants(targets) if (v.name in QUICK if options.quick else example or v.order == 1)]
+    rows = measure_all(wanted, screwgen.load(options.robot), options.workers)
     compilers = {t.name: compiler_of(t) for t in targets}
     print(f"{table.text(rows)}\n\n{NOTES}")
     notes = f"{NOTES} Compilers: {', '.join(dict.fromkeys(compilers.values()))}."
     for path in table.write(rows, OUT, notes):
         print(path.relative_to(ROOT))
-    if options.robot.resolve() != EXAMPLE:
+    if not example:
         return 0
     if options.record:
         table.record(rows, compilers, notes)

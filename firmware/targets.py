@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -99,10 +99,13 @@ class Variant:
     precision: str
     layout: str
     parameters: str
+    order: int = 1
+    """Of the links' shape."""
 
     @property
     def name(self) -> str:
-        return f"{self.target.name}_{self.precision}_{self.layout}_{self.parameters}"
+        order = "" if self.order == 1 else f"_order{self.order}"
+        return f"{self.target.name}_{self.precision}_{self.layout}_{self.parameters}{order}"
 
     @property
     def flags(self) -> tuple[str, ...]:
@@ -110,5 +113,6 @@ class Variant:
 
 
 def variants(targets: list[Target]) -> list[Variant]:
-    """All rows, the cheap ones first within a target."""
-    return [Variant(t, p, x, b) for t in targets for p in PRECISIONS for x in LAYOUTS for b in PARAMETERS]
+    """All rows, the cheap ones first within a target; to second order in float on the Cortex-M4F."""
+    rows = [Variant(t, p, x, b) for t in targets for p in PRECISIONS for x in LAYOUTS for b in PARAMETERS]
+    return rows + [replace(v, order=2) for v in rows if (v.target.name, v.precision) == ("m4f", "float")]

@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from screwgen.spec import profile, section, stations  # noqa: E402
+from screwgen.spec import profile, reduced, section, stations  # noqa: E402
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
 
@@ -38,7 +38,7 @@ PARTS = (
         profile.Rod,
         profile.Box,
     ),
-    *(spec.Modes, spec.Frequencies, spec.Damping, spec.Joint, spec.Mount, spec.Body),
+    *(spec.Modes, spec.Frequencies, spec.Damping, spec.Joint, spec.Mount, spec.Body, reduced.Reduced),
 )
 
 

@@ -40,7 +40,7 @@ test-long: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
-docs: $(READY) build/bode_ella.png build/ekf_ella.png build/mpc/report.html build/ella_paper/report.html
+docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html
 	$(BIN)/python docs/tools/pages.py build/guides
 	$(BIN)/python docs/tools/pictures.py
 	$(BIN)/mkdocs build --quiet
@@ -50,6 +50,9 @@ build/bode_ella.png: examples/bode_ella.py | $(READY)
 	$(BIN)/python $<
 
 build/ekf_ella.png: examples/ekf_ella.py | $(READY)
+	$(BIN)/python $<
+
+build/bracket/bracket.png: examples/bracket.py | $(READY)
 	$(BIN)/python $<
 
 build/mpc/report.html: examples/mpc_ella.py $(wildcard examples/mpc/*.py) | $(READY)

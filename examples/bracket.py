@@ -21,7 +21,7 @@ from skfem.helpers import dot
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 import screwgen
-from screwgen.plotting.look import PALE, PALETTE, canvas, png, styled
+from screwgen.plotting.look import INK, PALE, PALETTE, canvas, png, styled
 from screwgen.studies.modes import mode_shapes
 
 FOLDER = Path(__file__).resolve().parents[1] / "build" / "bracket"
@@ -155,9 +155,16 @@ def draw(solid: Solid, exact: np.ndarray, shapes: np.ndarray, found: dict[str, n
     axes = out.add_subplot(grid[2])
     for shade, (name, values) in zip(PALETTE, found.items(), strict=False):
         label = "rod with rigid bracket" if name == "rod" else f"static shapes and {name}"
-        style = dict(marker="o", markersize=4, color=PALETTE[1] if name == "rod" else shade)
+        style = dict(color=INK, linestyle="--") if name == "rod" else dict(color=shade)
         number = np.arange(1, LOWEST + 1)[: len(values)]
-        axes.semilogy(number, np.maximum(abs(values / exact[: len(values)] - 1), 1e-12), label=label, **style)
+        axes.semilogy(
+            number,
+            np.maximum(abs(values / exact[: len(values)] - 1), 1e-12),
+            label=label,
+            marker="o",
+            markersize=4,
+            **style,
+        )
     axes.set(xlabel="natural frequency, number", title="error against the finite elements")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
     return out

@@ -83,16 +83,23 @@ def test_invariants_are_those_of_the_box(beam):
     assert np.allclose(body.mass, m, rtol=1e-12)
     assert np.allclose(body.gram[0, 1:4], [m / 2, 0, 0], atol=1e-12)
     assert np.allclose(body.gram[1:4, 1:4], m * np.diag([a * a / 3, b * b / 12, c * c / 12]), rtol=1e-10)
-    assert np.allclose(np.einsum("akal->kl", body.products), body.inertia, atol=1e-12 * m)
+    assert np.allclose(np.einsum("akal->kl", body.products), body.inertia, rtol=0, atol=1e-10 * m)
     assert np.array_equal(body.base.phi, np.zeros((3, 9))) and np.allclose(body.tip.origin, [1, 0, 0])
 
 
 def test_symmetric_bodies_keep_their_zeros(beam):
-    """Equal frequencies of a square beam do not mix the planes; no integral that vanishes is kept as noise."""
-    scale = np.array([1.0, 1.0, 4 / 3])
+    """Each mode moves the tip along one axis; no integral that vanishes is kept as noise."""
     body = reduced(beam, 6)
     assert ((np.abs(body.tip.phi) > 1e-9 * np.abs(body.tip.phi).max()).sum(axis=0) <= 1).all()
-    assert (body.gram != 0).mean() < 0.25 and len(scale) == 3
+    assert (body.gram != 0).mean() < 0.25
+
+
+@pytest.mark.parametrize("interface", ["free", "fixed", "natural"])
+def test_modes_of_equal_frequency_keep_to_a_plane(interface):
+    """Of a round beam, even where the count would cut a pair."""
+    body = reduced(beam_elements(32, 0.8, 2.0, 300.0, 4e5, 200.0, 0.02), 4, interface=interface)
+    moved = np.abs(body.tip.phi) > 1e-9 * np.abs(body.tip.phi).max()
+    assert (moved.sum(axis=0) <= 1).all() and (moved[1:].sum(axis=1) >= 1).all()
 
 
 def test_all_modes_up_to_a_frequency(beam):
@@ -165,7 +172,7 @@ def test_a_beam_of_elements_moves_as_the_rod(tmp_path):
     joint = {"axes": ["z", "x"], "stiffness": [100.0, 100.0]}
     rod = {"name": "a", "length": 0.8, "section": section, "joint": joint, "bodies": tip}
     rod["modes"] = {"axial": 4, "bending_y": 8, "bending_z": 8, "torsion": 4}
-    body = {"name": "a", "body": {"npz": str(path), "modes": 8}, "joint": joint, "bodies": tip}
+    body = {"name": "a", "body": {"npz": str(path), "modes": 16}, "joint": joint, "bodies": tip}
     models = [model_of({"name": "arm", "gravity": [0, 0, -9.81], "links": [x]}) for x in (rod, body)]
     expected, found = (natural_frequencies(m, joints="free")[:7] for m in models)
     assert np.allclose(found, expected, rtol=2e-4)

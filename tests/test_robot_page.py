@@ -17,7 +17,8 @@ spec.loader.exec_module(robot_page)
 PAGE = robot_page.PAGE.read_text(encoding="utf-8")
 WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
-    shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu""".split()
+    shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
+    interface base tip parent""".split()
 )
 """Keys that are no physical quantity in some table."""
 
@@ -41,9 +42,11 @@ def test_every_key_is_explained_with_unit_and_default(part):
         assert (unit != "–") or key.strip("`") in WITHOUT_UNIT, f"{key} has no unit"
 
 
-def test_the_example_has_every_key():
-    example = tomllib.loads(re.search(r'```toml title="every_key.toml"\n(.*?)```', PAGE, re.DOTALL)[1])
-    assert set(_keys(example)) == {key for part in robot_page.PARTS for key in keys(part)}
+def test_the_examples_have_every_key():
+    """The one of the page, and those with files of the page on bodies."""
+    text = PAGE + (DOCS / "elements.md").read_text(encoding="utf-8")
+    examples = [tomllib.loads(block) for block in re.findall(r'```toml title="[^"]+"\n(.*?)```', text, re.DOTALL)]
+    assert set(_keys(examples)) == {key for part in robot_page.PARTS for key in keys(part)}
 
 
 def _keys(value):

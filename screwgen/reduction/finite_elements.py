@@ -30,7 +30,7 @@ PARTS = ("data", "indices", "indptr", "shape")
 NOISE = 1e-11
 """Integrals below this, relative to what their factors allow, are rounding errors of zeros."""
 ALIKE = 1e-6
-"""Relative difference of frequencies that a symmetric body makes equal."""
+"""Relative difference of squared frequencies that a symmetric body makes equal."""
 
 
 @dataclass(frozen=True)
@@ -174,9 +174,13 @@ def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[n
         unit = np.zeros((T.shape[1], 6))
         unit[-6:] = np.eye(6)
         V = splu(K).solve(unit)
+    rigid = mesh.linear(np.zeros(3))[:, :3]
+    mass = float(rigid[:, 0] @ (mesh.M @ rigid[:, 0]))
+    seen = np.vstack([_motion(mesh, tip) @ T, rigid.T @ (mesh.M @ T) / mass])
     lowest = np.zeros((T.shape[1], 0))
     if modes != 0:
-        shapes = _lowest(K[:own, :own], M[:own, :own], modes, frequency, MOST_MODES - V.shape[1], file)
+        most = MOST_MODES - V.shape[1]
+        shapes = _lowest(K[:own, :own], M[:own, :own], seen[:, :own], modes, frequency, most, file)
         lowest = np.vstack([shapes, np.zeros((T.shape[1] - own, shapes.shape[1]))])
     V = V - lowest @ (lowest.T @ (M @ V))
     V = np.hstack([V / np.sqrt(np.sum(V * (M @ V), axis=0)), lowest])
@@ -185,9 +189,7 @@ def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[n
     squares, turn = scipy.linalg.eigh(V.T @ (K @ V), V.T @ (M @ V))
     if squares[0] <= 0:
         raise np.linalg.LinAlgError
-    rigid = mesh.linear(np.zeros(3))[:, :1]
-    mass = (rigid.T @ (mesh.M @ rigid)).item()
-    return _untangled(mesh, T @ (V @ turn) * np.sqrt(mass), np.sqrt(squares), tip), np.sqrt(squares)
+    return T @ _untangled(V @ turn * np.sqrt(mass), squares, seen), np.sqrt(squares)
 
 
 def _rigid_tip(mesh: Mesh, inner: np.ndarray, tip: str) -> sparse.csr_matrix:
@@ -199,33 +201,38 @@ def _rigid_tip(mesh: Mesh, inner: np.ndarray, tip: str) -> sparse.csr_matrix:
     return sparse.csr_matrix((entries, places), shape=(mesh.M.shape[0], len(inner) + 6))
 
 
-def _lowest(K, M, modes: int | None, frequency: float | None, most: int, file: str) -> np.ndarray:
-    """The lowest modes (n, count), mass-normalised: ``modes`` of them, or those up to ``frequency`` Hz."""
-    most, count = min(most, K.shape[0] - 1), modes or 8
+def _lowest(K, M, seen: np.ndarray, modes: int | None, frequency: float | None, most: int, file: str) -> np.ndarray:
+    """The lowest modes (n, count), mass-normalised: ``modes`` of them, or those up to ``frequency`` Hz.
+
+    One more is computed, so that the last is not any combination of two of equal frequency.
+    """
+    most, count = min(most, K.shape[0] - 2), modes or 8
     while count <= most:
-        squares, shapes = eigsh(K, k=count, M=M, sigma=0, v0=np.ones(K.shape[0]))
+        squares, shapes = eigsh(K, k=count + 1, M=M, sigma=0, v0=np.ones(K.shape[0]))
         order = np.argsort(squares)
-        if frequency is None:
-            return shapes[:, order]
-        kept = order[squares[order] <= (2 * np.pi * frequency) ** 2]
-        if len(kept) < count:
-            return shapes[:, kept]
+        shapes = _untangled(shapes[:, order], squares[order], seen)
+        kept = count if frequency is None else int(np.sum(squares <= (2 * np.pi * frequency) ** 2))
+        if kept <= count:
+            return shapes[:, :kept]
         count *= 2
     wanted = f"modes = {modes}" if modes else f"more than {most} modes up to {frequency:g} Hz"
     raise RobotFileError(f"{file}: {wanted}; a reduced body has at most {most} beside its static shapes")
 
 
-def _untangled(mesh: Mesh, V: np.ndarray, omega: np.ndarray, tip: str) -> np.ndarray:
-    """Modes of equal frequency combined so that as many displacements of the tip as possible vanish; signs fixed."""
-    motion = _motion(mesh, tip) @ V
-    first = 0
-    for last in range(1, len(omega) + 1):
-        if last == len(omega) or omega[last] > omega[first] * (1 + ALIKE):
-            turn = scipy.linalg.qr(motion[:, first:last].T, pivoting=True)[0]
-            V[:, first:last], motion[:, first:last] = V[:, first:last] @ turn, motion[:, first:last] @ turn
+def _untangled(V: np.ndarray, squares: np.ndarray, seen: np.ndarray) -> np.ndarray:
+    """Modes of equal frequency combined so that as much as possible of ``seen @ V`` vanishes; signs fixed.
+
+    ``seen`` has the motion of the tip and the momentum: the modes of a symmetric body keep to its planes.
+    """
+    V, first = V.copy(), 0
+    for last in range(1, len(squares) + 1):
+        if last == len(squares) or squares[last] > squares[first] * (1 + ALIKE):
+            part = V[:, first:last]
+            V[:, first:last] = part @ scipy.linalg.qr((seen @ part).T, pivoting=True)[0]
             first = last
+    motion = seen @ V
     largest = np.argmax(abs(motion) > 0.9 * abs(motion).max(axis=0), axis=0)
-    return V * np.where(motion[largest, np.arange(len(omega))] < 0, -1.0, 1.0)
+    return V * np.where(motion[largest, np.arange(len(squares))] < 0, -1.0, 1.0)
 
 
 def _motion(mesh: Mesh, name: str) -> np.ndarray:

@@ -160,7 +160,7 @@ def main() -> int:
     meshes, exact, record = [int(n) for n in args.elements.split(",")], {}, {}
     for case in CASES.values():
         exact[case.name] = {n: exact_run(case, n) for n in meshes}
-        recipe = f"bench/exact_swings.py: Exudyn, {meshes[-1]} geometrically exact beams, steps of {1e3 * case.step:g} ms"
+        recipe = f"bench/exact_swings.py: Exudyn, {meshes[-1]} exact beams, steps of {1e3 * case.step:g} ms"
         tip = exact[case.name][meshes[-1]].round(7).tolist()
         record[case.name] = {"recipe": recipe, "t": times(case)[1:].round(6).tolist(), "tip": tip}
     if args.record:

@@ -2,8 +2,8 @@
 
     python bench/exact_swings.py [--elements 32,64] [--modes 4:2:1,2:2:2] [--record FILE]
 
-In the plane. `spin_up`: 10 m without weight, its base turned to 6 rad/s in 15 s. `pendulum`: hinged at its base, released
-level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order and pieces. --record
+In the plane. `spin_up`: 10 m without weight, its base turned to 6 rad/s in 15 s. `pendulum`: hinged at its base,
+released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order and pieces. --record
 writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some minutes.
 """
 

@@ -7,6 +7,7 @@ each mode. Where a rod integrates their products in closed form, their integrals
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 import numpy as np
 import sympy as sp
@@ -14,7 +15,7 @@ import sympy as sp
 from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, number, vector, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Moments6
+from .contract import Moments6, Turning
 from .moments import Moments
 from .second_order import AXES, SecondOrder, entry
 
@@ -55,6 +56,8 @@ class Table(Moments):
 
 class Reduced:
     """A flexible body from a file."""
+
+    turnings: ClassVar[list[Turning]] = []
 
     def __init__(self, b: Block, key: LinkClass):
         self.b, self.key, self.data = b, key, key.elastic

@@ -145,7 +145,8 @@ def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
     masses = [beam + sum(body.mass for body in link.bodies) for beam, link in zip(beams, links, strict=True)]
     K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
     turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
-    lengths = np.repeat([link.length or 0.0 for link in links], [link.pieces * link.modes.total for link in links])
+    own = [(link.length or 0.0) / link.pieces for link in links]
+    lengths = np.repeat(own, [link.pieces * link.modes.total for link in links])
     load, room = WEIGHT * sum(masses) * np.where(turns, lengths, 1.0), SAG * np.where(turns, 1.0, lengths)
     deflection = np.minimum(load / K, room)
     return deflection, deflection * np.sqrt(K / M_eta)

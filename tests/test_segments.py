@@ -171,6 +171,13 @@ def test_operations_are_proportional_to_segments():
     assert abs((counts[4] - counts[2]) / 2 / each - 1) < 0.05
 
 
+def test_the_self_check_allows_for_inertial_forces_that_cancel():
+    """In float, of the wrenches of inverse dynamics alone: those of inner links are small beside what they sum."""
+    project = CProject(divided(4, modes={"bending_y": 2}).chain, "0")
+    assert project.check["tolerance"]["single"] == "1e-04" and 1e-4 < float(project.check["inverse"]["single"]) < 0.1
+    assert "error <= WRENCH_TOLERANCE" in project.files()["check.c"]
+
+
 # ------------------------------------------------------------------------------ what users see
 
 

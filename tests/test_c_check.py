@@ -117,7 +117,7 @@ def test_a_wrong_line_is_found_in_float(built):
 
 def test_the_tolerances_are_the_usual_where_rounding_is_small():
     check = CProject(model_of(BENDS).chain, "").check
-    assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "lost": ""}
+    assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "inverse": {}, "lost": ""}
 
 
 # -------- where a precision is of no use

@@ -119,6 +119,7 @@ def test_parameters_are_those_of_the_link_and_change_at_run_time():
 def test_one_segment_is_the_link_itself():
     assert divided(1).chain.keys == model_of(arm(BOOM, JIB)).chain.keys
     assert screwgen.dump(divided(1).robot) == screwgen.dump(model_of(arm(BOOM, JIB)).robot)
+    assert "segments = 3" in screwgen.dump(divided(3).robot)
 
 
 @pytest.mark.parametrize(
@@ -170,6 +171,13 @@ def test_operations_are_proportional_to_segments():
     assert abs((counts[4] - counts[2]) / 2 / each - 1) < 0.05
 
 
+def test_the_self_check_allows_for_inertial_forces_that_cancel():
+    """In float, of the wrenches of inverse dynamics alone: those of inner links are small beside what they sum."""
+    project = CProject(divided(4, modes={"bending_y": 2}).chain, "0")
+    assert project.check["tolerance"]["single"] == "1e-04" and 1e-4 < float(project.check["inverse"]["single"]) < 0.1
+    assert "error <= WRENCH_TOLERANCE" in project.files()["check.c"]
+
+
 # ------------------------------------------------------------------------------ what users see
 
 
@@ -178,6 +186,9 @@ def test_names_speak_of_the_link():
     assert model.tau_names == ["boom.torque[0]", "boom.torque[1]", "jib.torque[0]"]
     assert model.q_names[:4] == ["boom.joint[0]", "boom.joint[1]", "jib.joint[0]", "boom[0].eta.bending_y[0]"]
     assert model.wrench_names[::6] == ["boom.tau_x", "boom[1].tau_x", "boom[2].tau_x", "jib.tau_x"]
+    names = model.dae_names
+    assert names["x"][7] == "boom[1].qw"
+    assert names["z"][::6][:4] == ["boom.tau_x", "boom[0].omega_x_rate", "boom[1].tau_x", "boom[1].omega_x_rate"]
     q = np.zeros(model.nq)
     linear = model.linearise(q, inputs=["boom.w_ext"], outputs=["base_strain", "boom.tau_x"])
     assert linear.output_names[:3] == tuple(f"boom.base_strain.{d}" for d in ("bending_y", "bending_z", "torsion"))

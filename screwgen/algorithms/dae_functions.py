@@ -16,7 +16,6 @@ from .schedule import Algorithm
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
-WRENCH = ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z")
 
 RATES = {
     "quaternion": "quaternion_rate",
@@ -51,9 +50,17 @@ def dae_names(chain: Chain) -> dict[str, list[str]]:
     rates = list(names.v[chain.n_joints :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
-    unknowns = [f"{link}.{u}" for link in links for u in (*WRENCH, *(f"{t}_rate" for t in TWIST))]
+    unknowns = link_unknowns(chain, TWIST)
     x = poses + modal + twists + rates + list(names.q[: chain.n_joints])
     return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in rates]}
+
+
+def link_unknowns(chain: Chain, twist: Sequence[str]) -> list[str]:
+    """The names of the unknowns of all links: the joint's wrench and the rates of ``twist``, link by link."""
+    wrench, out = coordinate_names(chain.robot).wrench, []
+    for i, link in enumerate(chain.names):
+        out += [*wrench[6 * i : 6 * i + 6], *(f"{link}.{t}_rate" for t in twist)]
+    return out
 
 
 class DaeFunctions(Functions):

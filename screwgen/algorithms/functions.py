@@ -141,16 +141,18 @@ class Functions:
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
         """Inverse dynamics: the generalised forces of a given motion."""
+        return self.loads(q, v, vdot, w_ext)[0]
+
+    def loads(self, q, v, vdot, w_ext) -> tuple[list, list]:
+        """The generalised forces of a given motion, and the joint wrenches, link by link."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
-        return self.chain.join(links, "force", "force_eta")
+        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
     def statics(self, q, w_ext) -> tuple[list, list]:
-        """The generalised forces that hold the robot at rest, and the joint wrenches, link by link."""
+        """The same at rest."""
         rest = [0.0] * self.chain.nq
-        still = self.chain.split(rest, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
-        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
+        return self.loads(q, rest, rest, w_ext)
 
     def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""

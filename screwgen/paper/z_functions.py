@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..algorithms.dae_functions import WRENCH, DaeFunctions, Entries
+from ..algorithms.dae_functions import DaeFunctions, Entries, link_unknowns
 from ..algorithms.functions import ASSEMBLY, DAE_FORWARD, PLACEMENT, Algorithm
 from ..algorithms.fused import fuse
 from ..algorithms.schedule import OUTWARD, Phase
@@ -38,7 +38,7 @@ def cauchy_names(chain: Chain) -> dict[str, list[str]]:
     links, names, m = chain.names, coordinate_names(chain.robot), chain.n_joints
     modal, rates = list(names.q[m:]), list(names.v[m:])
     of_links = lambda parts: [f"{link}.{part}" for link in links for part in parts]  # noqa: E731
-    unknowns = of_links((*WRENCH, *(f"{rate}_rate" for rate in RATES)))
+    unknowns = link_unknowns(chain, RATES)
     return {
         "x_c": of_links(COORDINATES) + modal + of_links(RATES) + rates,
         "q_sys": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in rates],

@@ -55,7 +55,7 @@ class LeanProject(CProject):
     """The C without the reference values of its self-check, which take as long as all the rest."""
 
     reference = ()
-    check = {"tolerance": {"double": "", "single": ""}, "lost": ""}  # noqa: RUF012
+    check = {"tolerance": {"double": "", "single": ""}, "inverse": {}, "lost": ""}  # noqa: RUF012
 
 
 class Compiled(Memory):

@@ -1,5 +1,6 @@
 """What the modes of a link need of its section, and what segments need of a link."""
 
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 from .modes import NEEDS, Modes
@@ -18,11 +19,11 @@ MOST_SEGMENTS = 64
 
 def segment_count(value: Any) -> int:
     """The number of segments of a link."""
-    if isinstance(value, bool) or not isinstance(value, int):
+    if isinstance(value, bool) or not isinstance(value, Integral):
         raise refuse(f"is {shown(value)}; it must be a whole number from 1 to {MOST_SEGMENTS}")
-    if not 1 <= value <= MOST_SEGMENTS:
+    if not 1 <= int(value) <= MOST_SEGMENTS:
         raise refuse(f"is {shown(value)}; it must be from 1 to {MOST_SEGMENTS}")
-    return value
+    return int(value)
 
 
 def require_uniform(section: AnySection | None, modes: Modes, direction: str) -> None:

@@ -9,7 +9,7 @@ from ...errors import UsageError
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from ..numpy import reference_sums
-from ..numpy.reference import Case, rounding_error
+from ..numpy.reference import Case, rounding_errors
 from .code import literal
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
@@ -22,17 +22,26 @@ LOOSEST = 1e-2
 """The largest tolerance: a precision that needs more is of no use for the robot."""
 
 
+GROSS = 0.5
+"""The largest tolerance for wrenches of inverse dynamics, which no caller needs from rounded accelerations."""
+
+
 def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
+    ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones.
     Raises :class:`UsageError` if double precision does not suffice.
     """
-    needed = {name: _needed(chain, cases, *usual) for name, usual in USUAL.items()}
+    errors = {name: [rounding_errors(chain, case, bits) for case in cases] for name, (_, bits) in USUAL.items()}
+    needed, inverse = ({name: _needed(name, errors[name], k) for name in USUAL} for k in (0, 1))
     if needed["double"] > LOOSEST:
         said = f"robot '{chain.robot.name}': rounding in double may change results by {percent(needed['double'])}"
         raise UsageError(f"{said}; give light links that carry heavy loads more mass, or the loads less")
     tolerance = {name: f"{min(value, LOOSEST):.0e}" for name, value in needed.items()}
-    return {"tolerance": tolerance, "lost": percent(needed["single"]) if needed["single"] > LOOSEST else ""}
+    more = {name: f"{min(max(inverse[name], needed[name]), GROSS):.0e}" for name in USUAL}
+    larger = any(float(more[name]) > float(tolerance[name]) for name in USUAL)
+    lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
+    return {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
 
 
 def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str, object]:
@@ -46,9 +55,9 @@ def _literals(value: Any) -> Any:
     return [_literals(x) for x in value] if isinstance(value, list) else literal(value)
 
 
-def _needed(chain: Chain, cases: list[Case], least: float, bits: int) -> float:
+def _needed(precision: str, errors: list[tuple[float, float]], kind: int) -> float:
     """The usual tolerance, or a multiple of the rounding error of the cases at that precision if it is larger."""
-    return max(least, MARGIN * max(rounding_error(chain, case, bits) for case in cases))
+    return max(USUAL[precision][0], MARGIN * max(error[kind] for error in errors))
 
 
 def percent(part: float) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import mpmath
 import numpy as np
@@ -41,24 +41,37 @@ def rounding_error(chain: Chain, case: Case, bits: int) -> float:
 
     Infinite where rounding makes the posture singular.
     """
+    return rounding_errors(chain, case, bits)[0]
+
+
+def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
+    """The same, and that of the joint wrenches by inverse dynamics from the rounded accelerations.
+
+    The second is larger where inertial forces that are large beside the wrenches cancel, as in many welded links.
+    """
     try:
-        return _rounding_error(chain, case, bits)
+        return _rounding_errors(chain, case, bits)
     except SingularError:
-        return math.inf
+        return math.inf, math.inf
 
 
-def _rounding_error(chain: Chain, case: Case, bits: int) -> float:
+def _rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
     with mpmath.workprec(bits):
         p, constants = fused.exact(chain)
-        given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext")}
+        given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext", "vdot")}
         rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
         functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
         vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
+        inverse = functions.loads(given["q"], given["v"], given["vdot"], given["w_ext"])[1]
     m = chain.n_joints
     parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
-    moments = [i for i in range(len(wrench)) if i % 6 < 3]
-    parts.append(([wrench[i] for i in moments], [case["wrench"][i] for i in moments]))
+    of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
+    parts.append((of(wrench, 0), of(case["wrench"], 0)))
+    return _worst(parts), _worst([(of(inverse, kind), of(case["wrench"], kind)) for kind in (0, 1)])
+
+
+def _worst(parts: Sequence[tuple[list, list[float]]]) -> float:
     errors = [_deviation(x, reference) for x, reference in parts]
     return math.inf if any(map(math.isnan, errors)) else max(errors)
 

@@ -149,7 +149,8 @@ def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
     masses = [beam + sum(body.mass for body in link.bodies) for beam, link in zip(beams, links, strict=True)]
     K, M_eta = (np.array([x for c in constants for x in c[name]], float) for name in ("K", "M_eta"))
     turns = [d == "torsion" for key in model.chain.keys for d, _ in key.directions]
-    lengths = np.repeat([reach(link) for link in links], [link.pieces * len(sizes(link)) for link in links])
+    own = [reach(link) / link.pieces for link in links]
+    lengths = np.repeat(own, [link.pieces * len(sizes(link)) for link in links])
     unit = np.array([x for link in links for x in link.pieces * sizes(link)])
     load, room = WEIGHT * sum(masses) * np.where(turns, lengths, unit), SAG * np.where(turns, 1.0, lengths / unit)
     deflection = np.minimum(load / K, room)

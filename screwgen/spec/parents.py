@@ -15,8 +15,11 @@ WORLD = "world"
 class Named(Protocol):
     """What this module reads of a link."""
 
-    name: str
-    parent: str | None
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def parent(self) -> str | None: ...
 
 
 def parent_name(value: Any) -> str:

@@ -42,9 +42,18 @@ OWN = {
         link("a", axes="yz", modes=MANY, section=SOFT, frame_at=0.3), link("b", axes="y", modes=MANY, section=SOFT)
     ),
 }
+SLIDING = {"joint": {"damping": [2.0]}, "parent": "a"}
+OWN["tree"] = arm(
+    link("a", axes="y", modes=BEND, section=SOFT, bodies=TIP),
+    link("b", axes=[{"slide": "x"}], modes=BEND, section=SOFT, **SLIDING),
+    link("c", axes=[{"screw": "z", "pitch": 0.05}], modes=BEND, section=SOFT, **SLIDING),
+    link("d", axes="z", modes=BEND, section=SOFT, parent="a"),
+    link("e", axes="x", bodies=TIP, parent="world"),
+)
 ROBOTS = ("ella", "six_link", *OWN)
 KINDS = [(layout, binding) for layout in ("fused", "modular") for binding in ("runtime", "baked")]
 BY_TURNS = [("bare", KINDS[0]), ("six_link", KINDS[1]), ("many", KINDS[2]), ("rigid", KINDS[3]), ("welded", KINDS[0])]
+BY_TURNS += [("tree", KINDS[2])]
 BOTH = (KINDS[0], KINDS[3])
 BUILT = [("ella", kind) for kind in BOTH] + BY_TURNS
 """Robots and kinds whose C is looked at in `make test`."""
@@ -104,6 +113,7 @@ CHECKED = [
     pytest.param("many", KINDS[2], "gcc", marks=pytest.mark.long),
     pytest.param("rigid", KINDS[1], "gcc", marks=pytest.mark.long),
     ("bare", KINDS[2], "gcc"),
+    ("tree", KINDS[2], "gcc"),
 ]
 
 

@@ -47,7 +47,8 @@ class Rod(RodStiffness):
         self.phi_row = field("phi_row", f.translational())
         self.lever = field("xi_phi", XI * f.translational())
         self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
-        self.strain = field("strain", f.strain())
+        sheared = "strains of each mode: u_x', u_y'', u_z'', rate of twist, shear in y and in z"
+        self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
         self.moved: Symbol = self.Phi
         self.bend: Expression = zeros(3)
         u, udot = self._field_of("eta"), self._field_of("etadot")

@@ -13,7 +13,6 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import exact_beams  # noqa: E402
-
 import exact_swings  # noqa: E402
 
 read = lambda name: json.loads((ROOT / "tests" / name).read_text(encoding="utf-8"))  # noqa: E731

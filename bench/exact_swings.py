@@ -3,8 +3,8 @@
     python bench/exact_swings.py [--elements 32,64] [--modes 4:2:1,2:2:2] [--record FILE]
 
 In the plane. `spin_up`: 10 m without weight, its base turned to 6 rad/s in 15 s. `pendulum`: hinged at its base,
-released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order and pieces. --record
-writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some minutes.
+released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order and
+pieces. --record writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some minutes.
 """
 
 from __future__ import annotations
@@ -160,7 +160,9 @@ def main() -> int:
     meshes, exact, record = [int(n) for n in args.elements.split(",")], {}, {}
     for case in CASES.values():
         exact[case.name] = {n: exact_run(case, n) for n in meshes}
-        recipe = f"bench/exact_swings.py: Exudyn, {meshes[-1]} exact beams, steps of {1e3 * case.step:g} ms"
+        recipe = (
+            f"bench/exact_swings.py: Exudyn, {meshes[-1]} geometrically exact beams, steps of {1e3 * case.step:g} ms"
+        )
         tip = exact[case.name][meshes[-1]].round(7).tolist()
         record[case.name] = {"recipe": recipe, "t": times(case)[1:].round(6).tolist(), "tip": tip}
     if args.record:

@@ -42,7 +42,9 @@ def exact_tip(basis: str, eta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     def slope(x, pose):
         R, at = pose[:9].reshape(3, 3), 2 * x / LENGTH - 1
         k, g = chebyshev.chebval(at, bent), chebyshev.chebval(at, stretched)
-        return np.append(R @ np.cross(np.eye(3), k), R @ (np.array([1.0, 0.0, 0.0]) + g))  # hat(kappa)
+        return np.append(
+            R @ np.cross(np.eye(3), k), R @ (np.array([1.0, 0.0, 0.0]) + g)
+        )  # rows e_i x kappa: hat(kappa)
 
     start = np.append(np.eye(3), np.zeros(3))
     end = solve_ivp(slope, (0, LENGTH), start, method="DOP853", rtol=1e-12, atol=1e-14).y[:, -1]

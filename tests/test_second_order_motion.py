@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import random_robots as rr
+from conftest import swept
 from helpers import model_of
 from oracle import Oracle
 from scipy.integrate import solve_ivp
@@ -16,33 +17,39 @@ from screwgen import Screw
 from screwgen.runtime.compiled import Compiled
 
 DURATION, SAMPLES = 1.0, 21
-E_X, E_Y, E_Z = np.eye(3)
-FREE = [*(Screw(tuple(axis), turn=False, travel=1.0) for axis in (E_X, E_Y, E_Z)), "z", "y", "x"]
-"""The joint of a body in space: three slides along the axes of the inertial frame, then yaw, pitch and roll."""
+SLIDES = [Screw(tuple(axis), turn=False, travel=1.0) for axis in np.eye(3).tolist()]
+"""The joint of a carriage that is free along the axes of the inertial frame; a link on it turns by yaw, pitch, roll."""
 
 
 def undamped(rng, links: int) -> dict:
-    """A random arm in space, flexible links of order 2; nothing dissipates, and no joint has a singular posture."""
+    """A random arm in space, flexible links of order 2; nothing dissipates.
+
+    Joints of two axes have no singular posture. Motors have rotors: without them the mass matrix to second order loses
+    its definiteness at smaller deflections.
+    """
     robot = rr.random_robot(rng, links, rigid=0.0, welded=0.0, material=0.0, soft=0.0, max_axes=2)
     robot |= {"order": 2, "gravity": rr.numbers(rng.uniform(-10, 10, 3))}
     for link in robot["links"]:
         link.pop("damping", None)
         link["joint"].pop("damping", None)
+        link["joint"]["armature"] = [0.1] * len(link["joint"]["axes"])
+        link["bodies"] = [rr.random_body(rng, "tip")]
         link["modes"] = {"bending_y": 2, "bending_z": 1, "torsion": 1} if link["name"] == "link_0" else {
             "axial": 1, "bending_y": 1, "bending_z": 2,
         }  # fmt: skip
-        link["section"] = {"rhoA": 1.0, "EA": 2e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0, "rhoIp": 5e-3}
+        link["section"] = {"rhoA": 1.0, "EA": 5e3, "EIy": 200.0, "EIz": 300.0, "GJ": 100.0, "rhoIp": 5e-3}
     return robot
 
 
 def free_chain(rng) -> dict:
-    """Three links in space without gravity, motors' inertia, springs or ground; the first one is free."""
-    robot = undamped(rng, 3) | {"gravity": [0.0, 0.0, 0.0]}
+    """Two links in space without gravity; the first one turns freely about a point mass that slides freely."""
+    robot = undamped(rng, 2) | {"gravity": [0.0, 0.0, 0.0]}
     for link in robot["links"]:
-        for key in ("armature", "stiffness"):
-            link["joint"].pop(key, None)
-    robot["links"][0]["joint"] = {"axes": FREE}
-    return robot
+        link["joint"].pop("stiffness", None)
+    robot["links"][0] |= {"joint": {"axes": ["z", "y", "x"]}, "bodies": [rr.random_body(rng, "base")]}
+    carriage = {"name": "carriage", "length": 0.1, "section": {"rhoA": 1e-9}, "joint": {"axes": SLIDES}}
+    carriage["bodies"] = [{"at": "tip", "mass": 0.5}]
+    return robot | {"links": [carriage, *robot["links"]]}
 
 
 @cache
@@ -51,7 +58,7 @@ def motion(kind: str, seed: int):
     rng = np.random.default_rng(seed)
     robot = free_chain(rng) if kind == "free" else undamped(rng, 2 + seed % 2)
     model = model_of(robot)
-    state = rr.random_state(rng, robot, angle=1.0, rate=1.0, modal=0.5)
+    state = rr.random_state(rng, robot, angle=0.5, rate=1.0, modal=0.2)
     compiled, free = Compiled(model, flags=("-O1",)), (np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
     slope = lambda _, x: np.append(x[model.nq :], compiled.forward_dynamics(*np.split(x, 2), *free)[0])  # noqa: E731
     start = np.append(state["q"], state["v"])
@@ -61,7 +68,7 @@ def motion(kind: str, seed: int):
     return Oracle(robot), model, *np.split(run.y.T, 2, axis=1)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", swept(range(3), 0))
 def test_a_free_swing_keeps_its_energy(seed):
     """To 1e-8 of the largest kinetic energy in a second; the energy is the tool's, and the oracle's."""
     oracle, model, q, v = motion("swing", seed)
@@ -74,14 +81,14 @@ def test_a_free_swing_keeps_its_energy(seed):
     assert np.allclose(energies[::5], judged, rtol=1e-10, atol=1e-10 * most)
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", swept(range(2), 0))
 def test_a_free_chain_keeps_its_momentum(seed):
-    """Linear and angular, summed by the oracle over the elements of the links; no wrench holds the base."""
+    """Linear and angular, summed by the oracle over the elements of the links; the ground gives no wrench."""
     oracle, model, q, v = motion("free", seed)
     momenta = [np.concatenate(oracle.momentum(*at)) for at in zip(q, v, strict=True)]
     linear, angular = np.split(np.array(momenta), 2, axis=1)
     moved = np.abs(v - v[0]).max(axis=0)
-    assert moved[:3].min() > 0.01 and moved[3:6].min() > 0.1
+    assert moved[:3].min() > 0.01 and moved[3:6].min() > 0.1 and np.ptp(q[:, 3:6], axis=0).min() > 0.1
     for momentum in (linear, angular):
         assert np.abs(momentum - momentum[0]).max() <= 1e-9 * np.linalg.norm(momentum[0])
     free = np.zeros(model.n_joints), np.zeros((model.n_links, 6))

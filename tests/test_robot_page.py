@@ -17,7 +17,7 @@ spec.loader.exec_module(robot_page)
 PAGE = robot_page.PAGE.read_text(encoding="utf-8")
 WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
-    frequencies ratio axes mount at order stations between profile tube rod box nu""".split()
+    frequencies ratio axes mount parent at order stations between profile tube rod box nu""".split()
 )
 """Keys that are no physical quantity in some table."""
 

@@ -1,5 +1,6 @@
 """Timoshenko rods, shear and rotary inertia: against the oracle in every back end, and against formulas."""
 
+import subprocess
 from functools import cache
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 import random_robots as rr
 import scipy.linalg
 import scipy.optimize
+from conftest import require_tool
 from helpers import EPS32, Case, arm, casadi_forward, disagreement, drawn, link, model_of, quick, relative
 from helpers import case_of as case_in
 from test_derivatives import by_casadi, worst
@@ -70,6 +72,19 @@ def test_compiled_in_float():
     found = quick(case.model, single=True).forward_dynamics(*case.inputs)
     bound = 50 * EPS32 * case.oracle.condition(case.state["q"])
     assert disagreement(case.oracle, case.model.numpy().forward_dynamics(*case.inputs), found) < min(bound, 1e-2)
+
+
+def test_the_generated_self_check_passes_with_coupled_modes(tmp_path):
+    """A uniform rod that shears, and one that varies: their rest needs the full stiffness."""
+    section = {"EIy": 30.0, "EIz": 50.0, "GAz": 2e3, "rhoIy": 1e-3}
+    thin = [{"at": float(s), "rhoA": 1.0 - 0.5 * s, "EIy": 30.0 - 20.0 * s} for s in (0, 1)]
+    first = link("a", 0.8, ["z", "y"], modes={"bending_z": 2, "shear_z": 2}, section=section)
+    second = link("b", 0.6, "y", modes={"bending_z": 2}) | {"section": thin}
+    body = {"at": "base", "mass": 0.1, "inertia": [1e-2, 1e-2, 1e-2, 0.0, 0.0, 0.0]}
+    model_of(arm(first, second | {"bodies": [body]})).write(tmp_path / "out", targets=("c",))
+    make = [require_tool("make"), "-s", "CFLAGS=-O0 -std=c99", "check"]
+    done = subprocess.run(make, cwd=tmp_path / "out" / "c", capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.count("all checks passed") == 2, done.stdout
 
 
 def test_the_robots_mix_what_they_should():

@@ -14,7 +14,7 @@ EI is the smaller of the planes that have modes. Of a section that varies, EI is
 its stations, so that the measures are not too small. If frequencies are stated, it is that of the uniform beam with the
 first of them. The force at the tip is the joint's axial force less the inertial force of the link and its base bodies.
 Approximations: the link's own axial load is uniform, apart from ``rotation``; the axis is that of the straight link;
-the next links are a mass at the tip.
+the next links are a mass at the tip; shear, which lowers a buckling load P by the factor 1 + P/GA, is left out.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ from skfem.helpers import dot
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 import screwgen
-from screwgen.plotting.look import INK, PALE, PALETTE, canvas, png, styled
+from screwgen.plotting.look import INK, PALETTE, canvas, png, styled
 from screwgen.studies.modes import mode_shapes
 
 FOLDER = Path(__file__).resolve().parents[1] / "build" / "bracket"
@@ -101,7 +101,7 @@ class Solid:
         T = sparse.hstack([sparse.identity(3 * n, format="csc")[:, inner], sparse.csc_matrix(rigid)]).tocsc()
         added = sparse.diags(np.append(np.zeros(len(inner)), [payload] * 3 + [0.0] * 3))
         M, K = T.T @ self.M @ T + added, T.T @ self.K @ T
-        squares, shapes = eigsh(K, k=LOWEST, M=M, sigma=0)
+        squares, shapes = eigsh(K, k=LOWEST, M=M, sigma=0, v0=np.ones(K.shape[0]))
         order = np.argsort(squares)
         return np.sqrt(squares[order]) / (2 * np.pi), (T @ shapes[:, order]).reshape(n, 3, LOWEST)
 
@@ -171,18 +171,18 @@ def draw(solid: Solid, exact: np.ndarray, shapes: np.ndarray, found: dict[str, n
 
 
 def surface(axes, solid: Solid, mode: np.ndarray, color: str) -> None:
-    """The outer faces of the elements, displaced by a mode; at rest behind them."""
+    """The outer faces of the elements, displaced by a mode."""
     mesh, points = solid.mesh, solid.mesh.p.T
     corners = [int(np.argmin(np.sum((solid.nodes - p) ** 2, axis=1))) for p in points]
-    moved = points + 0.08 * mode[corners] / np.abs(mode[corners]).max()
+    largest = mode[corners].ravel()[np.abs(mode[corners]).argmax()]
+    moved = points + 0.08 * mode[corners] / largest
     faces = mesh.facets[:, mesh.boundary_facets()].T
-    for at, face, alpha in ((points, PALE, 0.15), (moved, color, 0.9)):
-        axes.add_collection3d(
-            Poly3DCollection(at[around(points, faces)], facecolor=face, edgecolor="white", lw=0.2, alpha=alpha)
-        )
-    low, high = np.vstack([points, moved]).min(axis=0), np.vstack([points, moved]).max(axis=0)
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), xticks=[], yticks=[], zticks=[])
-    axes.set_box_aspect(high - low, zoom=1.25)
+    shown = Poly3DCollection(moved[around(points, faces)], facecolor=color, edgecolor="white", lw=0.3)
+    axes.add_collection3d(shown)
+    low, high = moved.min(axis=0), moved.max(axis=0)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    axes.set_axis_off()
+    axes.set_box_aspect(high - low, zoom=0.85)
     axes.view_init(elev=22, azim=-58)
 
 

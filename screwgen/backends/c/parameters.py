@@ -76,11 +76,14 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
 
 
 def changing_parameter(robot: Robot) -> dict[str, str]:
-    """The parameter of the README's example: a mass at the last tip, else the last link's mass per length."""
+    """The README's example: a mass at the last tip, else the last link's mass per length, else gravity."""
     own = [p for p in parameters(robot) if p.link == len(robot.links) - 1]
-    masses = [p for p in own if p.field == "bodies.mass"]
-    p = (masses or [p for p in own if p.field in ("rhoA", "section.rhoA")])[-1]
-    return {"member": str(member(p)), "value": repr(p.value), "unit": ascii_unit(p.unit)}
+    masses = [p for p in own if p.field == "bodies.mass"] or [p for p in own if p.field in ("rhoA", "section.rhoA")]
+    if not masses:
+        return {"place": "gravity[2]", "value": repr(robot.gravity[2]), "unit": "m/s^2"}
+    last = masses[-1]
+    place = f"links[$$_LINK_{robot.links[-1].name.upper()}].{member(last)}"
+    return {"place": place, "value": repr(last.value), "unit": ascii_unit(last.unit)}
 
 
 def ascii_unit(text: str) -> str:

@@ -259,7 +259,8 @@ class CProject:
     def constants(self):
         if self.baked is not None:
             return []
-        return constant_fields(self.chain, {x for labels in self.labels for x in labels})
+        fields = constant_fields(self.chain, {x for labels in self.labels for x in labels})
+        return fields or [Field("none", (), "no constant depends on parameters")]
 
     @cached_property
     def parameters(self) -> dict[str, list[Field]]:
@@ -293,6 +294,7 @@ class CProject:
 
         lines = trimmed(Writer(program, placed, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
         own = columns(self.chain, i, lambda name, *_: f"$_real {name}[]")
+        lines = with_unused(("p", "c"), lines)
         signature = f"const $_link_parameters *p, $_link_constants *c{own}"
         name = self.chain.identifiers[i]
         written = [placed(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]

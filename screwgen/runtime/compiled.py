@@ -14,7 +14,7 @@ from ..algorithms.dae_functions import state_size, unknown_size
 from ..arguments import Given, array, choice, seconds, whole
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
-from ..errors import ScrewgenError, SingularError, UsageError
+from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
@@ -275,8 +275,7 @@ class Compiled(Memory):
     def check(self, status: int) -> None:
         """Raise the error of a status that is not OK."""
         if status == SINGULAR:
-            link = self.chain.names[self.library.shim_fault(self.memory)]
-            raise SingularError(f"the joint of link '{link}' is singular in this posture")
+            raise self.chain.singular(self.library.shim_fault(self.memory))
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
 

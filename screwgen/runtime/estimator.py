@@ -159,8 +159,7 @@ class CompiledEstimator:
 
     def _check(self, status: int) -> None:
         if status == 2 and self.fault >= 0:
-            link = self.model.chain.names[self.fault]
-            raise SingularError(f"the joint of link '{link}' is singular in this posture")
+            raise self.model.chain.singular(self.fault)
         if status == 2:
             raise SingularError("the filter's covariance has lost its definiteness, or its step is too long")
         if status:

@@ -12,6 +12,7 @@ from itertools import accumulate
 import numpy as np
 
 from ..arguments import Parameters, array
+from ..errors import SingularError
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
 from ..spec.parents import parents
@@ -60,6 +61,14 @@ class Chain:
     def sprung(self) -> bool:
         """Whether springs or dampers act in any joint."""
         return any(key.sprung for key in self.keys)
+
+    def singular(self, link: int) -> SingularError:
+        """The error of a link that cannot be solved for."""
+        text = f"the joint of link '{self.names[link]}' is singular in this posture"
+        if any(key.order == 2 for key in self.keys):
+            text += ", or a link of order 2 bends so far that its mass matrix is no longer positive definite; then give"
+            text += " it more segments"
+        return SingularError(text)
 
     @property
     def slides(self) -> bool:

@@ -26,7 +26,6 @@ from ...algorithms.functions import (
 from ...algorithms.linearise import slopes
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
-from ...errors import SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
@@ -79,7 +78,7 @@ class Numeric:
         except ZeroDivisionError:
             guards = [0.0]
         if not all(g > 0 for g in guards):
-            raise SingularError(f"the joint of link '{self.chain.names[link]}' is singular in this posture")
+            raise self.chain.singular(link)
         return outputs
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

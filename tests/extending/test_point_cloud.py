@@ -97,5 +97,5 @@ def test_everything_is_written(pair, tmp_path):
 def test_a_file_cannot_state_one():
     from screwgen import Robot, RobotFileError
 
-    with pytest.raises(RobotFileError, match=r"body .link lump.: is 3; it must be a hashable Python object"):
+    with pytest.raises(RobotFileError, match=r"body .link lump.: is 3; it must be a table with sid or npz, or a hashable Python object"):
         Robot(**arm(body=3))

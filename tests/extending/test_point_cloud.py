@@ -97,5 +97,6 @@ def test_everything_is_written(pair, tmp_path):
 def test_a_file_cannot_state_one():
     from screwgen import Robot, RobotFileError
 
-    with pytest.raises(RobotFileError, match=r"body .link lump.: is 3; it must be a hashable Python object"):
+    message = r"body .link lump.: is 3; it must be a table with sid or npz, or a hashable Python object"
+    with pytest.raises(RobotFileError, match=message):
         Robot(**arm(body=3))

@@ -20,7 +20,7 @@ LIMITS = {
     "material": 0.3,
     "frame_at": 0.25,
     "mount": 0.5,
-    "branching": 0.0,  # of a link: any earlier link carries it, or the world
+    "branching": 0.0,  # of a link: any earlier link, or the world, carries it
     "sliding": 0.0,  # of an axis: a slide or a screw
     "bodies": 0.5,  # of each of: a base body, a tip body
     "armature": 0.4,
@@ -60,9 +60,9 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         robot["section_rotation"] = True
     soft = chance(rng, limits["soft"])
     robot["links"] = [random_link(rng, i, limits, soft) for i in range(count)]
-    for i, link in enumerate(robot["links"]):
-        if limits["branching"] and i and chance(rng, limits["branching"]):
-            link["parent"] = str(rng.choice(["world", *(other["name"] for other in robot["links"][:i])]))
+    for i in range(1, count if limits["branching"] else 1):
+        if chance(rng, limits["branching"]):
+            robot["links"][i]["parent"] = str(rng.choice(["world", *(x["name"] for x in robot["links"][:i])]))
     if limits["second_order"]:
         for part in (robot, *robot["links"]):
             if chance(rng, limits["second_order"]):
@@ -191,9 +191,7 @@ def _material(rng, modes: dict) -> dict:
 
 def random_joint(rng, limits: dict) -> dict:
     count = 0 if chance(rng, limits["welded"]) else int(rng.integers(1, limits["max_axes"] + 1))
-    joint: dict = {"axes": random_axes(rng, count)}
-    if limits["sliding"]:
-        joint["axes"] = mixed(rng, joint["axes"], limits["sliding"])
+    joint: dict = {"axes": mixed(rng, random_axes(rng, count), limits["sliding"])}
     if chance(rng, limits["mount"]):
         parts = {"xyz": numbers(rng.uniform(-0.2, 0.2, 3)), "rpy": numbers(rng.uniform(-np.pi, np.pi, 3))}
         keys = [["xyz"], ["rpy"], ["xyz", "rpy"]][int(rng.integers(3))]
@@ -210,13 +208,12 @@ def random_joint(rng, limits: dict) -> dict:
 
 def mixed(rng, axes: list, sliding: float) -> list:
     """The axes, some of which became slides and screws; two in a row may be one cylindrical joint."""
-    out = [_slid(rng, axis) if chance(rng, sliding) else axis for axis in axes]
-    return [axes[0], {"slide": axes[0]}] if len(axes) == 2 and chance(rng, sliding / 3) else out
-
-
-def _slid(rng, axis) -> dict:
+    if not sliding:
+        return axes
     pitch = float(rng.uniform(0.01, 0.2) * rng.choice([-1, 1]))
-    return {"slide": axis} if chance(rng, 0.5) else {"screw": axis, "pitch": pitch}
+    screw = lambda axis: {"slide": axis} if chance(rng, 0.5) else {"screw": axis, "pitch": pitch}  # noqa: E731
+    out = [screw(axis) if chance(rng, sliding) else axis for axis in axes]
+    return [axes[0], {"slide": axes[0]}] if len(axes) == 2 and chance(rng, sliding / 3) else out
 
 
 def random_axes(rng, count: int) -> list:

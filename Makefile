@@ -65,9 +65,11 @@ build/ella_paper/report.html: examples/ella_paper.py $(wildcard examples/ella/*.
 minima: $(MINIMA)/.ready
 	$(MINIMA)/bin/python tests/minima.py
 
+# Style and types of the Python; analysers, sanitizers and valgrind over the C of a small robot.
 lint: $(READY)
 	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
 	$(BIN)/mypy
+	$(BIN)/python -m pytest -n $(WORKERS) $(QUIET) -m 'analysis and not long'
 
 # The generated C against what else computes the same; the other tools live in an environment of their own.
 bench: $(BENCH)/.ready

@@ -87,6 +87,7 @@ def test_the_constants_given_to_casadi_are_all_inputs_of_the_program():
     assert len(constant_values(model, program)) == sum(sizes) > 0
 
 
+@pytest.mark.examples
 def test_the_table_has_its_rows(quick):
     text, out = quick
     with open(out / "bench.csv", newline="", encoding="utf-8") as stream:
@@ -101,6 +102,7 @@ def test_the_table_has_its_rows(quick):
     assert (out / "bench.png").stat().st_size > 10_000
 
 
+@pytest.mark.examples
 def test_the_table_fits_a_terminal(quick):
     table = quick[0].splitlines()[2:]
     assert max(map(len, table)) <= 100

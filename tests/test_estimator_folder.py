@@ -54,6 +54,7 @@ def test_command_line(tmp_path):
 # -------- the example, and the target
 
 
+@pytest.mark.examples
 def test_example():
     """In a short form; it asserts its own figures."""
     sys.path.insert(0, str(ROOT / "examples"))

@@ -1,6 +1,7 @@
 """The generated C under gcc's analyser, clang-tidy, cppcheck with MISRA rules, sanitizers and valgrind.
 
-Of a small robot, fused in double or modular in float; `make analyse-c` takes three larger robots in all combinations.
+Of a small robot, fused in double or modular in float, in `make lint`; `make analyse-c` takes three larger robots in all
+combinations.
 """
 
 import pytest
@@ -8,6 +9,7 @@ from c_robots import FEW
 from c_tools import clang_tidy, cppcheck, deviations, gcc_analyser, memchecked, misra, sanitized
 from conftest import swept
 
+pytestmark = pytest.mark.analysis
 one_kind = pytest.mark.parametrize("kind", FEW[1:], ids=str)
 fused = pytest.mark.parametrize("kind", swept(FEW, FEW[0]), ids=str)
 modular = pytest.mark.parametrize("kind", swept(FEW, FEW[1]), ids=str)

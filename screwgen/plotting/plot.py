@@ -171,12 +171,16 @@ def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> l
 
 
 def _modes(run: Run, model: Model | None, direction: str) -> list[Line]:
-    """The modal coordinates of a direction; of a link with segments, if `model` is given, how far its tip is moved."""
+    """The modal coordinates of a direction; of a link with segments, if `model` is given, how far its tip is moved.
+
+    Shear moves the tip of such a link along with bending, whose panel shows it.
+    """
     split = {i: x.name for i, x in enumerate(model.robot.links) if x.pieces > 1} if model else {}
     part = f".eta.{direction}["
     kept = tuple("" if owner(name) in split.values() else name for name in run.q_names)
     moved = [(i, x) for i, x in split.items() if any(part in name and owner(name) == x for name in run.q_names)]
-    own = [Line(_tip(model, run.q, i, direction), color(i, len(link_names(run)))) for i, _ in moved]
+    shown = moved if direction in (*AXIS, "torsion") else []
+    own = [Line(_tip(model, run.q, i, direction), color(i, len(link_names(run)))) for i, _ in shown]
     return _lines(run, run.q, kept, part) + own
 
 

@@ -6,13 +6,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..spec.parents import parents
+
 if TYPE_CHECKING:
     from ..model import Model
 
 
 def feet(model: Model) -> list[np.ndarray]:
     """The places (3,), m, at which links that no link carries are mounted."""
-    carried = zip(model.robot.links, model.chain.tree.parents, strict=True)
+    carried = zip(model.robot.links, parents(model.robot.links), strict=True)
     return [_mount(link) for link, parent in carried if parent < 0]
 
 
@@ -21,7 +23,7 @@ def strands(model: Model, lines: np.ndarray) -> list[np.ndarray]:
 
     The first point of each is the tip of its parent, or its mount: a joint that slides moves the link away from it.
     """
-    carried = enumerate(model.chain.tree.parents)
+    carried = enumerate(parents(model.robot.links))
     starts = [lines[parent, -1] if parent >= 0 else _mount(model.robot.links[i]) for i, parent in carried]
     return [np.concatenate([start[None], line]) for start, line in zip(starts, lines, strict=True)]
 

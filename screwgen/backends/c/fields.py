@@ -131,7 +131,7 @@ def topology(chain: Chain) -> dict[str, list]:
     """Of a tree, the nodes that carry the links and the names of their links, for the templates; empty for a chain."""
     if chain.tree.is_chain:
         return {"bases": [], "carriers": []}
-    names = ["the base", *(link.name for link in chain.robot.links)]
+    names = ["the base", *chain.names]
     bases = [chain.tree.base(i) for i in range(chain.n)]
     return {"bases": bases, "carriers": [names[node] for node in bases]}
 

@@ -167,7 +167,7 @@ class Links:
         edges = list(dict.fromkeys(p.edge for p in found))
         return [
             {
-                "child": self.chain.robot.links[edge].name,
+                "child": self.chain.identifiers[edge],
                 "steps": [
                     {"link": p.link, "call": self.function(p, run, algorithm[p.phase].name).call}
                     for p in found

@@ -15,17 +15,18 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 LENGTH = 0.8
-MODES = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
+MODES = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1, "shear_y": 1, "shear_z": 1}
+SECTION = {"GAy": 1e5, "GAz": 1e5}
 BASES = ("polynomial", "clamped_free")
 HALVINGS = 4
-SCALE = {"axial": 0.01, "bending_y": 0.03, "bending_z": 0.03, "torsion": 0.06}
+SCALE = {"axial": 0.01, "bending_y": 0.03, "bending_z": 0.03, "torsion": 0.06, "shear_y": 0.01, "shear_z": 0.01}
 """The largest modal coordinates: tip deflections of some 5 % of the length, twists of some 0.1 rad."""
 
 
 @cache
 def rod(basis: str, order: int):
     """The tip poses of a clamped rod with all directions flexible."""
-    return model_of(arm(link("rod", LENGTH, [], modes={"basis": basis, **MODES}), order=order)).numpy()
+    return model_of(arm(link("rod", LENGTH, [], modes={"basis": basis, **MODES}, section=SECTION), order=order)).numpy()
 
 
 def drawn(seed: int) -> np.ndarray:

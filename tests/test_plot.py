@@ -90,12 +90,11 @@ def test_the_arm_is_large_and_bends():
     space = next(axes for axes in figure.axes if axes.name == "3d")
     assert space.get_window_extent().height > 4.0 * figure.dpi
     lines = [np.array(line.get_data_3d()).T for line in space.lines]
-    last = [line for line in lines if len(line) == plot.STATIONS.size + 1]
-    assert len(last) == model.n_links and np.allclose(last[-1][-1], run.tip_position[-1])
+    drawn = [line for line in lines if len(line) == plot.STATIONS.size + 1]
+    assert len(drawn) == plot.POSTURES * model.n_links and np.allclose(drawn[-1][-1], run.tip_position[-1])
+    last = drawn[-model.n_links :]
     chord = last[0][-1] - last[0][0]
     assert np.linalg.norm(np.cross(last[0] - last[0][0], chord), axis=1).max() > 1e-3 * chord @ chord
-    earlier = [line for line in lines if len(line) == model.n_links * plot.STATIONS.size]
-    assert len(earlier) == plot.POSTURES - 1
 
 
 def test_set_points_and_limits_are_drawn_where_the_controller_states_them():

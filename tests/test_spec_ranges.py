@@ -34,6 +34,8 @@ MEASURED = GOOD.replace("EIz = 1e3, GJ", "GJ").replace(
 )
 TUBE = "profile = { tube = { outer = 0.1, wall = 0.004 }, E = 2e11, density = 7800.0, nu = 0.3 }"
 TEXTS = {"frequency": MEASURED} | dict.fromkeys(("dimension", "nu"), GOOD.replace(f"section = {MATERIAL}", TUBE))
+SHEARED = GOOD.replace("EIz = 1e3, GJ", "EIz = 1e3, GAy = 1e5, GAz = 1e5, rhoIy = 1e-3, rhoIz = 1e-3, GJ")
+TEXTS |= dict.fromkeys(("GAy", "GAz", "rhoIy", "rhoIz"), SHEARED)
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

@@ -144,3 +144,13 @@ def test_random_arms_under_gravity(seed):
             second = (corners[0] - corners[1] - corners[2] + corners[3]) / (4 * h * h)
             scale = np.sqrt(abs(about.K[a, a] * about.K[b, b])) + abs(V(about.q))
             assert abs(second - about.K[a, b]) <= 1e-5 * scale
+
+
+def test_a_soft_vibration_of_a_stiff_light_arm_is_no_rigid_motion():
+    """A unit mass on a light beam that is 3e6 times as stiff along itself."""
+    rod = link("rod", 1.0, "z", 1e-4, {"axial": 2, "bending_y": 3}, section={"EIz": 1e-3, "EA": 1e7})
+    rod |= {"bodies": [{"at": "tip", "mass": 1.0}]}
+    model = model_of(arm(rod, gravity=(0.0, 0.0, -9.81)))
+    found = natural_frequencies(model, rates=[0.0])
+    assert found[0] == pytest.approx(np.sqrt(3e-3) / (2 * np.pi), rel=1e-4)
+    assert mode_shapes(model, joints="free", rates=[0.0]).rigid == 1

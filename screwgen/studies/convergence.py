@@ -67,7 +67,8 @@ def convergence(
     if loaded or rates is not None:
         q = steady(model, q, rates, loaded, np.array(list(names.values())), first).q
         about = steady(rich, here @ q, rates, loaded, np.array(values), first, settle=False)
-        ritz = lambda basis: oscillations(*(basis.T @ x @ basis for x in (about.M, about.G, about.K))).omega  # noqa: E731
+        M, G, K, rigid = about.M, about.G, about.K, None if first else about.rigid
+        ritz = lambda b: oscillations(b.T @ M @ b, b.T @ G @ b, b.T @ K @ b, rigid).omega  # noqa: E731
     else:
         M, K = rich.numpy(values).mass_matrix(here @ q), stiffness_matrix(rich, values)
         ritz = lambda basis: _at_rest(model, basis, M, K)  # noqa: E731

@@ -86,7 +86,8 @@ def mode_shapes(
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
         about = steady(model, q, rates, loaded, p, first)
-        omega, growth, columns, rigid = oscillations(*(x[first:, first:] for x in (about.M, about.G, about.K)))
+        M, G, K = (x[first:, first:] for x in (about.M, about.G, about.K))
+        omega, growth, columns, rigid = oscillations(M, G, K, None if first else about.rigid)
         shapes = np.vstack([np.zeros((first, len(omega))), columns])
         return ModeShapes(omega / (2 * np.pi), shapes, rigid, about.validity(model), growth)
     out, frequencies, rigid = _at_rest(model, q, p, first)

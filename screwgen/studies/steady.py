@@ -23,8 +23,10 @@ ITERATIONS, SETTLED = 50, 1e-10
 """Newton steps to the steady deflection at most; a step of this size relative to the deflection is the last."""
 FURTHER, SAME = 0.7, 1e-9
 """rad or m along the motion at which the loads on the links are compared, and the relative change that is none."""
-NOTHING = 1e-13
-"""Stiffness and gyroscopic coupling, relative to the largest, that are rounding errors."""
+NOTHING = 1e-12
+"""Gyroscopic coupling, relative to the largest, that is a rounding error."""
+UNRESISTED = 1e-10
+"""Change of the forces by the turn of a joint, relative to the loads on the arm, that is a rounding error."""
 GROWTH = 1e-7
 """Real part of an eigenvalue, relative to the largest modulus, that is a rounding error."""
 
@@ -43,6 +45,8 @@ class Steady(NamedTuple):
     """(n_joints,): what keeps the joints at their rates."""
     p: np.ndarray
     """The parameter values, gravity zero where it is left out."""
+    rigid: np.ndarray
+    """(n_joints, r): orthonormal motions of the joints that neither a spring nor a load resists."""
 
     def validity(self, model: Model) -> Validity:
         """How far the motion is from the limits of the model."""
@@ -68,7 +72,11 @@ def steady(
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, force[: model.n_joints], p)
+    tau, columns = force[: model.n_joints], K[:, : model.n_joints]
+    loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, model.n_joints :] @ q[model.n_joints :]))
+    _, sizes, rows = np.linalg.svd(columns)
+    rigid = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
+    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid)
 
 
 def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -105,31 +113,36 @@ class Oscillations(NamedTuple):
     """The number of motions that neither a spring nor a load resists."""
 
 
-def oscillations(M: np.ndarray, G: np.ndarray, K: np.ndarray) -> Oscillations:
-    """The natural motions of ``M ẍ + G ẋ + K x = 0``; raises SingularError where `M` is."""
+def oscillations(M: np.ndarray, G: np.ndarray, K: np.ndarray, rigid: np.ndarray | None = None) -> Oscillations:
+    """The natural motions of ``M ẍ + G ẋ + K x = 0``; raises SingularError where `M` is.
+
+    `rigid` (m, r): motions of the first m coordinates that nothing resists.
+    """
     try:
         root = np.linalg.inv(np.linalg.cholesky((M + M.T) / 2)).T
     except np.linalg.LinAlgError:
         raise SingularError("the mass matrix is singular in this posture; lock the joints") from None
+    free = np.zeros((len(M), 0))
+    if rigid is not None:
+        free = np.linalg.solve(root, np.vstack([rigid, np.zeros((len(M) - len(rigid), rigid.shape[1]))]))
     K, G = root.T @ K @ root, root.T @ G @ root
-    held, space = _resisted(K, G)
-    G = space.T @ G @ space
-    omega, growth, columns = _natural(held, G)
+    held, space = _resisted(K, G, free)
+    omega, growth, columns = _natural(held, space.T @ G @ space)
     return Oscillations(omega, growth, root @ space @ columns, len(K) - len(held))
 
 
-def _resisted(K: np.ndarray, G: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _resisted(K: np.ndarray, G: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Stiffness in the space of motions that are resisted, and orthonormal columns of that space.
 
     A motion x_0 with ``K x_0 = 0`` conserves its momentum, ``ẋ_0 + G_0 x = 0``. This adds ``G_0ᵀ G_0`` to the
     stiffness of the others. Where `G` couples such motions with each other, all motions stay.
     """
-    k, vectors = np.linalg.eigh(K)
-    free = np.abs(k) <= NOTHING * np.max(np.abs(k), initial=0.0)
-    if np.max(np.abs(vectors[:, free].T @ G @ vectors[:, free]), initial=0.0) > NOTHING * np.max(np.abs(G)):
-        free[:] = False
-    space, coupling = vectors[:, ~free], vectors[:, free].T @ G @ vectors[:, ~free]
-    return np.diag(k[~free]) + coupling.T @ coupling, space
+    vectors, count = np.linalg.qr(free, mode="complete")[0], free.shape[1]
+    still, space = vectors[:, :count], vectors[:, count:]
+    if np.max(np.abs(still.T @ G @ still), initial=0.0) > NOTHING * np.max(np.abs(G)):
+        return K, np.eye(len(K))
+    coupling = still.T @ G @ space
+    return space.T @ K @ space + coupling.T @ coupling, space
 
 
 def _natural(K: np.ndarray, G: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -10,7 +10,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from ..bases import ORDER
 from ..reduction.invariants import Invariants
@@ -48,6 +47,8 @@ def displacement(key: LinkClass, points: tuple[float, ...]) -> np.ndarray:
 
 def through_nodes(body: Invariants, points: np.ndarray) -> np.ndarray:
     """(points, 3, r): between two nodes the cubic that has their displacements, and their rotations as slopes."""
+    from scipy.interpolate import CubicHermiteSpline  # half a second, which arms without such bodies do not need
+
     line, places = body.tip.origin, {}
     for n in (body.base, body.tip, *body.nodes[1:-1]):
         s = float(n.origin @ line / (line @ line)) if body.reach else 0.0

@@ -20,11 +20,11 @@ import scipy.sparse as sparse
 from scipy.sparse.linalg import ArpackError, eigsh, splu
 
 from ..errors import RobotFileError
+from . import INTERFACES
 from .invariants import EPS, Invariants, Node, hat
 from .sid import content
 from .standard import MOST_MODES
 
-INTERFACES = ("free", "fixed", "natural")
 MAX_BYTES = 2**31
 PARTS = ("data", "indices", "indptr", "shape")
 NOISE = 1e-11

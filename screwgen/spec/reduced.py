@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_validator
 
 from ..errors import RobotFileError
-from ..reduction.finite_elements import INTERFACES, load_npz
+from ..reduction import INTERFACES
 from ..reduction.invariants import Invariants
 from ..reduction.standard import load_sid
 from .modes import DIRECTIONS
@@ -88,6 +88,8 @@ class Reduced(Part):
     def _from_npz(self, folder: Path) -> Invariants:
         if (self.modes is None) == (self.frequency is None):
             raise refuse("must be stated, or frequency in its place; state one of them", at=("modes",))
+        from ..reduction.finite_elements import load_npz  # with SciPy, which takes half a second
+
         names = self.base or "base", self.tip or "tip"
         return load_npz(os.fspath(folder / str(self.npz)), self.modes, self.frequency, self.interface, *names)
 

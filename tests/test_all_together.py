@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from conftest import require_tool
+from conftest import require_tool, swept
 from helpers import casadi_forward, model_of, quick, relative
 from oracle import Oracle
 
@@ -99,7 +99,7 @@ def test_segments_of_a_tree_against_the_oracle():
     assert np.allclose(numeric.energy(*given[:2]), oracle.energy(*given[:2]), rtol=1e-11)
 
 
-@pytest.mark.parametrize("layout", ["fused", "modular"])
+@pytest.mark.parametrize("layout", swept(["fused", "modular"], "modular"))
 def test_a_body_from_a_file_among_them_in_c(layout):
     model = with_body()
     given = state(model)
@@ -119,6 +119,7 @@ def test_the_generated_folder_checks_itself(tmp_path):
     assert done.returncode == 0 and "all checks passed" in done.stdout, done.stdout + done.stderr
 
 
+@pytest.mark.long
 def test_it_runs_and_is_drawn(tmp_path):
     model = with_body()
     run = simulate(model, duration=0.02, step=1e-4)

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conftest import swept
 from divided import cut, random_divided, state
 from helpers import ROOT, arm, casadi_forward, link, model_of, quick, relative
 from test_derivatives import by_casadi, worst
@@ -46,7 +47,7 @@ def divided(segments: int, **more):
     return model_of(arm(BOOM | {"segments": segments} | more, JIB))
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", swept(SEEDS, 0, 1, 3, 7))
 def test_equal_to_links_that_are_cut_by_hand(seed):
     model, hand = pair(seed)
     assert model.nq == hand.nq and model.n_links == hand.n_links > len(model.robot.links)
@@ -82,6 +83,7 @@ def test_derivatives_equal_casadi(seed):
     assert worst(model.numpy().derivatives(*given), by_casadi(model, *given)) <= 1e-9
 
 
+@pytest.mark.long
 def test_runs_and_batches_are_equal_too():
     """In both forms, and of many scenarios at once; the limits are watched per segment, and told per link."""
     model = divided(2, damping={"ratio": 0.02})

@@ -76,7 +76,7 @@ def test_every_matrix_written_is_that_of_the_definitions(tmp_path):
             assert np.allclose(written[name].m1, m1, rtol=0, atol=1e-13 * np.abs(m1).max()), name
 
 
-@pytest.mark.parametrize("seed", swept(range(4), 0, 2))
+@pytest.mark.parametrize("seed", swept(range(4), 0, 1))
 def test_a_rod_as_a_file_moves_as_the_rod(seed, tmp_path):
     rng = np.random.default_rng([seed, 12])
     limits = {"stations": 0.5, "rigid": 0.0, "no_section_rotation": 0.0}

@@ -8,7 +8,7 @@ import pytest
 import random_robots as rr
 import scipy.linalg
 import scipy.optimize
-from conftest import require_tool
+from conftest import require_tool, swept
 from helpers import EPS32, Case, arm, casadi_forward, disagreement, drawn, link, model_of, quick, relative
 from helpers import case_of as case_in
 from test_derivatives import by_casadi, worst
@@ -30,7 +30,7 @@ def case_of(seed: int) -> Case:
     return drawn(seed, 1 + seed % 4, second_order=0.5, stations=0.4, shear=0.7, rigid=0.1)
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", swept(SEEDS, 1500, 1504, 1508, 1514, 1522))
 def test_random_robots_equal_the_oracle(seed):
     case = case_of(seed)
     judge = lambda result: case.oracle.errors(case.state, *result)  # noqa: E731
@@ -48,7 +48,7 @@ def test_random_robots_equal_the_oracle(seed):
     assert relative(case.oracle.virtual_power_dynamics(q, v, v[::-1], w_ext), forces[0]) < 1e-11
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", swept(SEEDS, 1500, 1504, 1508, 1514, 1522))
 def test_analytic_derivatives_equal_casadi(seed):
     case = case_of(seed)
     assert worst(case.model.numpy().derivatives(*case.inputs), by_casadi(case.model, *case.inputs)) <= case.tolerance

@@ -7,11 +7,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import flexible_robots as fr
+import judges
 import numpy as np
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import Case, casadi_forward, model_of, quick, relative
+from helpers import Case, casadi_forward, model_of, relative
 
 import screwgen
 from screwgen import simulate
@@ -70,42 +71,18 @@ def test_casadi(seed):
 
 @pytest.mark.parametrize("seed", SEEDS[1:7])
 def test_assembled_system_solved_densely(seed):
-    """The DAE form's rows, with the full modal inertia, by a dense LU."""
-    case = mixed(seed)
-    q, v, tau, w_ext = case.inputs
-    functions, p, n = case.model.casadi(), case.model.parameter_values, case.model.n_links
-    x = functions["dae_state"](q, v, p)
-    M, H, W = (np.array(a.full()) for a in functions["assemble"](x, tau, w_ext.T, p))
-    z = np.linalg.solve(M, W - H)[:, 0]
-    wrench, etaddot = z[: 12 * n].reshape(n, 12)[:, :6], z[12 * n :]
-    found = np.append(case.oracle.forward_dynamics(**case.state)[0][: case.model.n_joints], etaddot)
-    assert max(case.oracle.errors(case.state, found, wrench).values()) <= case.tolerance
+    judges.solved_densely(mixed(seed))
 
 
 @pytest.mark.parametrize("layout", ["fused", "modular"])
 @pytest.mark.parametrize("seed", [901, 904])
 def test_compiled(seed, layout):
-    case = mixed(seed)
-    compiled, numeric = quick(case.model, layout=layout, derivatives=True), case.model.numpy()
-    q, v, _, w_ext = case.inputs
-    for form in ("joint", "dae"):
-        found = compiled.forward_dynamics(*case.inputs, form=form)
-        assert max(case.oracle.errors(case.state, *found).values()) <= case.tolerance
-    assert relative(compiled.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
-    assert relative(compiled.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
-    assert np.allclose(compiled.energy(q, v), numeric.energy(q, v), rtol=1e-12)
-    for found, expected in zip(compiled.linearise(*case.inputs)[1:], numeric.derivatives(*case.inputs), strict=True):
-        assert relative(found, expected) < 10 * case.tolerance
+    judges.compiled(mixed(seed), layout)
 
 
 @pytest.mark.parametrize("seed", SEEDS[1:6])
 def test_derivatives_equal_automatic_differentiation(seed):
-    case = mixed(seed)
-    f, p = case.model.casadi()["forward_dynamics"], case.model.parameter_values
-    q, v, tau, w_ext = case.inputs
-    J = f.jacobian()(q, v, tau, w_ext.T, p, 0, 0)
-    for found, expected in zip(case.model.numpy().derivatives(*case.inputs), J[:3], strict=True):
-        assert relative(found, expected.full()) < 10 * case.tolerance
+    judges.derivatives(mixed(seed))
 
 
 # -------- one body: damping, energy of a motion, watch, drawing, documents

@@ -2,15 +2,16 @@
 
 from functools import cache
 
+import judges
 import numpy as np
 import pytest
 import scipy.integrate
 import scipy.linalg
 import scipy.optimize
 from conftest import swept
-from helpers import Case, arm, casadi_forward, drawn, flat, link, model_of, quick
+from helpers import Case, arm, drawn, flat, link, model_of, quick
 from test_derivatives import by_casadi, worst
-from test_dynamics import check, dae_errors
+from test_dynamics import check
 
 from screwgen import SingularError, derive
 from screwgen.studies.equilibrium import equilibrium
@@ -33,17 +34,7 @@ def test_random_robots_equal_the_oracle(seed):
         with pytest.raises(SingularError):
             case.model.numpy().forward_dynamics(*case.inputs)
         return
-    judge = lambda result: case.oracle.errors(case.state, *result)  # noqa: E731
-    numeric = case.model.numpy()
-    errors = {
-        "NumPy": judge(numeric.forward_dynamics(*case.inputs)),
-        "NumPy, DAE": judge(numeric.dae_forward_dynamics(*case.inputs)),
-        "CasADi": judge(casadi_forward(case.model, *case.inputs)),
-        "CasADi, DAE": dae_errors(case),
-    }
-    check(case, errors)
-    q, v = case.inputs[:2]
-    assert np.allclose(numeric.energy(q, v), case.oracle.energy(q, v), rtol=1e-11)
+    judges.numpy_and_casadi(case)
 
 
 @pytest.mark.parametrize("seed", COMPILED)

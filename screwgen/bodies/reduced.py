@@ -16,8 +16,9 @@ from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, num
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .contract import Moments6, Turning
+from .elastic import Elastic
 from .moments import Moments
-from .second_order import AXES, SecondOrder, entry
+from .second_order import AXES, entry
 
 ROUNDING = 1e-12
 """Rotary inertia of the modes below this, over their inertia, is a rounding error."""
@@ -54,7 +55,7 @@ class Table(Moments):
         return self.table.get(frozenset(pair), sp.S.Zero)
 
 
-class Reduced:
+class Reduced(Elastic):
     """A flexible body from a file."""
 
     turnings: ClassVar[list[Turning]] = []
@@ -67,19 +68,11 @@ class Reduced:
     def declare(self, start: Expression) -> None:
         """The fields of the body; F_i sits at the base."""
         f = self.fields = Table(self.key)
-        field, values = self.b.field, self.b.values
+        field = self.b.field
         self.r_b = field("r_b", np.array([f.place], dtype=object).T)
-        self.moved: Expression = field("Phi", np.array(f.phi, dtype=object).T)
-        self.bend: Expression = zeros(3)
+        Phi = field("Phi", np.array(f.phi, dtype=object).T)
         self.phi_row = field("phi_row", np.array([[g for shapes in f.phi for g in shapes]], dtype=object))
-        u, udot = (values["Phi"].dot(values[x]) for x in ("eta", "etadot"))
-        if self.key.order == 2:
-            self.second = SecondOrder(self.b, f, f.second, self.key.modes)
-            self.moved, self.bend = self.second.Phi, self.second.bend
-            u, udot = u + self.second.u, udot + self.second.udot
-        self.u, self.udot_modal = field("u", u), field("udot_modal", udot)
-        f.name_coarse(values["udot"], udot)
-        f.name_coarse(values["rho"], values["r_b"] + u)
+        self._deform(f, f.second, Phi)
 
     def moments(self) -> Moments6:
         """Mass, first and second moment of the undeformed body about the origin of F_i."""
@@ -91,13 +84,6 @@ class Reduced:
     def spin(self) -> Expression:
         """Zero: the second moment has all inertia."""
         return zeros(3, 3)
-
-    def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
-        """``∫ u dm`` and its rate."""
-        if self.key.order == 1:
-            return self.sigma @ eta, self.sigma @ etadot
-        sigma2 = self.b.symbol("sigma2")
-        return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
 
     def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
         """That of nodes which turn with the modes: what the modes' inertia has beyond ``∫ Phi^T Phi dm``."""

@@ -14,9 +14,9 @@ from ..algebra.expression import Expression, Symbol, add, identity, is_zero, uni
 from ..ir.block import Binding, Block
 from ..spec.link_class import AXIS, TURN, LinkClass
 from .contract import Moments6, Turning
+from .elastic import Elastic
 from .fields import XI, Fields, length
 from .rod_stiffness import RodStiffness
-from .second_order import SecondOrder
 
 TURNED = (
     ("rhoIp", "I_s", "phi_t", "sigma_t"),
@@ -26,7 +26,7 @@ TURNED = (
 """Of each axis of the sections: inertia per length, its integral, the turn by each mode, the momentum of each mode."""
 
 
-class Rod(RodStiffness):
+class Rod(Elastic, RodStiffness):
     """Sections along a centreline, with mode shapes in four directions, with shear in six."""
 
     kind: type[Fields] = Fields
@@ -49,21 +49,7 @@ class Rod(RodStiffness):
         self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
         sheared = "strains of each mode: u_x', u_y'', u_z'', rate of twist, shear in y and in z"
         self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
-        self.moved: Symbol = self.Phi
-        self.bend: Expression = zeros(3)
-        u, udot = self._field_of("eta"), self._field_of("etadot")
-        if self.key.order == 2:
-            self.second = SecondOrder(self.b, f, f.second, self.key.modes)
-            self.moved, self.bend = self.second.Phi, self.second.bend
-            u, udot = u + self.second.u, udot + self.second.udot
-        self.u = field("u", u)
-        self.udot_modal = field("udot_modal", udot)
-        f.name_coarse(self.b.values["udot"], self.b.values["udot_modal"])
-        f.name_coarse(self.b.values["rho"], self.b.values["r_b"] + self.b.values["u"])
-
-    def _field_of(self, coordinates: str) -> np.ndarray:
-        """``Phi`` times modal coordinates, in the finest generators."""
-        return self.b.values["Phi"].dot(self.b.values[coordinates]) if self.key.modes else column(0, 0, 0)
+        self._deform(f, f.second, self.Phi)
 
     # what follows from the parameters ---------------------------------------------------------
 
@@ -84,13 +70,6 @@ class Rod(RodStiffness):
             self.fields.name_moment(density, self.b.values[inertia].item())
             parts.append(whole @ (unit(axis) @ unit(axis).T))
         return add(*parts)
-
-    def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
-        """``∫ρA u dξ`` and its rate."""
-        if self.key.order == 1:
-            return self.sigma @ eta, self.sigma @ etadot
-        sigma2 = self.b.symbol("sigma2")
-        return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
 
     def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
         """That of the sections' turning, ``∫ρI (n^T nu)^2 dξ`` about each axis."""

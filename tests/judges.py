@@ -1,0 +1,54 @@
+"""What random robots of every kind are held against: the oracle, automatic differentiation, one back end another."""
+
+import numpy as np
+from helpers import Case, casadi_forward, quick, relative
+from test_dynamics import check, dae_errors
+
+
+def numpy_and_casadi(case: Case) -> None:
+    """Forward dynamics and energy in both forms against the oracle."""
+    numeric, (q, v, *_) = case.model.numpy(), case.inputs
+    judge = lambda result: case.oracle.errors(case.state, *result)  # noqa: E731
+    errors = {
+        "NumPy": judge(numeric.forward_dynamics(*case.inputs)),
+        "NumPy, DAE": judge(numeric.dae_forward_dynamics(*case.inputs)),
+        "CasADi": judge(casadi_forward(case.model, *case.inputs)),
+        "CasADi, DAE": dae_errors(case),
+    }
+    check(case, errors)
+    assert np.allclose(numeric.energy(q, v), case.oracle.energy(q, v), rtol=1e-11)
+
+
+def solved_densely(case: Case) -> None:
+    """The DAE form's rows, with the full modal inertia, by a dense LU."""
+    q, v, tau, w_ext = case.inputs
+    functions, p, n = case.model.casadi(), case.model.parameter_values, case.model.n_links
+    x = functions["dae_state"](q, v, p)
+    M, H, W = (np.array(a.full()) for a in functions["assemble"](x, tau, w_ext.T, p))
+    z = np.linalg.solve(M, W - H)[:, 0]
+    wrench, etaddot = z[: 12 * n].reshape(n, 12)[:, :6], z[12 * n :]
+    found = np.append(case.oracle.forward_dynamics(**case.state)[0][: case.model.n_joints], etaddot)
+    assert max(case.oracle.errors(case.state, found, wrench).values()) <= case.tolerance
+
+
+def compiled(case: Case, layout: str) -> None:
+    """The generated C: both forms against the oracle, what else it computes against NumPy."""
+    library, numeric = quick(case.model, layout=layout, derivatives=True), case.model.numpy()
+    q, v, _, w_ext = case.inputs
+    for form in ("joint", "dae"):
+        found = library.forward_dynamics(*case.inputs, form=form)
+        assert max(case.oracle.errors(case.state, *found).values()) <= case.tolerance
+    assert relative(library.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
+    assert relative(library.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
+    assert np.allclose(library.energy(q, v), numeric.energy(q, v), rtol=1e-12)
+    for found, expected in zip(library.linearise(*case.inputs)[1:], numeric.derivatives(*case.inputs), strict=True):
+        assert relative(found, expected) < 10 * case.tolerance
+
+
+def derivatives(case: Case) -> None:
+    """The closed form against automatic differentiation."""
+    f, p = case.model.casadi()["forward_dynamics"], case.model.parameter_values
+    q, v, tau, w_ext = case.inputs
+    J = f.jacobian()(q, v, tau, w_ext.T, p, 0, 0)
+    for found, expected in zip(case.model.numpy().derivatives(*case.inputs), J[:3], strict=True):
+        assert relative(found, expected.full()) < 10 * case.tolerance

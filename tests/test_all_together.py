@@ -1,5 +1,6 @@
 """One robot with a tree, slides, a screw, segments, sections that vary, shear, both orders, and a body from a file."""
 
+import re
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -114,6 +115,10 @@ def test_a_body_from_a_file_among_them_in_c(layout):
 
 def test_the_generated_folder_checks_itself(tmp_path):
     with_body().write(tmp_path / "machine", targets=("c",), layout="modular", derivatives=True)
+    header = (tmp_path / "machine" / "c" / "machine.h").read_text()
+    carriers = ("TORSO", "the base"), ("BOOM", "torso"), ("JIB", "torso"), ("TOOL", "boom"), ("PROBE", "tool")
+    for k, (link, carrier) in enumerate(carriers):
+        assert re.search(rf"MACHINE_LINK_{link} = {k},? /\* on {carrier} \*/", header)
     command = [require_tool("make"), "-s", "-C", tmp_path / "machine" / "c", "check"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0 and "all checks passed" in done.stdout, done.stdout + done.stderr
@@ -123,5 +128,7 @@ def test_the_generated_folder_checks_itself(tmp_path):
 def test_it_runs_and_is_drawn(tmp_path):
     model = with_body()
     run = simulate(model, duration=0.02, step=1e-4)
+    shown = {panel.title: len(panel.lines) for panel in plot.panels(run, model=model)}
+    assert shown["Modes of bodies from files"] == 3 and shown["Bending in y"] == 2
     plot.save(run, tmp_path / "machine.png", model)
     assert np.isfinite(run.q).all() and (tmp_path / "machine.png").stat().st_size > 20_000

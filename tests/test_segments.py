@@ -250,6 +250,8 @@ def test_figures_show_links():
     shape = mode_shapes(model).shapes[:, 0]
     assert mode_plot.meaning(model, shape).startswith("bending in y of boom, 100 %")
     assert mode_plot.field(model, np.zeros(model.nq), shape).motion.shape == (2, 25, 3)
+    tips = mode_plot.figure(model, np.zeros(model.nq), mode_shapes(model)).axes[0].lines
+    assert sum(line.get_marker() == "D" for line in tips) == 2
 
 
 def test_the_watch_names_link_segment_and_remedy():

@@ -146,7 +146,7 @@ def _draw(axes: Axes, model: Model, rest: np.ndarray, frames: np.ndarray, shape:
         if share >= 0:
             axes.plot(*line[:, 0].T, "o", color=color, markersize=4.5, linestyle="none")
             for node in model.chain.tree.leaves:
-                axes.plot(*line[node - 1, -1], "D", color=color, markersize=5)
+                axes.plot(*line[model.chain.segments[node - 1].link, -1], "D", color=color, markersize=5)
             for i, turn in now.turns.items():
                 corners = sections(line[i], frames[i], turn, float(width))
                 _sections(axes, corners, DENSE if len(now.turns) <= 2 else SPARSE, color)

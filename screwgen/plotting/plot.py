@@ -16,6 +16,7 @@ from matplotlib.lines import Line2D
 from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
+from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from . import look
 from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
@@ -137,6 +138,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Shear in z", eta, "m", modes("shear_z")),
         Panel("Axial modes", eta, "m", modes("axial")),
         Panel("Torsion modes", eta, "rad", modes("torsion")),
+        Panel("Modes of bodies from files", "η", "m", modes(ELASTIC)),
         Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
         Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
         Panel("Energy", "E", "J", energy),

@@ -199,4 +199,4 @@ def _singular(model: Model, q: np.ndarray, p: Numbers | None) -> SingularError:
         model.numpy(p).forward_dynamics(q, zero, np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
     except SingularError as error:
         return error
-    return SingularError("the mass matrix is singular in this posture; lock the joints")
+    return SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")

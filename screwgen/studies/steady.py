@@ -67,6 +67,8 @@ def steady(
     q = deflected(model, q, v, p) if settle else q
     numeric, moving = model.numpy(p), slice(first, model.nq)
     M, K, C = numeric.slopes(q, v, None, None)
+    if np.linalg.eigvalsh(M[moving, moving])[0] <= 0:
+        raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v

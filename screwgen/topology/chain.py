@@ -64,11 +64,15 @@ class Chain:
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
-        text = f"the joint of link '{self.names[link]}' is singular in this posture"
-        if any(key.order == 2 for key in self.keys):
-            text += ", or a link of order 2 bends so far that its mass matrix is no longer positive definite; then give"
-            text += " it more segments"
-        return SingularError(text)
+        return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
+
+    @property
+    def caution(self) -> str:
+        """What else than a posture may make the mass matrix singular, for the end of a message."""
+        if all(key.order == 1 for key in self.keys):
+            return ""
+        bent = "a link of order 2 bends so far that its mass matrix is no longer positive definite"
+        return f", or {bent}; then give it more segments"
 
     @property
     def slides(self) -> bool:

@@ -13,6 +13,7 @@ from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal
 from ...ir.block import Signal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
+from ...spec.parents import parents
 from ...topology.chain import Chain
 from .code import literal
 
@@ -128,12 +129,13 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
 
 
 def topology(chain: Chain) -> dict[str, list]:
-    """Of a tree, the nodes that carry the links and the names of their links, for the templates; empty for a chain."""
+    """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
         return {"bases": [], "carriers": []}
-    names = ["the base", *chain.names]
+    links = chain.robot.links
+    names = ["the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
-    return {"bases": bases, "carriers": [names[node] for node in bases]}
+    return {"bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:

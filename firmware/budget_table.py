@@ -64,12 +64,12 @@ DAE_HEADS = {
     "dae_step_modal_midpoint": "midpoint",
     "dae_step_rk4": "rk4",
 }
-NAMES = ("core", "real", "layout", "parameters", "order")
+NAMES = ("core", "real", "layout", "parameters", "arm", "order")
 
 
 def names(row: Row) -> list[str]:
     v = row.variant
-    return [v.target.core, v.precision, v.layout, v.parameters, str(v.order)]
+    return [v.target.core, v.precision, v.layout, v.parameters, v.arm, str(v.order)]
 
 
 def cells(rows: Sequence[Row], heads: dict[str, str], errors: bool) -> list[list[str]]:
@@ -168,7 +168,7 @@ def judge(rows: Sequence[Row], given: dict, compilers: dict[str, str]) -> Verdic
 def _judge_limits(row: Row, limits: list[dict], out: Verdict) -> None:
     v = row.variant
     place = {"target": v.target.name, "real": v.precision, "layout": v.layout, "parameters": v.parameters}
-    place["order"] = v.order
+    place |= {"arm": v.arm, "order": v.order}
     for limit in limits:
         if all(limit.get(key, here) == here for key, here in place.items()):
             over = {k: x for k, x in limit.items() if k not in place and row.figures[k] > x}

@@ -31,6 +31,8 @@ class Findings:
     """The names of the counted intervals, in the order in which they were counted."""
     counts: dict[str, list[int]] = field(default_factory=dict)
     figures: dict[str, int] = field(default_factory=dict)
+    singular: int | None = None
+    """The step of the simulation in which the model was singular."""
 
 
 def read_findings(text: str) -> Findings:
@@ -45,6 +47,8 @@ def read_findings(text: str) -> Findings:
                 out.intervals += [name] * int(times)
             case ["figure", name, value]:
                 out.figures[name] = int(value)
+            case ["singular", step]:
+                out.singular = int(step)
             case ["sample", _, *bits]:
                 out.samples.append([struct.unpack(">d", bytes.fromhex(b))[0] for b in bits])
     if text.split()[-1:] != ["done"]:

@@ -99,13 +99,16 @@ class Variant:
     precision: str
     layout: str
     parameters: str
+    arm: str = "ella_paper"
+    """The robot's file, without its ending."""
     order: int = 1
     """Of the links' shape."""
 
     @property
     def name(self) -> str:
+        arm = "" if self.arm == Variant.arm else f"_{self.arm}"
         order = "" if self.order == 1 else f"_order{self.order}"
-        return f"{self.target.name}_{self.precision}_{self.layout}_{self.parameters}{order}"
+        return f"{self.target.name}_{self.precision}_{self.layout}_{self.parameters}{arm}{order}"
 
     @property
     def flags(self) -> tuple[str, ...]:
@@ -113,6 +116,11 @@ class Variant:
 
 
 def variants(targets: list[Target]) -> list[Variant]:
-    """All rows, the cheap ones first within a target; to second order in float on the Cortex-M4F."""
+    """All rows, the cheap ones first within a target.
+
+    In float on the Cortex-M4F also those to second order, and both orders of the arm whose modes converge.
+    """
     rows = [Variant(t, p, x, b) for t in targets for p in PRECISIONS for x in LAYOUTS for b in PARAMETERS]
-    return rows + [replace(v, order=2) for v in rows if (v.target.name, v.precision) == ("m4f", "float")]
+    small = [v for v in rows if (v.target.name, v.precision) == ("m4f", "float")]
+    others = [("ella_paper", 2), ("ella", 1), ("ella", 2)]
+    return rows + [replace(v, arm=arm, order=order) for arm, order in others for v in small]

@@ -9,8 +9,11 @@ import pytest
 import random_robots as rr
 from helpers import ROOT, arm, equal_links, link, model_of
 
+from screwgen import load
+from screwgen.algorithms import fused, scope
 from screwgen.algorithms import schedule as chain_module
-from screwgen.algorithms import scope
+from screwgen.algorithms.linearise import linearisation
+from screwgen.topology.chain import Chain
 
 
 def derivations(links: int, name: str) -> tuple[int, int]:
@@ -70,3 +73,14 @@ def test_a_link_class_names_all_that_matters():
         key(modes={"bending_y": 1, "basis": "clamped_free"}),
     ]
     assert len({key(), *others}) == len(others) + 1
+
+
+@pytest.mark.parametrize("name, dynamics, derivatives", [("ella_paper", 1.33, 1.26), ("ella", 1.73, 1.56)])
+def test_operations_of_the_second_order(name, dynamics, derivatives):
+    """Forward dynamics and exact derivatives of order 2 over those of order 1; DESIGN says where they go."""
+    robot = load(ROOT / "examples" / f"{name}.toml")
+    chains = [Chain(robot.model_copy(update={"order": order})) for order in (1, 2)]
+    count = lambda make: [make(chain, "constants").operation_count for chain in chains]  # noqa: E731
+    for make, most in ((fused.modal_dynamics, dynamics), (linearisation, derivatives)):
+        first, second = count(make)
+        assert second <= most * first

@@ -91,6 +91,25 @@ def test_measures_of_a_posture_follow_from_statics():
     assert bent[1] > bent[0]
 
 
+@pytest.mark.parametrize("stations", [False, True])
+def test_where_modes_shear_the_load_is_over_haringxs(stations):
+    """``P (1 + P/GA) = pi^2 EI / 4 l^2`` of the plane that buckles first; that of a massless rod is reached at one."""
+    EI, l, GA, stiff = 10.0, 1.5, 30.0, {"EIz": 12.0, "GAy": 1e9}
+    euler = math.pi**2 * EI / (4 * l**2)
+    load = GA * (math.sqrt(1 + 4 * euler / GA) - 1) / 2
+    assert load * (1 + load / GA) == pytest.approx(euler) and load < 0.85 * euler
+    section = {"rhoA": 1e-9, "EIy": EI, "GAz": GA, "rhoIy": 1e-3, "rhoIz": 1e-3} | stiff
+    whole = (
+        section if not stations else [{"at": s} | {k: v * f for k, v in section.items()} for s, f in ((0, 1.7), (1, 1))]
+    )
+    modes = {"bending_y": 1, "bending_z": 1, "shear_y": 1, "shear_z": 1}
+    table = {"name": "column", "length": l, "joint": {"axes": []}, "section": whole, "modes": modes}
+    table["bodies"] = [{"at": "tip", "mass": load / 9.81}]
+    robot = {"name": "column", "gravity": [-9.81, 0.0, 0.0], "links": [table]}
+    model = screwgen.derive(screwgen.Robot.model_validate(robot))
+    assert model.validity_at_rest(np.zeros(model.nq)).values[0, 2] == pytest.approx(1, rel=1e-6)
+
+
 def test_a_stated_frequency_stands_for_the_stiffness():
     """The first frequency of a clamped-free beam gives back its EI."""
     links = {"length": 1.0, "joint": {"axes": []}, "name": "beam", "bodies": [{"at": "tip", "mass": 1.0}]}

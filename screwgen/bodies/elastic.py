@@ -30,7 +30,7 @@ class Elastic:
         if self.key.order == 2:
             self.second = SecondOrder(self.b, fields, known, self.key.modes)
             self.moved, self.bend = self.second.Phi, self.second.bend
-            u, udot = u + self.second.u, udot + self.second.udot
+            u, udot = u + values[self.second.u.name], udot + self.second.udot
         self.u, self.udot_modal = field("u", u), field("udot_modal", udot)
         fields.name_coarse(values["udot"], values["udot_modal"])
         fields.name_coarse(values["rho"], values["r_b"] + values["u"])
@@ -39,5 +39,4 @@ class Elastic:
         """``∫ u dm`` and its rate."""
         if self.key.order == 1:
             return self.sigma @ eta, self.sigma @ etadot
-        sigma2 = self.b.symbol("sigma2")
-        return self.sigma @ eta + sp.Rational(1, 2) * (sigma2 @ eta), self.sigma @ etadot + sigma2 @ etadot
+        return self.sigma @ eta + self.second.displaced, self.sigma @ etadot + self.b.symbol("sigma2") @ etadot

@@ -10,13 +10,15 @@ three axes. Every entry is an integral of the product of two shapes, or of such 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Integral, Symbol, block
+from ..algebra.expression import Expression, Integral, Symbol, block
+from ..algebra.notation import latex
+from ..algebra.quadratic import form, half_form
 from ..bases import Shapes, integrals
 from ..ir.block import Binding, Block
 from ..spec.link_class import LinkClass
@@ -126,6 +128,28 @@ def at_tip(key: LinkClass, terms: list[Term], length: sp.Expr) -> np.ndarray:
     return out
 
 
+def rows(x: Symbol, H: Sequence[Symbol]) -> Expression:
+    """The matrix with the rows ``x^T H_c``."""
+    return block(*([x.T @ h] for h in H))
+
+
+def halves(b: Block, Gamma: Symbol, H: Sequence[Symbol], x: Symbol) -> Symbol:
+    """``1/2 Gamma x`` (3, 1), of an earlier step ``Gamma`` with the rows ``x^T H_c``: each product computed once."""
+    values, known = b.values, b.values[x.name][:, 0]
+    entries = [half_form(values[h.name], known, values[Gamma.name][c]) for c, h in enumerate(H)]
+    return _column(b, f"half {Gamma.name}", entries, sp.Rational(1, 2) * (Gamma @ x))
+
+
+def forms(b: Block, name: str, H: Sequence[Symbol], x: Symbol) -> Symbol:
+    """The column (3, 1) of ``x^T H_c x``, each product computed once; ``name`` is its own."""
+    entries = [form(b.values[h.name], b.values[x.name][:, 0]) for h in H]
+    return _column(b, name, entries, block(*([x.T @ (h @ x)] for h in H)))
+
+
+def _column(b: Block, name: str, entries: list[sp.Expr], written: Expression) -> Symbol:
+    return b.field(name, np.array([[entry] for entry in entries], dtype=object), latex(written))
+
+
 class SecondOrder:
     """The second-order fields of a rod in its link's block, and their moments of mass.
 
@@ -138,12 +162,12 @@ class SecondOrder:
         at = lambda c, k, m: entry(c, k, m) if entry(c, k, m) in known else sp.S.Zero  # noqa: E731
         r = range(modes)
         self.H = [b.field(f"H_{c}", np.array([[at(c, k, m) for m in r] for k in r], dtype=object)) for c in AXES]
-        self.rows = {"sigma2": self._rows("phi2", eta), "sigma2dot": self._rows("phi2dot", etadot)}
-        Phi_2, Phi_2dot = self.rows.values()
-        self.u, self.udot = sp.Rational(1, 2) * Phi_2.dot(eta), Phi_2.dot(etadot)
-        self.Phi = b.field("Phi_eta", b.values["Phi"] + Phi_2)
-        self.bend = b.generators("bend")
-        fields.name_coarse(b.values["bend"], Phi_2dot.dot(etadot))
+        self.rows = self._rows("phi2", eta)
+        self.udot = self.rows.dot(etadot)
+        self.Phi = b.field("Phi_eta", b.values["Phi"] + self.rows)
+        self.u, self.bend = b.generators("u_2"), b.generators("bend")
+        fields.name_coarse(b.values["u_2"], sp.Rational(1, 2) * self.rows.dot(eta))
+        fields.name_coarse(b.values["bend"], [etadot.T.dot(b.values[H.name]).dot(etadot).item() for H in self.H])
 
     def _rows(self, name: str, x: np.ndarray) -> np.ndarray:
         """The (3, r) matrix with the rows ``x^T H_c``, each entry a generator."""
@@ -156,23 +180,27 @@ class SecondOrder:
         return out
 
     def momenta(self, rhoA: Symbol) -> None:
-        """``∫ρA H_c dξ``, and with it the moments of ``Phi_2`` and of its rate."""
-        self._moments(rhoA, self.H, "E_{}", {"sigma2": "sigma2", "sigma2dot": "sigma2dot"})
+        """``∫ρA H_c dξ``, and with it the moments of ``Phi_2``, ``u_2`` and of the acceleration at constant rates."""
+        self.displaced = self._moments(rhoA, self.H, "E_{}", "sigma2", "bend_0")
 
     def moments(self, rhoA: Symbol) -> None:
         """The same, and those weighted by the place on the centreline, ``∫ρA ξ H_c dξ``."""
         xi = self.b.field("xi", np.array([[XI]], dtype=object))
         self.momenta(rhoA)
-        self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", {"chi2": "sigma2", "chi2dot": "sigma2dot"}, XI)
+        self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", "chi2", "bend_1", XI)
 
-    def _moments(self, rhoA: Symbol, fields: list, names: str, steps: dict[str, str], *lever: sp.Symbol) -> None:
-        E = []
+    def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *lever: sp.Symbol) -> Symbol:
+        """The moments, with a power of the place, of all second-order fields; returns that of ``u_2`` (3, 1)."""
+        b, E = self.b, []
         for axis, field, H in zip(AXES, fields, self.H, strict=True):
-            E.append(self.b.step(names.format(axis), Integral(field, rhoA, self.fields.integrate), symmetric=True))
-            self._name(E[-1], self.b.values[H.name], lever)
-        for name, rows in steps.items():
-            x = self.b.symbol("etadot" if rows.endswith("dot") else "eta")
-            self._name(self.b.step(name, block(*([x.T @ e] for e in E))), self.rows[rows], lever)
+            E.append(b.step(names.format(axis), Integral(field, rhoA, self.fields.integrate), symmetric=True))
+            self._name(E[-1], b.values[H.name], lever)
+        Gamma = b.step(row, rows(b.symbol("eta"), E))
+        self._name(Gamma, self.rows, lever)
+        displaced = halves(b, Gamma, E, b.symbol("eta"))
+        self._name(displaced, b.values["u_2"], lever)
+        self._name(b.step(bend, forms(b, f"forms {bend}", E, b.symbol("etadot"))), b.values["bend"], lever)
+        return displaced
 
     def _name(self, step: Symbol, generators: np.ndarray, lever: tuple[sp.Symbol, ...]) -> None:
         for index, generator in np.ndenumerate(generators):

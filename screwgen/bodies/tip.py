@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, block, hat, identity, matrix, unit, vector, zeros
+from ..algebra.expression import Expression, Symbol, hat, identity, matrix, unit, vector, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
@@ -16,7 +16,7 @@ from .fields import Fields, length
 from .lumped import lumped
 from .reduced import numerals
 from .rotation import angle_steps
-from .second_order import PLACE, TURN, at_tip
+from .second_order import PLACE, TURN, at_tip, forms, halves, rows
 
 
 def tip_block(key: LinkClass) -> Block:
@@ -64,7 +64,7 @@ def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Expressio
     omega_s, alpha_s = _turning(b, key, etadot)
     rates: dict[str, Expression] = {"r_T": udot, "omega_s": alpha_s}
     if key.order == 2:
-        rates["udot_T"] = b.step("Phi2dot", _rows(b, "H", etadot)) @ etadot
+        rates["udot_T"] = _bent(b, "Phi2dot", "H", etadot)
     return R_T, r_T, omega_s, rates
 
 
@@ -126,9 +126,9 @@ def _with_slopes(b: Block, key: LinkClass, name: str, linear: Expression, H: lis
     """Define the derivative with ``eta`` of a quantity of the tip, ``linear`` plus rows ``eta^T H_c``; returns it."""
     if key.order == 1:
         return b.step(name, linear) @ eta
-    Gamma = b.step({"Phi_c": "Phi2", "Psi_c": "Psi2"}[name], block(*([eta.T @ h] for h in H)))
+    Gamma = b.step({"Phi_c": "Phi2", "Psi_c": "Psi2"}[name], rows(eta, H))
     b.step(name, linear + Gamma)
-    return linear @ eta + sp.Rational(1, 2) * (Gamma @ eta)
+    return linear @ eta + halves(b, Gamma, H, eta)
 
 
 def _constants(b: Block, letter: str, parts: Sequence[np.ndarray]) -> list[Symbol]:
@@ -137,8 +137,11 @@ def _constants(b: Block, letter: str, parts: Sequence[np.ndarray]) -> list[Symbo
     return [b.step(f"{letter}_{c}", b.field(f"{letter}_{c}_tip", H), symmetric=True) for c, H in named]
 
 
-def _rows(b: Block, letter: str, x: Symbol) -> Expression:
-    return block(*([x.T @ b.symbol(f"{letter}_{c}")] for c in "xyz"))
+def _bent(b: Block, name: str, letter: str, etadot: Symbol) -> Expression:
+    """Define the rate of a second-order shape; returns its product with the modal rates."""
+    parts = [b.symbol(f"{letter}_{c}") for c in "xyz"]
+    b.step(name, rows(etadot, parts))
+    return forms(b, f"forms {name}", parts, etadot)
 
 
 def _tip_rotation(b: Block, key: LinkClass, end: End, eta: Symbol) -> Expression:
@@ -161,10 +164,10 @@ def _turning(b: Block, key: LinkClass, etadot: Symbol) -> tuple[Expression, Expr
     omega_s = b.step("omega_s", turning)
     xdot = b.step("xdot", 2 * (theta.T @ thetadot))
     slopes: dict[str, Expression] = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
+    alpha_s = rate(turning, {"theta": thetadot, **slopes})
     if key.order == 2:
-        slopes["thetadot"] = b.step("Psi2dot", _rows(b, "T", etadot)) @ etadot
-    alpha_s = b.step("alpha_s", rate(turning, {"theta": thetadot, **slopes}))
-    return omega_s, alpha_s
+        alpha_s = alpha_s + b.symbol("J_l") @ _bent(b, "Psi2dot", "T", etadot)
+    return omega_s, b.step("alpha_s", alpha_s)
 
 
 def _step_rate(b: Block, name: str, rates: dict) -> Symbol:

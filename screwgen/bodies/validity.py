@@ -14,7 +14,8 @@ EI is the smaller of the planes that have modes. Of a section that varies, EI is
 its stations, so that the measures are not too small. If frequencies are stated, it is that of the uniform beam with the
 first of them. The force at the tip is the joint's axial force less the inertial force of the link and its base bodies.
 Approximations: the link's own axial load is uniform, apart from ``rotation``; the axis is that of the straight link;
-the next links are a mass at the tip; shear, which lowers a buckling load P by the factor 1 + P/GA, is left out.
+the next links are a mass at the tip. Where modes shear, EI is that of the rod without shear which buckles under the
+same force at its tip, Haringx's ``P (1 + P/GA) = pi^2 EI / 4 l^2``.
 """
 
 from __future__ import annotations
@@ -35,6 +36,7 @@ OWN_WEIGHT = 7.8373474
 TIP_LOAD = sp.pi**2 / 4
 """``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
 PLANES = {"bending_y": "EIz", "bending_z": "EIy"}
+SHEAR = {"bending_y": ("shear_y", "GAy"), "bending_z": ("shear_z", "GAz")}
 BOUNDS = {"deflection": 0.1, "slope": 0.35, "axial_load": 0.02, "rotation": 0.2}
 """The steps of the measures, in the order of all back ends, each with its bound: the value at which the error is about
 1 % of the tip deflection (``36/35 deflection^2``, ``slope^2/12``, from the elastica under a tip force and a tip
@@ -141,15 +143,27 @@ def _largest_mass(b: Block, key: LinkClass) -> Symbol:
 
 
 def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: Symbol) -> list[Symbol]:
-    """EI of a plane, at every station where it varies.
+    """EI of a plane, at every station where it varies; smaller where modes shear.
 
     If frequencies are stated it is ``rhoA (2 pi f_1)^2 l^4 / lambda_1^4`` of the first.
     """
-    name = PLANES[direction]
+    name, (shear, resisting) = PLANES[direction], SHEAR[direction]
     if direction not in key.measured:
-        return acting(b, key, name) if key.stations else [b.parameter(name, (1, 1))]
+        values = lambda x: acting(b, key, x) if key.stations else [b.parameter(x, (1, 1))]  # noqa: E731
+        if not any(d == shear for d, _ in key.directions) or shear in key.measured:
+            return values(name)
+        pairs = zip(values(name), values(resisting), strict=True)
+        return [_sheared(b, f"{name}_sheared{k or ''}", EI, GA, length) for k, (EI, GA) in enumerate(pairs)]
     count = key.counts[1 + list(PLANES).index(direction)]
     f = b.parameter(f"frequencies_{direction}", (count, 1))
     first, own = b.entries(f)[0], rhoA @ length @ length @ length @ length
     factor = 4 * sp.pi**2 / sp.Float(float(key.shapes(direction).stiffness[0]))
     return [b.step(f"{name}_first", factor * (own @ first @ first))]
+
+
+def _sheared(b: Block, name: str, EI: Symbol, GA: Symbol, length: Symbol) -> Symbol:
+    """``2 EI / (1 + sqrt(1 + 4 P/GA))`` of Euler's load P: with it Euler's load is Haringx's."""
+    quotient = (4 * TIP_LOAD) * (EI @ Inverse(length @ length @ GA))
+    share = number(2) @ Inverse(number(1) + Root(number(1) + quotient))
+    meaning = "bending stiffness of the rod without shear that buckles at the same load"
+    return b.step(name, share @ EI, r"EI_{\gamma,i}", unit="N*m^2", meaning=meaning)

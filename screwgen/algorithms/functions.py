@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ..errors import SingularError
 from ..ir.program import Value
 from ..topology.chain import Chain
-from . import dae, validity
+from . import dae, loops, validity
+from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute
@@ -117,14 +119,77 @@ class Functions:
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
         """``vdot`` and the joint wrenches, link by link."""
-        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
-        return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
+        return self.watched_dynamics(q, v, tau, w_ext)[:2]
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
-        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        if self.chain.closures:
+            w_ext = [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
+        links, _ = self._forward(q, v, tau, w_ext)
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
+
+    def _forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+        return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+
+    # Loops ------------------------------------------------------------------------------------
+
+    def loop_wrenches(self, q, v, tau, w_ext) -> list:
+        """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
+        closures, (frames, tips) = self.chain.closures, self._tips(q, v)
+        found, free = loops.conditions(closures, tips), self._tip_accelerations(frames, q, v, tau, w_ext)
+        still = self._still()
+        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
+        answers = []
+        for k in range(len(found)):
+            unit = loops.wrenches(closures, found, [float(j == k) for j in range(len(found))], tips)
+            answers.append(still._tip_accelerations(frames, q, rest, nothing, unit))
+        power = lambda k, accelerations: found[k].power(*_both(closures[k], accelerations))  # noqa: E731
+        A = mx.symmetric(len(found), lambda i, j: power(i, answers[j]))
+        b = [-(power(k, free) + self._drift(closure, found[k], tips)) for k, closure in enumerate(closures)]
+        try:
+            solved = self.apply(closures[-1].second, 0, loops.solver(len(found)), {"A": mx.pack(A), "b": b})
+        except SingularError:
+            raise SingularError(f"the loops {self.chain.robot.name} are singular in this posture") from None
+        return loops.wrenches(closures, found, solved["x"], tips)
+
+    def gaps(self, q, v) -> tuple[list, list]:
+        """The gap of every row of the loops, m or cosines, and its rate."""
+        _, tips = self._tips(q, v)
+        found = loops.conditions(self.chain.closures, tips)
+        return [row.gap for row in found], [self._gap_rate(*x, tips) for x in zip(self.chain.closures, found, strict=True)]
+
+    def _gap_rate(self, closure, row, tips) -> Value:
+        return row.power(*_both(closure, [tip.twist for tip in tips]))
+
+    def _drift(self, closure, row, tips) -> Value:
+        """``γ + 2 c ġ + c² g``."""
+        c = closure.stabilisation
+        return row.gamma + 2 * c * self._gap_rate(closure, row, tips) + c * c * row.gap
+
+    def _still(self) -> Functions:
+        """The same robot without weight, springs and dampers; its inertia is the given one."""
+        M = self.given[0] if self.given else columns(self.chain, self.constants)["M_eta"]
+        out = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
+        out.given = (M, [0.0] * self.chain.n_given)
+        return out
+
+    def _tips(self, q, v) -> tuple[list, list[loops.Tip]]:
+        """The rotations of all links, and the tips' poses and twists."""
+        links, places = self._run(MOTION, self._state(q, v))
+        tip = lambda i: places[self.chain.tree.tip(i)]  # noqa: E731
+        twist = lambda i: (mx.array(links[i]["tip_twist"][:3]), mx.array(links[i]["tip_twist"][3:]))  # noqa: E731
+        tips = [
+            loops.Tip(mx.array(tip(i)["R"], (3, 3)), mx.array(tip(i)["r"]), *twist(i)) for i in range(self.chain.n)
+        ]
+        return [mx.array(link["R"], (3, 3)) for link in links], tips
+
+    def _tip_accelerations(self, frames, q, v, tau, w_ext) -> list:
+        """The accelerations [angular; of the point, less that of free fall] of all tips, inertial axes."""
+        _, places = self._forward(q, v, tau, w_ext)
+        node = lambda i: places[self.chain.tree.tip(i)]  # noqa: E731
+        own = lambda i: mx.array([a + b for a, b in zip(node(i)["acc_0"], node(i)["delta"], strict=True)])  # noqa: E731
+        return [mx.rotate_wrench(R, own(i)) for i, R in enumerate(frames)]
 
     def measures(self, q, wrench, motion) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
@@ -169,6 +234,24 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def _both(closure, values: Sequence) -> tuple:
+    """Those of the two tips that a row joins."""
+    return values[closure.first], values[closure.second]
+
+
+def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
+    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
+
+    Entries below the diagonal, if modes are coupled, follow the diagonal's.
+    """
+    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
+    for i, link in enumerate(links):
+        for part, span in chain.given(i).items():
+            for name, own in zip(out, COLUMNS[part], strict=True):
+                out[name][span] = link[own]
+    return out
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

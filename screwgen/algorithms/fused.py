@@ -11,7 +11,7 @@ from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .dae_functions import DaeFunctions, state_size, unknown_size
-from .functions import EVERYTHING, Functions
+from .functions import EVERYTHING, Functions, columns
 from .schedule import COLUMNS, Algorithm, constant_labels, preparation
 
 ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
@@ -178,19 +178,6 @@ def complete_dynamics(chain: Chain, constants="constants") -> Program:
 def modal_properties(chain: Chain, constants="parameters") -> Program:
     """``() -> (M_eta, K, D)``: inertia, stiffness and damping behind the inputs of :func:`modal_dynamics`."""
     return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
-
-
-def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
-    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
-
-    Entries below the diagonal, if modes are coupled, follow the diagonal's.
-    """
-    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
-    for i, link in enumerate(links):
-        for part, span in chain.given(i).items():
-            for name, own in zip(out, COLUMNS[part], strict=True):
-                out[name][span] = link[own]
-    return out
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:

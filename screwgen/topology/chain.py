@@ -18,6 +18,7 @@ from ..spec.parameters import turning
 from ..spec.parents import parents
 from ..spec.robot import Robot
 from ..spec.segments import Segment, segments
+from .loops import Closure, closures
 from .parameters import labels
 from .tree import BASE, Tree
 
@@ -34,6 +35,7 @@ class Chain:
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+        self.closures: tuple[Closure, ...] = closures(robot, self.segments)
         self.below_offset = list(accumulate((len(k.coupled) for k in self.keys), initial=0))
 
     @cached_property

@@ -17,6 +17,7 @@ from ...algorithms.functions import (
     FORWARD,
     INVERSE,
     MEASURING,
+    MOTION,
     PLACEMENT,
     PLACES,
     PROJECTION,
@@ -81,14 +82,28 @@ class Numeric:
             raise self.chain.singular(link)
         return outputs
 
+    @property
+    def _forward(self) -> tuple[Algorithm, ...]:
+        return (FORWARD, MOTION) if self.chain.closures else (FORWARD,)
+
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nv,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
+        vdot, wrench = self._functions(*self._forward).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def loop_wrenches(self, q, v, tau, w_ext) -> np.ndarray:
+        """The wrenches (n, 6) with which the loops act on the tips, in the tip frames."""
+        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        return np.array(self._functions(FORWARD, MOTION).loop_wrenches(*given)).reshape(self.chain.n, 6)
+
+    def gaps(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+        """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
+        gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))
+        return np.array(gap, float), np.array(rate, float)
 
     def validity(self, q, v, tau, w_ext) -> np.ndarray:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
-        functions = self._functions(FORWARD, MEASURING)
+        functions = self._functions(*self._forward, MEASURING)
         q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
         _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
         return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)

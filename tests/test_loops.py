@@ -107,3 +107,6 @@ def test_random_trees_with_a_loop(seed, opened):
     loads = np.array(state["w_ext"]) + judge.loop_wrenches(*given)
     expected_wrench = oracle.wrenches(state["q"], state["v"], found, loads)
     assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+    dae = judge.dae_forward_dynamics(*given)
+    assert np.max(np.abs(dae[0] - expected)) < 1e-9 * scale
+    assert np.max(np.abs(dae[1] - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))

@@ -105,6 +105,8 @@ class DaeFunctions(Functions):
         return self.pack(links, PLACED)
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
+        if self.chain.closures:
+            w_ext = [a + b for a, b in zip(w_ext, self.loop_wrenches(*self.coordinates(x), tau, w_ext), strict=True)]
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
@@ -136,7 +138,14 @@ class DaeFunctions(Functions):
     def project(self, x: Sequence) -> list:
         """The state projected onto the joint constraints."""
         links, _ = self._run(PROJECTION, self.unpack(x))
-        return self.pack(links, PLACED | {"q": "new_q"})
+        projected = self.pack(links, PLACED | {"q": "new_q"})
+        return self.place(*self.close(*self.coordinates(projected))) if self.chain.closures else projected
+
+    def coordinates(self, x: Sequence) -> tuple[list, list]:
+        """``q`` and ``v`` of a state."""
+        links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
+        join, links = self.chain.join, [a | b for a, b in zip(state, links, strict=True)]
+        return join(links, "q", "eta"), join(links, "qdot", "etadot")
 
     def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""

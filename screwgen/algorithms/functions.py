@@ -136,109 +136,60 @@ class Functions:
 
     def loop_wrenches(self, q, v, tau, w_ext) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
-        closures, (frames, tips) = self.chain.closures, self._tips(q, v)
-        found, free = loops.conditions(closures, tips), self._tip_accelerations(frames, q, v, tau, w_ext)
-        still = self._still()
-        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
-        answers = []
-        for k in range(len(found)):
-            unit = loops.wrenches(closures, found, [float(j == k) for j in range(len(found))], tips)
-            answers.append(still._tip_accelerations(frames, q, rest, nothing, unit))
-        power = lambda k, accelerations: found[k].power(*_both(closures[k], accelerations))  # noqa: E731
-        A = mx.symmetric(len(found), lambda i, j: power(i, answers[j]))
-        b = [-(power(k, free) + self._drift(closure, found[k], tips)) for k, closure in enumerate(closures)]
-        try:
-            solved = self.apply(closures[-1].second, 0, loops.solver(len(found)), {"A": mx.pack(A), "b": b})
-        except SingularError:
-            raise SingularError(f"the loops {self.chain.robot.name} are singular in this posture") from None
-        return loops.wrenches(closures, found, solved["x"], tips)
+        shut = self._shut(q, v)
+        free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
+        wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
+        return shut.wrenches(self._row_forces(q, shut, wanted)[0])
+
+    def close(self, q, v) -> tuple[list, list]:
+        """Coordinates and rates near the given ones with which the loops are closed: two corrections of ``q``, one of ``v``.
+
+        They are those of least kinetic energy.
+        """
+        rest = [0.0] * self.chain.nv
+        for _ in range(2):
+            shut = self._shut(q, rest)
+            q = _moved(q, *self._row_forces(q, shut, [-c.gap for c in shut.conditions]))
+        shut = self._shut(q, v)
+        return q, _moved(v, *self._row_forces(q, shut, [-c.rate for c in shut.conditions]))
 
     def gaps(self, q, v) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
-        _, tips = self._tips(q, v)
-        found = loops.conditions(self.chain.closures, tips)
-        return [row.gap for row in found], [self._gap_rate(*x, tips) for x in zip(self.chain.closures, found, strict=True)]
+        found = self._shut(q, v).conditions
+        return [c.gap for c in found], [c.rate for c in found]
 
-    def _gap_rate(self, closure, row, tips) -> Value:
-        return row.power(*_both(closure, [tip.twist for tip in tips]))
+    def _row_forces(self, q, shut: loops.Shut, wanted: Sequence[Value]) -> tuple[list, list[list]]:
+        """The rows' forces that give their gaps the accelerations ``wanted``, and ``v̇`` by a unit force of each row.
 
-    def _drift(self, closure, row, tips) -> Value:
-        """``γ + 2 c ġ + c² g``."""
-        c = closure.stabilisation
-        return row.gamma + 2 * c * self._gap_rate(closure, row, tips) + c * c * row.gap
-
-    def _still(self) -> Functions:
-        """The same robot without weight, springs and dampers; its inertia is the given one."""
+        Those of the robot at rest without weight, springs and dampers, of the given inertia.
+        """
         M = self.given[0] if self.given else columns(self.chain, self.constants)["M_eta"]
-        out = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
-        out.given = (M, [0.0] * self.chain.n_given)
-        return out
+        still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
+        still.given = (M, [0.0] * self.chain.n_given)
+        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
+        found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
+        answers = [shut.accelerations(places) for _, places in found]
+        A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
+        given = {"A": mx.pack(A), "b": list(wanted)}
+        try:
+            forces = self.apply(self.chain.closures[-1].second, 0, loops.solver(len(answers)), given)["x"]
+        except SingularError:
+            raise SingularError(f"the loops of '{self.chain.robot.name}' are singular in this posture") from None
+        return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
-    def _tips(self, q, v) -> tuple[list, list[loops.Tip]]:
-        """The rotations of all links, and the tips' poses and twists."""
+    def _shut(self, q, v) -> loops.Shut:
+        """The loops in a state."""
         links, places = self._run(MOTION, self._state(q, v))
-        tip = lambda i: places[self.chain.tree.tip(i)]  # noqa: E731
-        twist = lambda i: (mx.array(links[i]["tip_twist"][:3]), mx.array(links[i]["tip_twist"][3:]))  # noqa: E731
-        tips = [
-            loops.Tip(mx.array(tip(i)["R"], (3, 3)), mx.array(tip(i)["r"]), *twist(i)) for i in range(self.chain.n)
-        ]
-        return [mx.array(link["R"], (3, 3)) for link in links], tips
+        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
+        tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+        return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
 
-    def _tip_accelerations(self, frames, q, v, tau, w_ext) -> list:
-        """The accelerations [angular; of the point, less that of free fall] of all tips, inertial axes."""
-        _, places = self._forward(q, v, tau, w_ext)
-        node = lambda i: places[self.chain.tree.tip(i)]  # noqa: E731
-        own = lambda i: mx.array([a + b for a, b in zip(node(i)["acc_0"], node(i)["delta"], strict=True)])  # noqa: E731
-        return [mx.rotate_wrench(R, own(i)) for i, R in enumerate(frames)]
-
-    def measures(self, q, wrench, motion) -> list:
-        """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
-        n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
-        given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
-        return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
-
-    def measures_at_rest(self, q, w_ext) -> list:
-        """The measures at rest in a held posture."""
-        rest = [0.0] * self.chain.nv
-        still = self.chain.split(rest, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
-        return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
-
-    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
-        """Inverse dynamics: the generalised forces of a given motion."""
-        return self.loads(q, v, vdot, w_ext)[0]
-
-    def loads(self, q, v, vdot, w_ext) -> tuple[list, list]:
-        """The generalised forces of a given motion, and the joint wrenches, link by link."""
-        motion = self.chain.split(vdot, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
-        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
-
-    def statics(self, q, w_ext) -> tuple[list, list]:
-        """The same at rest."""
-        rest = [0.0] * self.chain.nv
-        return self.loads(q, rest, rest, w_ext)
-
-    def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
-        """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
-        motion = self.chain.split(vdot, "qddot", "etaddot")
-        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
-
-    def poses(self, q) -> tuple[list, list]:
-        """Rotation (row by row) and position of every link frame and of every tip section."""
-        links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
-        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
-
-    def energy(self, q, v) -> tuple[Value, Value]:
-        """Kinetic and potential energy."""
-        gravity = [{"gravity": list(self.gravity)}] * self.chain.n
-        links, _ = self._run(ENERGY, self._state(q, v), gravity)
-        return sum_of(links, "kinetic"), sum_of(links, "potential")
-
-
-def _both(closure, values: Sequence) -> tuple:
-    """Those of the two tips that a row joins."""
-    return values[closure.first], values[closure.second]
+def _moved(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
+    """``x`` and the sum of the answers, each times a force."""
+    total = list(x)
+    for force, answer in zip(forces, answers, strict=True):
+        total = [a + force * b for a, b in zip(total, answer, strict=True)]
+    return total
 
 
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:

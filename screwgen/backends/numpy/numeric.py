@@ -167,7 +167,8 @@ class Numeric:
     @property
     def dae_functions(self) -> DaeFunctions:
         """The functions of the DAE form's rates."""
-        return self._functions(DAE_FORWARD, DAE_RATES)
+        joint_form = self._forward if self.chain.closures else ()
+        return self._functions(DAE_FORWARD, DAE_RATES, *joint_form)
 
     def dae_state(self, q, v) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
@@ -180,7 +181,8 @@ class Numeric:
 
     def project(self, x) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        return np.array(self._functions(PROJECTION).project(*self._rows(x=x)))
+        closing = (*self._forward, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
+        return np.array(self._functions(PROJECTION, *closing).project(*self._rows(x=x)))
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""

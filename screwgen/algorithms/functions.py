@@ -34,6 +34,9 @@ ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWA
 
 EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
 
+ROUNDS = 3
+"""Corrections that close a loop whose gaps are small: each squares what remains."""
+
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
@@ -139,27 +142,28 @@ class Functions:
         shut = self._shut(q, v)
         free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
         wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
-        return shut.wrenches(self._row_forces(q, shut, wanted)[0])
+        return shut.wrenches(self._row_forces(q, shut, wanted)[0][0])
 
     def close(self, q, v) -> tuple[list, list]:
-        """Coordinates and rates near the given ones with which the loops are closed: two corrections of ``q``, one of ``v``.
+        """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
+        for _ in range(ROUNDS):
+            q, v = self.correct(q, v)
+        return q, v
 
-        They are those of least kinetic energy.
-        """
-        rest = [0.0] * self.chain.nv
-        for _ in range(2):
-            shut = self._shut(q, rest)
-            q = _moved(q, *self._row_forces(q, shut, [-c.gap for c in shut.conditions]))
+    def correct(self, q, v) -> tuple[list, list]:
+        """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
         shut = self._shut(q, v)
-        return q, _moved(v, *self._row_forces(q, shut, [-c.rate for c in shut.conditions]))
+        wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
+        forces, answers = self._row_forces(q, shut, *wanted)
+        return _moved(q, forces[0], answers), _moved(v, forces[1], answers)
 
     def gaps(self, q, v) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
         found = self._shut(q, v).conditions
         return [c.gap for c in found], [c.rate for c in found]
 
-    def _row_forces(self, q, shut: loops.Shut, wanted: Sequence[Value]) -> tuple[list, list[list]]:
-        """The rows' forces that give their gaps the accelerations ``wanted``, and ``v̇`` by a unit force of each row.
+    def _row_forces(self, q, shut: loops.Shut, *wanted: Sequence[Value]) -> tuple[list[list], list[list]]:
+        """The rows' forces that give their gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
         Those of the robot at rest without weight, springs and dampers, of the given inertia.
         """
@@ -170,9 +174,10 @@ class Functions:
         found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
         answers = [shut.accelerations(places) for _, places in found]
         A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
-        given = {"A": mx.pack(A), "b": list(wanted)}
+        solve = loops.solver(len(answers))
+        apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
-            forces = self.apply(self.chain.closures[-1].second, 0, loops.solver(len(answers)), given)["x"]
+            forces = [apply(b) for b in wanted]
         except SingularError:
             raise SingularError(f"the loops of '{self.chain.robot.name}' are singular in this posture") from None
         return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
@@ -183,6 +188,51 @@ class Functions:
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
         return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
+
+    def measures(self, q, wrench, motion) -> list:
+        """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
+        n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
+        given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
+        return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
+
+    def measures_at_rest(self, q, w_ext) -> list:
+        """The measures at rest in a held posture."""
+        rest = [0.0] * self.chain.nv
+        still = self.chain.split(rest, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
+
+    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
+        """Inverse dynamics: the generalised forces of a given motion."""
+        return self.loads(q, v, vdot, w_ext)[0]
+
+    def loads(self, q, v, vdot, w_ext) -> tuple[list, list]:
+        """The generalised forces of a given motion, and the joint wrenches, link by link."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
+        return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
+
+    def statics(self, q, w_ext) -> tuple[list, list]:
+        """The same at rest."""
+        rest = [0.0] * self.chain.nv
+        return self.loads(q, rest, rest, w_ext)
+
+    def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
+        """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
+        motion = self.chain.split(vdot, "qddot", "etaddot")
+        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
+
+    def poses(self, q) -> tuple[list, list]:
+        """Rotation (row by row) and position of every link frame and of every tip section."""
+        links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
+        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+
+    def energy(self, q, v) -> tuple[Value, Value]:
+        """Kinetic and potential energy."""
+        gravity = [{"gravity": list(self.gravity)}] * self.chain.n
+        links, _ = self._run(ENERGY, self._state(q, v), gravity)
+        return sum_of(links, "kinetic"), sum_of(links, "potential")
+
 
 def _moved(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
     """``x`` and the sum of the answers, each times a force."""

@@ -180,6 +180,28 @@ def modal_properties(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
 
 
+def loop_wrenches(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included."""
+
+    def body(f: Functions, x):
+        f.given = (x["m_eta"], x["f_eta"])
+        added = f.loop_wrenches(x["q"], x["v"], x["tau"], x["w_ext"])
+        return {"closed": [a + b for a, b in zip(x["w_ext"], added, strict=True)]}
+
+    return fuse(chain, "loop_wrenches", _dynamics_inputs(chain, True), body, constants)
+
+
+def correction(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, m_eta) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
+
+    def body(f: Functions, x):
+        f.given = (x["m_eta"], [0.0] * chain.n_given)
+        return dict(zip(("new_q", "new_v"), f.correct(x["q"], x["v"]), strict=True))
+
+    sizes = {"q": chain.nq, "v": chain.nv, "m_eta": chain.n_inertia}
+    return fuse(chain, "correction", sizes, body, constants)
+
+
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(q, v, vdot, w_ext) -> (force)``."""
     inputs = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "w_ext": 6 * chain.n}

@@ -19,7 +19,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case, cases
-from . import batch, check, derivatives, estimator, files, steps
+from . import batch, check, derivatives, estimator, files, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
@@ -100,7 +100,9 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        return files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
+        return files.library(
+            self.name, bool(self.chain.closures), self.with_derivatives, self.with_estimator, self.with_batch
+        )
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -175,6 +177,7 @@ class CProject:
             "cases": self.reference,
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
+            "loops": loops.content(chain, bool(self.baked), fused_place) if chain.closures else None,
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
             "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),

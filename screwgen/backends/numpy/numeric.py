@@ -186,7 +186,8 @@ class Numeric:
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        entries, H, W = self._functions(ASSEMBLY).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        closing = (*self._forward, DAE_FORWARD) if self.chain.closures else ()
+        entries, H, W = self._functions(ASSEMBLY, *closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         for place, value in entries.items():
             M[place] = value

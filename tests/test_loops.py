@@ -1,14 +1,29 @@
 """Closed loops: against the constrained equations of the oracle, closed forms of linkages, and conservation laws."""
 
+from pathlib import Path
+
 import casadi as ca
 import numpy as np
 import pytest
 import random_robots as rr
-from helpers import arm, casadi_forward, link, model_of
+from bad_robot_files import GOOD, refusal
+from helpers import arm, casadi_forward, example, link, model_of, quick
 from oracle import Oracle
 
-from screwgen import RobotFileError, simulate
-from screwgen.backends.numpy.closing import closed, jacobian, moving
+from screwgen import (
+    OpenLoopError,
+    SingularError,
+    UsageError,
+    analyse,
+    assemble,
+    dump,
+    equilibrium,
+    load,
+    natural_frequencies,
+    simulate,
+)
+from screwgen.backends.numpy.closing import moving
+from screwgen.cli.main import main
 from screwgen.spec.loops import STABILISATION
 
 JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
@@ -71,7 +86,7 @@ def null(directions: list) -> list[np.ndarray]:
 
 
 def constrained(oracle: Oracle, robot: dict, state: dict) -> np.ndarray:
-    """`v̇` of the oracle's mass matrix and bias with its own rows, stabilised, by Lagrange multipliers (least squares)."""
+    """`v̇` of the oracle's mass matrix and bias with its own rows, stabilised, by Lagrange multipliers."""
     gap = ca.vertcat(*rows(oracle, robot))
     G = ca.jacobian(gap, oracle.q)
     rate = G @ oracle.v
@@ -110,3 +125,167 @@ def test_random_trees_with_a_loop(seed, opened):
     dae = judge.dae_forward_dynamics(*given)
     assert np.max(np.abs(dae[0] - expected)) < 1e-9 * scale
     assert np.max(np.abs(dae[1] - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+    if seed % 3 == 0:
+        compiled = quick(model, layout=("fused", "modular")[bool(opened)])
+        for form in ("joint", "dae"):
+            loaded, wrench = compiled.forward_dynamics(*given, form=form)
+            assert np.max(np.abs(loaded - expected)) < 1e-9 * scale
+            assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+
+
+# ------------------------------------------------------------------------------ linkages in closed form
+
+CRANK, COUPLER, ROCKER, GROUND = 0.3, 0.9, 0.6, 0.8
+
+
+@pytest.fixture(scope="module")
+def four_bar():
+    """Rigid bars in the x-z plane; angles about y turn x towards -z."""
+    bars = [link(name, length, "y", rhoA) for name, length, rhoA in (("crank", CRANK, 2.0), ("coupler", COUPLER, 1.5))]
+    rocker = link("rocker", ROCKER, "y", 1.8) | {"parent": "world"}
+    rocker["joint"]["mount"] = {"xyz": [GROUND, 0.0, 0.0]}
+    hinge = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}
+    return model_of(arm(*bars, rocker) | {"loops": [hinge]})
+
+
+def angles(crank: float) -> np.ndarray:
+    """Joint coordinates of the four-bar linkage by the cosine rule (the open branch)."""
+    a = np.array([np.cos(crank), np.sin(crank)]) * CRANK
+    d = np.array([GROUND, 0.0]) - a
+    reach, to_ground = np.hypot(*d), np.arctan2(d[1], d[0])
+    coupler = to_ground + np.arccos((reach**2 + COUPLER**2 - ROCKER**2) / (2 * reach * COUPLER))
+    tip = a + COUPLER * np.array([np.cos(coupler), np.sin(coupler)])
+    rocker = np.arctan2(tip[1], tip[0] - GROUND)
+    return -np.array([crank, coupler - crank, rocker])
+
+
+def lagrangian(crank: float, rate: float) -> float:
+    """T − U of the linkage from the motion of its bars alone."""
+    h = 1e-5
+    here, (before, after) = angles(crank), (angles(crank - h), angles(crank + h))
+    turn = -rate * (after - before) / (2 * h)
+    psi, omega = -np.cumsum(here)[[0, 1]], np.cumsum(turn)[[0, 1]]
+    a = CRANK * np.array([np.cos(psi[0]), np.sin(psi[0])])
+    v_a = CRANK * omega[0] * np.array([-np.sin(psi[0]), np.cos(psi[0])])
+    centre = a + COUPLER / 2 * np.array([np.cos(psi[1]), np.sin(psi[1])])
+    v = v_a + COUPLER / 2 * omega[1] * np.array([-np.sin(psi[1]), np.cos(psi[1])])
+    m = np.array([2.0 * CRANK, 1.5 * COUPLER, 1.8 * ROCKER])
+    kinetic = m[0] * CRANK**2 * omega[0] ** 2 / 6 + m[2] * ROCKER**2 * turn[2] ** 2 / 6
+    kinetic += m[1] * (v @ v) / 2 + m[1] * COUPLER**2 * omega[1] ** 2 / 24
+    height = m[0] * CRANK * np.sin(psi[0]) / 2 + m[1] * centre[1] - m[2] * ROCKER * np.sin(here[2]) / 2
+    return kinetic - 9.81 * height
+
+
+def test_a_hinge_in_a_planar_linkage_has_two_rows_that_matter(four_bar):
+    assert len(four_bar.chain.closures) == 2
+
+
+def test_a_four_bar_linkage_is_assembled_as_by_the_cosine_rule(four_bar):
+    for crank in (0.3, 1.1, 2.0):
+        q = assemble(four_bar, angles(crank) + np.array([0.0, 0.1, -0.1]), hold=["crank.joint[0]"])
+        assert np.allclose(q, angles(crank), rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("crank", [0.4, 1.3, 2.2])
+def test_a_four_bar_linkage_moves_by_its_own_lagrangian(four_bar, crank):
+    """The equation of one coordinate, d/dt ∂L/∂ω − ∂L/∂φ = torque, by differences of sixth order."""
+    q, rate, torque, judge = angles(crank), 3.0, 2.0, four_bar.numpy()
+    v = moving(judge, q, [-rate, 0.0, 0.0])
+    v *= -rate / v[0]
+    found = judge.forward_dynamics(q, v, [-torque, 0.0, 0.0], None)[0][0]
+    inertia = lambda x: 2 * (lagrangian(x, 1.0) - lagrangian(x, 0.0))  # noqa: E731
+    slope = lambda f: sum(c * (f(crank + k * 5e-3) - f(crank - k * 5e-3)) for k, c in SIXTH) / 5e-3  # noqa: E731
+    force = torque - slope(inertia) * rate**2 / 2 + slope(lambda x: lagrangian(x, 0.0))
+    assert -found == pytest.approx(force / inertia(crank), rel=1e-7)
+
+
+SIXTH = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60))
+
+
+def test_forces_of_the_loop_do_no_work_and_energy_stays(four_bar):
+    q = angles(0.4)
+    for form, method, drift in (("joint", "rk4", 1e-8), ("dae", "rk4", 1e-8)):
+        run = simulate(four_bar, 0.5, 1e-3, q0=q, form=form, integrator=method)
+        gaps = [np.max(np.abs(four_bar.numpy().gaps(*x)[0])) for x in zip(run.q[::50], run.v[::50], strict=True)]
+        assert max(gaps) < {"joint": 1e-9, "dae": 1e-10}[form]
+        total = run.energy.sum(axis=1)
+        assert np.ptp(total) < drift * np.ptp(run.energy[:, 0])
+
+
+def test_the_two_steps_of_c_and_numpy_agree(four_bar):
+    runs = [simulate(four_bar, 0.05, 1e-3, q0=angles(0.4), backend=backend) for backend in ("c", "numpy")]
+    assert np.allclose(runs[0].q, runs[1].q, rtol=0, atol=1e-12)
+
+
+def test_a_flexible_parallelogram_keeps_its_platform_level():
+    model = example("parallelogram")
+    q = assemble(model, [-0.5, 0.5, -0.5], hold=["arm.joint[0]"])
+    assert np.allclose(q[:3], [-0.5, 0.5, -0.5], atol=1e-9) and not q[3:].any()
+    found = model.numpy().forward_dynamics(q, np.zeros(model.nv), None, None)[0]
+    given = q, np.zeros(model.nv), np.zeros(model.n_tau), np.zeros((3, 6))
+    assert np.allclose(casadi_forward(model, *given)[0], found, rtol=1e-10, atol=1e-9)
+
+
+# ------------------------------------------------------------------------------ what users see
+
+
+def test_the_command_prints_a_state_that_simulate_reads(four_bar, tmp_path, capsys):
+    robot, state = str(tmp_path / "arm.toml"), tmp_path / "state.json"
+    Path(robot).write_text(dump(four_bar.robot))
+    start = ",".join(map(str, angles(0.4) + np.array([0.0, 0.05, 0.0])))
+    assert main(["assemble", robot, f"--q={start}", "--hold", "crank.joint[0]"]) == 0
+    state.write_text(capsys.readouterr().out)
+    run = ["simulate", robot, "--duration", "0.002", "--step", "0.001", "-o", str(tmp_path / "run.npz"), "-q"]
+    assert main([*run, "--state", str(state)]) == 0
+    state.write_text('{"q": [0.1, 0.0, 0.0]}')
+    assert main([*run, "--state", str(state)]) == 2
+    assert "loop[0] is open by" in capsys.readouterr().err
+
+
+def test_loops_that_cannot_be_closed_say_how_far_they_stay_open(four_bar):
+    short = model_of(arm(link("a", 0.2, "y", 1.0), link("b", 0.2, "y", 1.0) | FAR) | {"loops": [BALL]})
+    with pytest.raises(OpenLoopError, match=r"^loop\[0\] stays open by 0\.1\d* m; start from"):
+        assemble(short)
+    with pytest.raises(SingularError, match="the loops of 'arm' are singular"):
+        short.numpy().forward_dynamics([0.0, np.pi], None, None, None)
+
+
+FAR = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
+BALL = {"between": ["a.tip", "b.tip"], "joint": {"axes": ["x", "y", "z"]}}
+
+
+@pytest.mark.parametrize("ask", [natural_frequencies, equilibrium, analyse, lambda m: m.linearise([0, 0, 0])])
+def test_studies_of_trees_refuse_loops(four_bar, ask):
+    with pytest.raises(UsageError, match=r"^robot 'arm' has loops, for which there is no "):
+        ask(four_bar)
+
+
+def test_a_robot_with_loops_is_written_and_read(tmp_path):
+    robot = load("examples/parallelogram.toml")
+    (tmp_path / "again.toml").write_text(dump(robot))
+    assert load(tmp_path / "again.toml") == robot
+
+
+LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"] }\n'
+WRONG = (
+    ('["upper.tip", "fore.tip"]', '["upper.tip"]', "loops[0].between", "has 1 entries; it must name two tips"),
+    ('["upper.tip", "fore.tip"]', '"upper.tip"', "loops[0].between", "must be an array of two tips"),
+    ('"upper.tip"', '"upper.base"', "loops[0].between[0]", 'must be the name of a link with ".tip"'),
+    ('"upper.tip"', '"lower.tip"', "loops[0].between[0]", 'which is no link; choose "upper" or "fore"'),
+    ('"upper.tip"', '"fore.tip"', "loops[0].between", "joins a link with itself"),
+    ('axes = ["y"]', 'axes = ["y"], armature = [1.0]', "loops[0].joint.armature", "nothing drives a loop's joint"),
+    ('axes = ["y"]', 'axes = ["y"], mount = {}', "loops[0].joint.mount", "sits at the tip of the first link"),
+    ('["y"]', '[{ screw = "y", pitch = 0.1 }]', "loops[0].joint.axes[0]", "is a screw, which no loop can have"),
+    ('["y"]', '["y", { slide = "x" }]', "loops[0].joint.axes[1]", "put it first"),
+    ("joint =", "stabilisation = -1.0\njoint =", "loops[0].stabilisation", "must be"),
+    ("joint =", "damping = 1.0\njoint =", "loops[0].damping", "is an unknown key"),
+    ("[[loops]]", "[loops]", "loops", "must be an array"),
+)
+
+
+@pytest.mark.parametrize(("old", "new", "where", "fragment"), WRONG)
+def test_wrong_loops_are_refused_in_one_line(tmp_path, old, new, where, fragment):
+    path = tmp_path / "bot.toml"
+    path.write_text(GOOD + LOOP.replace(old, new, 1), encoding="utf-8")
+    message = refusal(path)
+    assert message.startswith(where) and fragment in message

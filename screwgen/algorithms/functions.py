@@ -163,9 +163,9 @@ class Functions:
         return [c.gap for c in found], [c.rate for c in found]
 
     def _row_forces(self, q, shut: loops.Shut, *wanted: Sequence[Value]) -> tuple[list[list], list[list]]:
-        """The rows' forces that give their gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
+        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
-        Those of the robot at rest without weight, springs and dampers, of the given inertia.
+        The robot is at rest, without weight, springs and dampers, and has the given inertia.
         """
         M = self.given[0] if self.given else columns(self.chain, self.constants)["M_eta"]
         still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
@@ -179,7 +179,10 @@ class Functions:
         try:
             forces = [apply(b) for b in wanted]
         except SingularError:
-            raise SingularError(f"the loops of '{self.chain.robot.name}' are singular in this posture") from None
+            remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
+            raise SingularError(
+                f"the loops of '{self.chain.robot.name}' are singular in this posture; {remedy}"
+            ) from None
         return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def _shut(self, q, v) -> loops.Shut:

@@ -1,9 +1,9 @@
 """Closed loops: the wrenches on tips that keep them closed.
 
-A row g of a loop (:mod:`..joints.constraints`) acts on its two tips by unit wrenches W, so `ġ = Σ Wᵀ V` over both tips,
-and `g̈ = Σ Wᵀ a + γ` with the accelerations `a` of the tips and γ of the velocities. With `M⁻¹` applied by the elimination,
-once for every row, the rows' forces λ follow from `(J M⁻¹ Jᵀ) λ = −(J v̇ + γ + 2 c ġ + c² g)`, where `v̇` are the accelerations
-of the open tree and `c` is the loop's stabilisation. All vectors are in inertial axes.
+A row g of a loop (:mod:`..joints.constraints`) acts on its two tips by unit wrenches W. So `ġ = Σ Wᵀ V` over both tips,
+and `g̈ = Σ Wᵀ a + γ` with the accelerations `a` of the tips. With `M⁻¹` applied by the elimination, once for every row,
+the rows' forces λ follow from `(J M⁻¹ Jᵀ) λ = −(J v̇ + γ + 2 c ġ + c² g)`, where `v̇` are the accelerations of the open
+tree and `c` is the loop's stabilisation. All vectors are in inertial axes.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ class Shut:
 
 @cache
 def solver(count: int) -> Program:
-    """``(A, b) -> (x)`` with ``A x = b``; A by its upper triangle, row by row. Pivots are guarded by rounding errors."""
+    """``(A, b) -> (x)`` with ``A x = b``; A by its upper triangle, row by row. Pivots must exceed rounding errors."""
     tracer = Tracer()
     A = mx.unpack(tracer.input("A", count * (count + 1) // 2), count)
     b = mx.array(tracer.input("b", count), (count,))

@@ -235,7 +235,9 @@ def assemble(
     robot: RobotFile,
     q: Annotated[
         str | None,
-        typer.Option(metavar="NUMBERS", help="Where the search starts: joint coordinates. Zero without.", show_default=False),
+        typer.Option(
+            metavar="NUMBERS", help="Where the search starts: joint coordinates. Zero without.", show_default=False
+        ),
     ] = None,
     hold: Annotated[
         list[str] | None,

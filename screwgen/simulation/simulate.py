@@ -209,11 +209,14 @@ def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> No
     for values, name, remedy in zip(model.numpy(p).gaps(q, v), ("q0", "v0"), ASSEMBLED, strict=True):
         worst = int(np.argmax(np.abs(values)))
         if not abs(values[worst]) < OPEN:
-            what = ("is open by", "opens by") [name == "v0"]
+            what = ("is open by", "opens by")[name == "v0"]
             raise UsageError(f"{name}: {model.chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
 
 
-ASSEMBLED = ("start from what `screwgen assemble` or screwgen.assemble gives", "start at rest, or with rates that keep it closed")
+ASSEMBLED = (
+    "start from what `screwgen assemble` or screwgen.assemble gives",
+    "start at rest, or with rates that keep it closed",
+)
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

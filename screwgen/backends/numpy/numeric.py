@@ -24,7 +24,7 @@ from ...algorithms.functions import (
     SENSITIVITY,
     Functions,
 )
-from ...algorithms.linearise import slopes
+from ...algorithms.linearise import EXACT, slopes
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
 from ...ir.program import Program
@@ -134,6 +134,7 @@ class Numeric:
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
+        self.chain.needs_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
         given = np.eye(self.chain.nv)[:, : self.chain.n_tau]

@@ -101,9 +101,8 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        return files.library(
-            self.name, bool(self.chain.closures), self.with_derivatives, self.with_estimator, self.with_batch
-        )
+        options = bool(self.chain.closures), self.with_derivatives, self.with_estimator, self.with_batch
+        return files.library(self.name, *options)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""

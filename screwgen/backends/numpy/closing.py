@@ -81,6 +81,17 @@ def _newton(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarr
     return q, gap
 
 
+def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
+    """A posture near `q` with loops that are closed to six digits, so that its numbers do not depend on the machine."""
+    if not chain.closures:
+        return q
+    try:
+        near = closed(Numeric(chain), q)
+    except OpenLoopError as error:
+        near = error.nearest
+    return [float(f"{x:.6e}") for x in near]
+
+
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
     """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
     v = np.array(v, float)

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from .version import __version__
 
 HOMES = {
+    "backends.numpy.closing": ("OpenLoopError",),
     "errors": ("RobotFileError", "ScrewgenError", "SingularError", "UsageError"),
     "model": ("Model", "derive"),
     "simulation.controllers": ("PD", "Holding"),
@@ -25,6 +26,7 @@ HOMES = {
     "spec.screw": ("Screw",),
     "spec.section": ("Section",),
     "studies.analysis": ("Analysis", "analyse"),
+    "studies.assemble": ("assemble",),
     "studies.convergence": ("Convergence", "convergence"),
     "studies.equilibrium": ("Equilibrium", "NoEquilibriumError", "equilibrium"),
     "studies.linear": ("LinearModel",),

@@ -1,5 +1,6 @@
 """The public names, for type checkers."""
 
+from .backends.numpy.closing import OpenLoopError as OpenLoopError
 from .errors import RobotFileError as RobotFileError
 from .errors import ScrewgenError as ScrewgenError
 from .errors import SingularError as SingularError
@@ -30,6 +31,7 @@ from .spec.screw import Screw as Screw
 from .spec.section import Section as Section
 from .studies.analysis import Analysis as Analysis
 from .studies.analysis import analyse as analyse
+from .studies.assemble import assemble as assemble
 from .studies.convergence import Convergence as Convergence
 from .studies.convergence import convergence as convergence
 from .studies.equilibrium import Equilibrium as Equilibrium

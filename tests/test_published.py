@@ -5,6 +5,8 @@ import pytest
 import scipy.linalg
 from helpers import arm, link, model_of
 
+from screwgen import natural_frequencies
+
 ROOTS = [1.8751040687119611, 4.694091132974175, 7.854757438237613]
 """The first roots of cos x cosh x = -1."""
 
@@ -163,3 +165,26 @@ def test_ellas_axial_modes_are_far_beyond_a_control_loop():
     """About 1.4 kHz with one axial mode each and what the links carry."""
     model = model_of(ella(1, "clamped_free"))
     assert 1000 < frequencies(model)[-1] < 1600
+
+
+# -------- loads that turn with the beam
+
+
+TAPERED = {0: (3.82379, 18.3173), 4: (5.87876, 20.6852), 12: (13.4711, 34.0877)}
+"""Flapwise frequencies of a rotating beam whose height falls linearly to half, over √(EI₀ / ρA₀ L⁴), by the rate."""
+
+
+def test_a_tapered_beam_that_rotates():
+    height = {"box": {"height": [1.0, 0.5], "breadth": 1.0}, "E": 12.0, "density": 1.0, "nu": 0.3}
+    blade = {"name": "blade", "length": 1.0, "profile": height, "modes": {"bending_z": 6}, "joint": {"axes": ["z"]}}
+    model = model_of(arm(blade, gravity=[0, 0, 0], order=2))
+    for rate, expected in TAPERED.items():
+        found = 2 * np.pi * natural_frequencies(model, joints="locked", rates=[float(rate)])
+        assert np.allclose(found[:2], expected, rtol=[1e-5, 2e-4], atol=0)
+
+
+def test_a_column_under_a_load_that_follows_its_tip():
+    """Beck's column flutters at P L² / EI = 20.0509; it never buckles."""
+    model = model_of(arm(link(axes=[], modes={"bending_z": 5}), gravity=[0, 0, 0], order=2))
+    growth = lambda load: np.max(model.linearise([0] * 5, w_ext=[[0, 0, 0, -load, 0, 0]]).eigenvalues().real)  # noqa: E731
+    assert growth(20.045) < 1e-6 and growth(20.06) > 0.1

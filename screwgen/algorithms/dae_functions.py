@@ -105,6 +105,7 @@ class DaeFunctions(Functions):
         return self.pack(links, PLACED)
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
+        w_ext = self._with_loops(x, tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
@@ -136,10 +137,28 @@ class DaeFunctions(Functions):
     def project(self, x: Sequence) -> list:
         """The state projected onto the joint constraints."""
         links, _ = self._run(PROJECTION, self.unpack(x))
-        return self.pack(links, PLACED | {"q": "new_q"})
+        projected = self.pack(links, PLACED | {"q": "new_q"})
+        return self.place(*self.close(*self.coordinates(projected))) if self.chain.closures else projected
+
+    def _with_loops(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> Sequence:
+        """The wrenches on the tips, those of the loops included."""
+        if not self.chain.closures:
+            return w_ext
+        added = self.loop_wrenches(*self.coordinates(x), tau, w_ext)
+        return [a + b for a, b in zip(w_ext, added, strict=True)]
+
+    def coordinates(self, x: Sequence) -> tuple[list, list]:
+        """``q`` and ``v`` of a state."""
+        links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
+        join, links = self.chain.join, [a | b for a, b in zip(state, links, strict=True)]
+        return join(links, "q", "eta"), join(links, "qdot", "etadot")
 
     def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
-        """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z."""
+        """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z.
+
+        The wrenches of loops on the tips are part of ``W_sys``.
+        """
+        w_ext = self._with_loops(x, tau, w_ext)
         state = self._with_terms(self.unpack(x), "eta")
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)

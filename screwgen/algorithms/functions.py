@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ..errors import SingularError
 from ..ir.program import Value
 from ..topology.chain import Chain
-from . import dae, validity
+from . import dae, loops, validity
+from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute
@@ -31,6 +33,9 @@ PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
 ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD, per_child=True))
 
 EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
+
+ROUNDS = 3
+"""Corrections that close a loop whose gaps are small: each squares what remains."""
 
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
@@ -117,14 +122,75 @@ class Functions:
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
         """``vdot`` and the joint wrenches, link by link."""
-        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
-        return self.chain.join(links, "qddot", "etaddot"), [x for link in links for x in link["wrench"]]
+        return self.watched_dynamics(q, v, tau, w_ext)[:2]
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
-        links, _ = self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        if self.chain.closures:
+            w_ext = [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
+        links, _ = self._forward(q, v, tau, w_ext)
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
+
+    def _forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+        return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+
+    # Loops ------------------------------------------------------------------------------------
+
+    def loop_wrenches(self, q, v, tau, w_ext) -> list:
+        """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
+        shut = self._shut(q, v)
+        free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
+        wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
+        return shut.wrenches(self._row_forces(q, shut, wanted)[0][0])
+
+    def close(self, q, v) -> tuple[list, list]:
+        """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
+        for _ in range(ROUNDS):
+            q, v = self.correct(q, v)
+        return q, v
+
+    def correct(self, q, v) -> tuple[list, list]:
+        """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
+        shut = self._shut(q, v)
+        wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
+        forces, answers = self._row_forces(q, shut, *wanted)
+        return _moved(q, forces[0], answers), _moved(v, forces[1], answers)
+
+    def gaps(self, q, v) -> tuple[list, list]:
+        """The gap of every row of the loops, m or cosines, and its rate."""
+        found = self._shut(q, v).conditions
+        return [c.gap for c in found], [c.rate for c in found]
+
+    def _row_forces(self, q, shut: loops.Shut, *wanted: Sequence[Value]) -> tuple[list[list], list[list]]:
+        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
+
+        The robot is at rest, without weight, springs and dampers, and has the given inertia.
+        """
+        M = self.given[0] if self.given else columns(self.chain, self.constants)["M_eta"]
+        still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
+        still.given = (M, [0.0] * self.chain.n_given)
+        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
+        found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
+        answers = [shut.accelerations(places) for _, places in found]
+        A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
+        solve = loops.solver(len(answers))
+        apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
+        try:
+            forces = [apply(b) for b in wanted]
+        except SingularError:
+            remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
+            raise SingularError(
+                f"the loops of '{self.chain.robot.name}' are singular in this posture; {remedy}"
+            ) from None
+        return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
+
+    def _shut(self, q, v) -> loops.Shut:
+        """The loops in a state."""
+        links, places = self._run(MOTION, self._state(q, v))
+        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
+        tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+        return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
 
     def measures(self, q, wrench, motion) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
@@ -169,6 +235,27 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def _moved(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
+    """``x`` and the sum of the answers, each times a force."""
+    total = list(x)
+    for force, answer in zip(forces, answers, strict=True):
+        total = [a + force * b for a, b in zip(total, answer, strict=True)]
+    return total
+
+
+def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
+    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
+
+    Entries below the diagonal, if modes are coupled, follow the diagonal's.
+    """
+    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
+    for i, link in enumerate(links):
+        for part, span in chain.given(i).items():
+            for name, own in zip(out, COLUMNS[part], strict=True):
+                out[name][span] = link[own]
+    return out
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

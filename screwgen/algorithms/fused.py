@@ -11,7 +11,7 @@ from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .dae_functions import DaeFunctions, state_size, unknown_size
-from .functions import EVERYTHING, Functions
+from .functions import EVERYTHING, Functions, columns
 from .schedule import COLUMNS, Algorithm, constant_labels, preparation
 
 ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
@@ -180,17 +180,26 @@ def modal_properties(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
 
 
-def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
-    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
+def loop_wrenches(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included."""
 
-    Entries below the diagonal, if modes are coupled, follow the diagonal's.
-    """
-    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
-    for i, link in enumerate(links):
-        for part, span in chain.given(i).items():
-            for name, own in zip(out, COLUMNS[part], strict=True):
-                out[name][span] = link[own]
-    return out
+    def body(f: Functions, x):
+        f.given = (x["m_eta"], x["f_eta"])
+        added = f.loop_wrenches(x["q"], x["v"], x["tau"], x["w_ext"])
+        return {"closed": [a + b for a, b in zip(x["w_ext"], added, strict=True)]}
+
+    return fuse(chain, "loop_wrenches", _dynamics_inputs(chain, True), body, constants)
+
+
+def correction(chain: Chain, constants="parameters") -> Program:
+    """``(q, v, m_eta) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
+
+    def body(f: Functions, x):
+        f.given = (x["m_eta"], [0.0] * chain.n_given)
+        return dict(zip(("new_q", "new_v"), f.correct(x["q"], x["v"]), strict=True))
+
+    sizes = {"q": chain.nq, "v": chain.nv, "m_eta": chain.n_inertia}
+    return fuse(chain, "correction", sizes, body, constants)
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:

@@ -43,6 +43,9 @@ class Slopes:
     f_v: Array
 
 
+EXACT = "code for exact derivatives", "differentiate the CasADi functions"
+
+
 def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
@@ -159,6 +162,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
     """
+    chain.needs_tree(*EXACT)
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 

@@ -1,4 +1,4 @@
-"""The commands `modes` and `equilibrium`: vibrations about a posture, and the posture in which an arm rests."""
+"""The commands `modes`, `equilibrium` and `assemble`: vibrations about a posture, rest, and closed loops."""
 
 from __future__ import annotations
 
@@ -123,6 +123,15 @@ def run_equilibrium(
         raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
     found = equilibrium(model, start, None if hold else torques, given.w_ext, hold)
     print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
+
+
+def run_assemble(robot: str, q: str | None, hold: list[str]) -> None:
+    """Print a posture with closed loops as the JSON of a state."""
+    from ..studies.assemble import assemble
+
+    model = derive(load_robot(robot))
+    start = None if q is None else numbers("q", q, model.n_joints, "joint coordinates")
+    print(json_format.dumps({"q": assemble(model, start, hold).tolist()}))
 
 
 def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:

@@ -230,6 +230,26 @@ def equilibrium(
     run_equilibrium(robot, state, q, tau, "all" if hold_all else hold, json)
 
 
+@app.command(short_help="Find a posture with closed loops.", epilog=EPILOG)
+def assemble(
+    robot: RobotFile,
+    q: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NUMBERS", help="Where the search starts: joint coordinates. Zero without.", show_default=False
+        ),
+    ] = None,
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="A coordinate that stays; may be given again.", show_default=False),
+    ] = None,
+) -> None:
+    """Print the coordinates nearest to --q with which the loops are closed, as JSON that --state reads."""
+    from .linear import run_assemble
+
+    run_assemble(robot, q, hold or [])
+
+
 @app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)
 def analyse(
     context: typer.Context,

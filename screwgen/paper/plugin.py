@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..errors import UsageError
 from ..plugins import Plugin
 
-NO_TREE = "the Z-form is that of a chain; leave out parent"
+NO_TREE = "the Z-form is that of a chain; leave out parent and loops"
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
@@ -36,7 +36,7 @@ def _printed(robot):
 def _names(model) -> list[str]:
     from .z_functions import cauchy_names
 
-    if not model.chain.tree.is_chain:
+    if not model.chain.serial:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
     return cauchy_names(model.chain)
 
@@ -56,7 +56,7 @@ def _common() -> dict:
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.tree.is_chain else {}
+    return z_functions(chain) if chain.serial else {}
 
 
 def _chapter(chain):

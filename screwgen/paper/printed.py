@@ -59,7 +59,7 @@ class PrintedModel:
         self.model = derive(self.robot)
         if any(direction == "torsion" for key in self.model.chain.keys for direction, _ in key.directions):
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
-        if not self.model.chain.tree.is_chain:
+        if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
 
     def _reduced(self, robot: Robot) -> Robot:

@@ -87,6 +87,7 @@ def simulate(
     every = whole(every, "every", 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
+    check_loops(model, p, q0, v0)
     law = started(controller, q0)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
@@ -195,6 +196,27 @@ def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
         allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
         raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
     return np.append(given, np.zeros(model.nq - len(given)))
+
+
+OPEN = 1e-6
+"""The largest gap (m, or of cosines) and rate of one that a run may start with."""
+
+
+def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
+    """Refuse a start at which a loop is open or opens; raises UsageError."""
+    if not model.chain.closures:
+        return
+    for values, name, remedy in zip(model.numpy(p).gaps(q, v), ("q0", "v0"), ASSEMBLED, strict=True):
+        worst = int(np.argmax(np.abs(values)))
+        if not abs(values[worst]) < OPEN:
+            what = ("is open by", "opens by")[name == "v0"]
+            raise UsageError(f"{name}: {model.chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
+
+
+ASSEMBLED = (
+    "start from what `screwgen assemble` or screwgen.assemble gives",
+    "start at rest, or with rates that keep it closed",
+)
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

@@ -53,6 +53,7 @@ RANGES = {
     "nu": Range(non_negative, 0.0, 0.5, "1"),
     "frequency": Range(positive, 1e-6, 1e9, "Hz"),
     "damping ratio": Range(non_negative, 1e-12, 1e6, "1"),
+    "stabilisation": Range(non_negative, 1e-6, 1e6, "1/s"),
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m² or kg"),
     "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad or N·s/m"),
     "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad or N/m"),

@@ -12,6 +12,7 @@ from pydantic import Field, PlainValidator, model_validator
 from ..errors import UsageError
 from .frequencies import Frequencies
 from .joint import Joint, Position
+from .loops import Loop, refuse_loops
 from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from .names import link_name, robot_name
 from .needs import require, require_divisible, require_uniform, segment_count
@@ -170,6 +171,7 @@ class Robot(Part):
         1, description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness"
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
+    loops: tuple[Loop, ...] = Field((), description="joints between the tips of two links, [[loops]] tables")
 
     def without(self, *directions: str) -> Self:
         """The same robot without the modes of some `DIRECTIONS`, such as "axial"; raises UsageError."""
@@ -186,6 +188,7 @@ class Robot(Part):
         distinct_names(self)
         parents(self.links)
         refuse_axes(self)
+        refuse_loops([link.name for link in self.links], self.loops)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

@@ -57,6 +57,7 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
+    model.chain.needs_tree("study of vibrations", "look at those of the open tree, without [[loops]]")
     first = locked_from(model, joints)
     if first == model.nq:
         return Convergence(np.zeros(0), {})

@@ -79,6 +79,7 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
+    model.chain.needs_tree("study of vibrations", "look at those of the open tree, without [[loops]]")
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:

@@ -12,12 +12,13 @@ from itertools import accumulate
 import numpy as np
 
 from ..arguments import Parameters, array
-from ..errors import SingularError
+from ..errors import SingularError, UsageError
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
 from ..spec.parents import parents
 from ..spec.robot import Robot
 from ..spec.segments import Segment, segments
+from .loops import Closure, closures
 from .parameters import labels
 from .tree import BASE, Tree
 
@@ -34,7 +35,13 @@ class Chain:
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+        self.closures: tuple[Closure, ...] = closures(robot, self.segments)
         self.below_offset = list(accumulate((len(k.coupled) for k in self.keys), initial=0))
+
+    @property
+    def serial(self) -> bool:
+        """Whether every link carries at most one other, without loops."""
+        return self.tree.is_chain and not self.closures
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -78,6 +85,11 @@ class Chain:
     def eta_v(self) -> int:
         """The index of its rate in `v`."""
         return self.nv - self.n_modes
+
+    def needs_tree(self, what: str, instead: str) -> None:
+        """Raises UsageError where loops close the tree: ``what`` there is none of, and what to do ``instead``."""
+        if self.closures:
+            raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
     @cached_property
     def sprung(self) -> bool:

@@ -27,14 +27,25 @@ def rendered(template: str, **values: object) -> str:
 def folded(text: str) -> str:
     """C source with lines of at most WIDTH columns; preprocessor directives are left as they are."""
     out: list[str] = []
-    inside = False
-    for line in text.split("\n"):
+    inside, lines = False, text.split("\n")
+    for number, line in enumerate(lines):
+        comment = inside or line.lstrip().startswith("/*")
+        inside = line.rfind("/*") > line.rfind("*/") or (inside and "*/" not in line)
         if len(line) <= WIDTH or line.startswith("#"):
             out.append(line)
+        elif not comment:
+            out += _code(line)
         else:
-            out += _comment(line) if inside or line.lstrip().startswith("/*") else _code(line)
-        inside = line.rfind("/*") > line.rfind("*/") or (inside and "*/" not in line)
+            *whole, rest = _comment(line)
+            goes_on = inside and rest[-1] not in ".:;" and (ahead := CONTINUED.match(lines[number + 1]))
+            if goes_on:
+                lines[number + 1] = f"{rest} {lines[number + 1][ahead.end() :]}"
+            out += whole if goes_on else [*whole, rest]
     return "\n".join(out)
+
+
+CONTINUED = re.compile(r" *\* (?=[^ */])")
+"""The beginning of a line that continues a comment."""
 
 
 def _comment(line: str) -> list[str]:

@@ -159,6 +159,24 @@ def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, 
     return dict(sorted(out.items()))
 
 
+def scratch(
+    c: Chain, node: Sequence[Field], store: Sequence[Field], states: int, modular: bool, kept: int | None
+) -> dict[str, int]:
+    """The sizes in bytes of the scratch of both forms in double precision.
+
+    `states`: those that a step keeps; `kept`: the numbers that programs of loops hand on, None without loops.
+    """
+    sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
+    sizes["NINERTIA"] = c.n_inertia
+    total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
+    own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
+    chain = (c.n + 1) * total(node) + c.n * total(store)
+    loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
+    work = own["work"] + states * own["state"] + own["output"] + chain * modular + loops
+    dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops
+    return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
+
+
 def stumpff_terms(order: int, count=14) -> list[str]:
     """The coefficients ``1 / (order + 2 j)!`` of a Stumpff function."""
     return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]

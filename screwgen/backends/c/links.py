@@ -38,7 +38,7 @@ class Run:
     parts: tuple[tuple[str, int], ...] = ()
     """The C functions that the phases are divided among, and their numbers of phases; none: one of the run's name."""
     parts_if_sprung: tuple[tuple[str, int], ...] = ()
-    """The same for robots with sprung joints, if it differs."""
+    """The same for robots with sprung joints or loops, whose forces need the joint rates, if it differs."""
     each_tip: bool = False
     """Whether results at nodes are those of every tip, not of the last alone."""
 
@@ -152,7 +152,11 @@ class Links:
         """The C functions of a run: name, comment, phases, and whether they set the acceleration of the base."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out = []
-        shares = (self.chain.sprung and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
+        shares = (
+            ((self.chain.sprung or self.chain.closures) and RUNS[run].parts_if_sprung)
+            or RUNS[run].parts
+            or ((run, len(phases)),)
+        )
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
             accelerating = not out and any("base.acc_0" in p.program.inputs for p in first)

@@ -19,7 +19,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case, cases
-from . import batch, check, derivatives, estimator, files, steps
+from . import batch, check, derivatives, estimator, files, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
@@ -31,6 +31,7 @@ from .fields import (
     index_type,
     node_fields,
     rows,
+    scratch,
     store_fields,
     structs,
     stumpff_terms,
@@ -100,7 +101,8 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        return files.library(self.name, self.with_derivatives, self.with_estimator, self.with_batch)
+        options = bool(self.chain.closures), self.with_derivatives, self.with_estimator, self.with_batch
+        return files.library(self.name, *options)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -175,6 +177,7 @@ class CProject:
             "cases": self.reference,
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
+            "loops": self._loops,
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
             "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
@@ -324,17 +327,13 @@ class CProject:
     @property
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
-        c, states = self.chain, 1 + len(steps.registers(self.methods))
-        sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
-        sizes["NINERTIA"] = c.n_inertia
-        total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
-        own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
-        chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(
-            store_fields(self._programs, self.chain.sliding)
-        )
-        work = own["work"] + states * own["state"] + own["output"] + chain * (self.layout == "modular")
-        dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain
-        return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
+        parts = node_fields(self._programs), store_fields(self._programs, self.chain.sliding)
+        kept = self._loops["kept"] if self._loops else None
+        return scratch(self.chain, *parts, 1 + len(steps.registers(self.methods)), self.layout == "modular", kept)
+
+    @cached_property
+    def _loops(self) -> dict | None:
+        return loops.content(self.chain, self.baked is not None, fused_place) if self.chain.closures else None
 
     @cached_property
     def check(self) -> dict[str, object]:

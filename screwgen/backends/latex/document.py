@@ -96,7 +96,7 @@ def _run(program: str, folder: str) -> None:
 def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     """The document of a robot, independent of the output format."""
     chain = Chain(robot)
-    plugins = [p for p in plugins if p.trees or chain.tree.is_chain]
+    plugins = [p for p in plugins if p.trees or chain.serial]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
     views = {key: class_views(key, blocks[key]) for key in chain.classes}
@@ -160,6 +160,7 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         several=chain.n > 1,
         slides=chain.slides,
         tree=not chain.tree.is_chain,
+        loops=bool(chain.closures),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

@@ -17,13 +17,14 @@ from ...algorithms.functions import (
     FORWARD,
     INVERSE,
     MEASURING,
+    MOTION,
     PLACEMENT,
     PLACES,
     PROJECTION,
     SENSITIVITY,
     Functions,
 )
-from ...algorithms.linearise import slopes
+from ...algorithms.linearise import EXACT, slopes
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
 from ...ir.program import Program
@@ -81,14 +82,28 @@ class Numeric:
             raise self.chain.singular(link)
         return outputs
 
+    @property
+    def _forward(self) -> tuple[Algorithm, ...]:
+        return (FORWARD, MOTION) if self.chain.closures else (FORWARD,)
+
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nv,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
+        vdot, wrench = self._functions(*self._forward).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+
+    def loop_wrenches(self, q, v, tau, w_ext) -> np.ndarray:
+        """The wrenches (n, 6) with which the loops act on the tips, in the tip frames."""
+        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        return np.array(self._functions(FORWARD, MOTION).loop_wrenches(*given)).reshape(self.chain.n, 6)
+
+    def gaps(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+        """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
+        gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))
+        return np.array(gap, float), np.array(rate, float)
 
     def validity(self, q, v, tau, w_ext) -> np.ndarray:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
-        functions = self._functions(FORWARD, MEASURING)
+        functions = self._functions(*self._forward, MEASURING)
         q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
         _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
         return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
@@ -119,6 +134,7 @@ class Numeric:
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
+        self.chain.needs_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
         given = np.eye(self.chain.nv)[:, : self.chain.n_tau]
@@ -152,7 +168,8 @@ class Numeric:
     @property
     def dae_functions(self) -> DaeFunctions:
         """The functions of the DAE form's rates."""
-        return self._functions(DAE_FORWARD, DAE_RATES)
+        joint_form = self._forward if self.chain.closures else ()
+        return self._functions(DAE_FORWARD, DAE_RATES, *joint_form)
 
     def dae_state(self, q, v) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
@@ -165,11 +182,13 @@ class Numeric:
 
     def project(self, x) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        return np.array(self._functions(PROJECTION).project(*self._rows(x=x)))
+        closing = (*self._forward, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
+        return np.array(self._functions(PROJECTION, *closing).project(*self._rows(x=x)))
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        entries, H, W = self._functions(ASSEMBLY).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        closing = (*self._forward, DAE_FORWARD) if self.chain.closures else ()
+        entries, H, W = self._functions(ASSEMBLY, *closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         for place, value in entries.items():
             M[place] = value

@@ -14,6 +14,7 @@ from ...errors import SingularError
 from ...ir.program import Program
 from ...ir.replay import run
 from ...topology.chain import Chain
+from .closing import nearly_closed
 
 TRIES = 20
 Case = dict[str, list[float]]
@@ -110,7 +111,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     K = [float(k) for c in functions.constants for k in c["K"]]
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
     return {
-        "q": draw(m, 1, 1.2) + eta,
+        "q": nearly_closed(chain, draw(m, 1, 1.2) + eta),
         "v": draw(m, 3, 0.8) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": draw(m, 5, 20.0),
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),

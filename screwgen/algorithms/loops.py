@@ -1,0 +1,129 @@
+"""Closed loops: the wrenches on tips that keep them closed.
+
+A row g of a loop (:mod:`..joints.constraints`) acts on its two tips by unit wrenches W. So `ġ = Σ Wᵀ V` over both tips,
+and `g̈ = Σ Wᵀ a + γ` with the accelerations `a` of the tips. With `M⁻¹` applied by the elimination, once for every row,
+the rows' forces λ follow from `(J M⁻¹ Jᵀ) λ = −(J v̇ + γ + 2 c ġ + c² g)`, where `v̇` are the accelerations of the open
+tree and `c` is the loop's stabilisation. All vectors are in inertial axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from ..ir.program import Array, Program, Tracer, Value
+from ..joints.constraints import Angle, Distance
+from ..topology.loops import Closure
+from . import matrices as mx
+
+
+@dataclass(frozen=True)
+class Tip:
+    """Pose and twist of a tip section: `R` (3, 3), `r` (3,) in m, `omega` (3,) in rad/s, `v` (3,) of the point."""
+
+    R: Array
+    r: Array
+    omega: Array
+    v: Array
+
+    @classmethod
+    def of(cls, node: Mapping[str, Sequence], twist: Sequence) -> Tip:
+        """The tip of a node."""
+        return cls(mx.array(node["R"], (3, 3)), mx.array(node["r"]), mx.array(twist[:3]), mx.array(twist[3:]))
+
+    @property
+    def twist(self) -> Array:
+        return np.concatenate([self.omega, self.v])
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A row in a state: its `gap`, and its unit wrenches (6,) on the two tips, by the numbers of their links.
+
+    `rate`: of the gap. `drift`: γ and the stabilisation.
+    """
+
+    gap: Value
+    wrenches: Mapping[int, Array]
+    rate: Value
+    drift: Value
+
+    def power(self, motions: Sequence[Array]) -> Value:
+        """The work of the unit wrenches at accelerations of all tips."""
+        return _power(self.wrenches, motions)
+
+
+def _power(wrenches: Mapping[int, Array], motions: Sequence[Array]) -> Value:
+    first, second = ((w, motions[i]) for i, w in wrenches.items())
+    return mx.dot(*first) + mx.dot(*second)
+
+
+def condition(closure: Closure, tips: Sequence[Tip]) -> Condition:
+    """A row in a state of all tips."""
+    a, b, row, c = tips[closure.first], tips[closure.second], closure.row, closure.stabilisation
+    gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
+    wrenches = dict(zip((closure.first, closure.second), both, strict=True))
+    rate = _power(wrenches, {closure.first: a.twist, closure.second: b.twist})
+    return Condition(gap, wrenches, rate, gamma + 2 * c * rate + c * c * gap)
+
+
+Parts = tuple[Value, Array, Array, Value]
+"""The gap, the unit wrenches on A and on B, and γ."""
+
+
+def _distance(normal: Sequence[float], a: Tip, b: Tip) -> Parts:
+    """``g = n · (r_B − r_A)`` with n fixed in A."""
+    n, d, rate = mx.multiply(a.R, mx.array(normal)), b.r - a.r, b.v - a.v
+    n_rate = mx.cross(a.omega, n)
+    gamma = mx.dot(n_rate, rate) - mx.dot(a.omega, mx.cross(rate, n) + mx.cross(d, n_rate))
+    return mx.dot(n, d), np.concatenate([-mx.cross(d, n), -n]), np.concatenate([mx.zeros(3), n]), gamma
+
+
+def _angle(row: Angle, a: Tip, b: Tip) -> Parts:
+    """``g = x · y − c`` with x fixed in A and y in B."""
+    x, y = mx.multiply(a.R, mx.array(row.first)), mx.multiply(b.R, mx.array(row.second))
+    c = mx.cross(x, y)
+    c_rate = mx.cross(mx.cross(a.omega, x), y) + mx.cross(x, mx.cross(b.omega, y))
+    turn = np.concatenate([c, mx.zeros(3)])
+    return mx.dot(x, y) - row.cosine, turn, -turn, mx.dot(a.omega - b.omega, c_rate)
+
+
+class Shut:
+    """The loops in a state; `nodes` and `rotations`: the tip node of every link, and the rotation of its F_i."""
+
+    def __init__(self, closures: Sequence[Closure], tips: Sequence[Tip], nodes: Sequence[int], rotations: Sequence):
+        self.tips, self.nodes, self.rotations = tips, nodes, rotations
+        self.conditions = [condition(c, tips) for c in closures]
+
+    def accelerations(self, places: Sequence[Mapping[str, Sequence]]) -> list[Array]:
+        """[angular; of the point, less free fall] of all tips after forward dynamics."""
+        nodes = [places[k] for k in self.nodes]
+        sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
+        return [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
+
+    def wrenches(self, forces: Sequence[Value]) -> list[Value]:
+        """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""
+        total = [mx.zeros(6) for _ in self.tips]
+        for found, force in zip(self.conditions, forces, strict=True):
+            for i, wrench in found.wrenches.items():
+                total[i] = total[i] + wrench * force
+        return [x for tip, w in zip(self.tips, total, strict=True) for x in mx.rotate_wrench(tip.R.T, w)]
+
+    def units(self) -> Iterator[list[Value]]:
+        """The wrenches on all tips of a unit force of each row."""
+        count = len(self.conditions)
+        return (self.wrenches([float(j == k) for j in range(count)]) for k in range(count))
+
+
+@cache
+def solver(count: int) -> Program:
+    """``(A, b) -> (x)`` with ``A x = b``; A by its upper triangle, row by row. Pivots must exceed rounding errors."""
+    tracer = Tracer()
+    A = mx.unpack(tracer.input("A", count * (count + 1) // 2), count)
+    b = mx.array(tracer.input("b", count), (count,))
+    scale = tracer.epsilon() * 64.0 * sum((A[k, k] for k in range(1, count)), A[0, 0])
+    x = mx.solve(mx.factorise(A, tracer, scale), b)
+    return tracer.program("loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})

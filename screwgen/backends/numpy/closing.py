@@ -1,0 +1,131 @@
+"""Postures in which loops are closed, and the rows of loops that are independent there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...arguments import Numbers
+from ...errors import ScrewgenError
+from ...joints.constraints import Distance
+from ...topology.chain import Chain
+from ...topology.loops import Closure
+from .numeric import Numeric
+
+ROUNDS = 60
+CLOSED = 1e-12
+"""Gap, in m or as a cosine, below which a loop counts as closed."""
+ATTEMPTS = 4
+RANK = 1e-7
+"""A row counts as dependent where less than this part of it is new."""
+SEEDS = 8
+SPREAD = 0.6
+"""rad or m: how far the random postures spread from which the search for a closed one begins."""
+
+
+class OpenLoopError(ScrewgenError):
+    """No posture was found in which the loops are closed; `nearest` is where the search ended."""
+
+    def __init__(self, message: str, nearest: np.ndarray):
+        super().__init__(message)
+        self.nearest = nearest
+
+
+def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
+    """(rows, nv): the rates of the gaps by the rates of the coordinates."""
+    return np.array([numeric.gaps(q, unit)[1] for unit in np.eye(numeric.chain.nv)]).T
+
+
+def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
+    """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay. Raises OpenLoopError.
+
+    Where the search ends with open loops, as in a singular posture, it begins again from some near `q`.
+    """
+    q, free = np.array(q, float), np.ones(numeric.chain.nv, bool) if held is None else ~np.asarray(held, bool)
+    rng, ends = np.random.default_rng(0), []
+    for attempt in range(ATTEMPTS):
+        start = q + free * (np.arange(len(q)) < numeric.chain.eta_q) * rng.normal(scale=0.1 * attempt, size=len(q))
+        found, gap = _newton(numeric, start, free)
+        if np.max(np.abs(gap), initial=0.0) < CLOSED:
+            return found
+        ends.append((float(np.max(np.abs(gap))), found, gap))
+    _, found, gap = min(ends, key=lambda end: end[0])
+    closure = numeric.chain.closures[int(np.argmax(np.abs(gap)))]
+    alike = [c.loop == closure.loop and type(c.row) is type(closure.row) for c in numeric.chain.closures]
+    size, unit = np.linalg.norm(gap[alike]), "m" if isinstance(closure.row, Distance) else "rad"
+    remedy = "start from a posture nearer to a closed one, or hold fewer coordinates"
+    raise OpenLoopError(f"{closure.name} stays open by {size:.3g} {unit}; {remedy}", found)
+
+
+def _newton(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where Newton's method ends, and the gaps there: the smallest changes of the coordinates that are free to move.
+
+    A step is halved until the gaps shrink.
+    """
+    gap = numeric.gaps(q, None)[0]
+    for _ in range(ROUNDS):
+        if np.max(np.abs(gap), initial=0.0) < CLOSED:
+            break
+        step = np.zeros(len(q))
+        step[free] = -np.linalg.lstsq(jacobian(numeric, q)[:, free], gap, rcond=1e-10)[0]
+        part = min(1.0, 0.5 / max(np.max(np.abs(step)), 1e-300))
+        while part > 1e-6:
+            found = numeric.gaps(q + part * step, None)[0]
+            if np.linalg.norm(found) < np.linalg.norm(gap):
+                break
+            part /= 2
+        else:
+            break
+        q, gap = q + part * step, found
+    return q, gap
+
+
+def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
+    """A posture near `q` with loops that are closed to six digits, so that its numbers do not depend on the machine."""
+    if not chain.closures:
+        return q
+    try:
+        near = closed(Numeric(chain), q)
+    except OpenLoopError as error:
+        near = error.nearest
+    return [float(f"{x:.6e}") for x in near]
+
+
+def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
+    """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
+    v = np.array(v, float)
+    return v - np.linalg.lstsq(jacobian(numeric, q), numeric.gaps(q, v)[1], rcond=1e-10)[0]
+
+
+def independent(chain: Chain) -> tuple[Closure, ...]:
+    """The rows of the loops that do not follow from those before them.
+
+    A planar loop in space, for one, has three rows that its joints satisfy by themselves. Judged at postures of
+    straight links with closed loops, by the one that allows the most rows; where none is found, where the search ended.
+    """
+    numeric, rng = Numeric(chain), np.random.default_rng(0)
+    modes = np.arange(chain.nv) >= chain.eta_v
+    shut, open_ = [], []
+    for seed in range(SEEDS):
+        start = np.zeros(chain.nq)
+        start[: chain.eta_q] = SPREAD * (seed > 0) * rng.standard_normal(chain.eta_q)
+        try:
+            shut.append(_independent(jacobian(numeric, closed(numeric, start, modes))))
+        except OpenLoopError as error:
+            open_.append(_independent(jacobian(numeric, error.nearest)))
+    return tuple(chain.closures[k] for k in max(shut or open_, key=len))
+
+
+def _independent(G: np.ndarray) -> list[int]:
+    """The numbers of the rows that are independent of those before them."""
+    basis: list[np.ndarray] = []
+    chosen = []
+    largest = np.max(np.abs(G), initial=0.0)
+    for k, row in enumerate(G):
+        rest = row - sum((b * (b @ row) for b in basis), np.zeros(len(row)))
+        rest -= sum((b * (b @ rest) for b in basis), np.zeros(len(row)))
+        if np.linalg.norm(rest) > RANK * max(np.linalg.norm(row), RANK * largest):
+            basis.append(rest / np.linalg.norm(rest))
+            chosen.append(k)
+    return chosen

@@ -1,0 +1,30 @@
+"""Postures in which the loops of a robot are closed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arguments import Given, Numbers, choice
+from ..backends.numpy.closing import closed
+from ..errors import UsageError
+from .modes import posture
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p: Given = None) -> np.ndarray:
+    """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
+
+    `hold`: names out of `model.q_names`, whose coordinates stay; modes stay at what `q` states, or at zero. `p`:
+    parameter values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
+    """
+    if not model.chain.closures:
+        raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")
+    for name in hold:
+        choice(name, model.q_names, "hold: there is no coordinate")
+    held = [name in hold or k >= model.chain.eta_q for k, name in enumerate(model.q_names)]
+    return closed(model.numpy(p), posture(model, q), held)

@@ -1,0 +1,36 @@
+"""Loops of a robot: which segments they join, and the rows that close them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ..joints.constraints import Row, rows
+from ..spec.robot import Robot
+from ..spec.segments import Segment
+
+
+@dataclass(frozen=True)
+class Closure:
+    """One scalar condition of a loop between the tips of two segments."""
+
+    loop: int
+    first: int
+    second: int
+    row: Row
+    stabilisation: float
+    """1/s: the rate at which a gap closes."""
+
+    @property
+    def name(self) -> str:
+        return f"loop[{self.loop}]"
+
+
+def closures(robot: Robot, segments: Sequence[Segment]) -> tuple[Closure, ...]:
+    """All rows of all loops, in the order of the file."""
+    last = {s.owner: i for i, s in enumerate(segments)}
+    out = []
+    for k, loop in enumerate(robot.loops):
+        first, second = (last[end.removesuffix(".tip")] for end in loop.between)
+        out += [Closure(k, first, second, row, loop.stabilisation) for row in rows(loop.joint.screws)]
+    return tuple(out)

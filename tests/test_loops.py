@@ -1,0 +1,291 @@
+"""Closed loops: against the constrained equations of the oracle, closed forms of linkages, and conservation laws."""
+
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+import random_robots as rr
+from bad_robot_files import GOOD, refusal
+from helpers import arm, casadi_forward, example, link, model_of, quick
+from oracle import Oracle
+
+from screwgen import (
+    OpenLoopError,
+    SingularError,
+    UsageError,
+    analyse,
+    assemble,
+    dump,
+    equilibrium,
+    load,
+    natural_frequencies,
+    simulate,
+)
+from screwgen.backends.numpy.closing import moving
+from screwgen.cli.main import main
+from screwgen.spec.loops import STABILISATION
+
+JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
+
+
+def looped(rng, joint: list, count: int) -> tuple[dict, dict]:
+    """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another."""
+    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, max_modes=1)
+    parents = [-1, *oracle.parents[1:]]
+    apart = [(i, j) for i in range(count) for j in range(count) if i != j and parents[i] != j and parents[j] != i]
+    i, j = apart[rng.integers(len(apart))] if apart else (0, count - 1)
+    poses = oracle.poses(state["q"])
+    R, r = poses["tip_R"][i].T, poses["tip_point"]
+    turn = R @ poses["tip_R"][j]
+    mount = {"xyz": (R @ (r[j] - r[i]) - 0.1 * turn[:, 0]).tolist(), "rpy": roll_pitch_yaw(turn)}
+    names = [x["name"] for x in tree["links"]]
+    bridge = {"name": "bridge", "length": 0.1, "section": {"rhoA": 2.0}, "joint": {"axes": [], "mount": mount}}
+    bridge["parent"] = names[i]
+    loop = {"between": ["bridge.tip", f"{names[j]}.tip"], "joint": {"axes": joint}}
+    wrenches = [*state["w_ext"], rng.normal(size=6).tolist()]
+    return tree | {"links": [*tree["links"], bridge], "loops": [loop]}, state | {"w_ext": wrenches}
+
+
+def roll_pitch_yaw(R: np.ndarray) -> list[float]:
+    """The angles of ``Rz(y) Ry(p) Rx(r)``."""
+    return [np.arctan2(R[2, 1], R[2, 2]), -np.arcsin(R[2, 0]), np.arctan2(R[1, 0], R[0, 0])]
+
+
+def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
+    """The gaps of all rows, written anew from the joint's definition: what a motion of the joint leaves at zero."""
+    names, out = [x["name"] for x in robot["links"]], []
+    for loop in robot["loops"]:
+        a, b = (oracle.clouds[names.index(end.removesuffix(".tip"))] for end in loop["between"])
+        R = a.tip_R.T @ b.tip_R
+        d = a.tip_R.T @ (b.tip_point - a.tip_point)
+        axes = loop["joint"]["axes"]
+        slides = [unit(x["slide"]) for x in axes if isinstance(x, dict)]
+        turns = [unit(x) for x in axes if not isinstance(x, dict)]
+        out += [ca.dot(n, d) for n in null(slides)]
+        match turns:
+            case []:
+                out += [R[1, 2], R[2, 0], R[0, 1]]
+            case [x]:
+                out += [ca.dot(n, R @ x) for n in null([x])]
+            case [x, y]:
+                out.append(ca.dot(x, R @ y) - x @ y)
+    return out
+
+
+def unit(axis) -> np.ndarray:
+    vector = np.eye(3)["xyz".index(axis)] if isinstance(axis, str) else np.array(axis)
+    return vector / np.linalg.norm(vector)
+
+
+def null(directions: list) -> list[np.ndarray]:
+    """An orthonormal basis of what is at right angles to these directions."""
+    if not directions:
+        return list(np.eye(3))
+    return list(np.linalg.svd(np.array(directions))[2][len(directions) :])
+
+
+def constrained(oracle: Oracle, robot: dict, state: dict) -> np.ndarray:
+    """`v̇` of the oracle's mass matrix and bias with its own rows, stabilised, by Lagrange multipliers."""
+    gap = ca.vertcat(*rows(oracle, robot))
+    G = ca.jacobian(gap, oracle.q)
+    rate = G @ oracle.v
+    f = ca.Function("rows", [oracle.q, oracle.v], [gap, G, rate, ca.jtimes(rate, oracle.q, oracle.v)])
+    q, v, tau, w_ext = (np.array(state[k]) for k in ("q", "v", "tau", "w_ext"))
+    gap, G, rate, gamma = (x.full() for x in f(q, v))
+    M, h = oracle.mass_matrix(q), oracle.bias(q, v, w_ext)
+    free = np.linalg.solve(M, np.r_[tau, np.zeros(oracle.nv - oracle.n_joint)] - h)
+    c = STABILISATION
+    wanted = -(gamma + 2 * c * rate + c * c * gap)[:, 0] - G @ free
+    inertia = G @ np.linalg.solve(M, G.T)
+    return free + np.linalg.solve(M, G.T @ np.linalg.lstsq(inertia, wanted, rcond=1e-12)[0])
+
+
+@pytest.mark.parametrize("opened", [0.0, 0.02], ids=["closed", "open"])
+@pytest.mark.parametrize("seed", range(len(JOINTS)))
+def test_random_trees_with_a_loop(seed, opened):
+    """Where a loop is open both have the same stabilisation."""
+    rng = np.random.default_rng([901, seed])
+    robot, state = looped(rng, JOINTS[seed], 3 + seed % 3)
+    model, oracle = model_of(robot), Oracle(robot)
+    judge = model.numpy()
+    q = np.array(state["q"])
+    assert np.max(np.abs(judge.gaps(q, None)[0])) < 1e-12
+    v = np.array(state["v"]) if opened else moving(judge, q, state["v"])
+    state |= {"q": q + opened * rng.normal(size=len(q)) * (np.arange(len(q)) < oracle.n_joint), "v": v}
+    expected = constrained(oracle, robot, state)
+    given = state["q"], state["v"], state["tau"], state["w_ext"]
+    found, wrench = judge.forward_dynamics(*given)
+    scale = np.max(np.abs(expected))
+    assert np.max(np.abs(found - expected)) < 1e-9 * scale
+    assert np.max(np.abs(casadi_forward(model, *given)[0] - expected)) < 1e-9 * scale
+    loads = np.array(state["w_ext"]) + judge.loop_wrenches(*given)
+    expected_wrench = oracle.wrenches(state["q"], state["v"], found, loads)
+    assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+    dae = judge.dae_forward_dynamics(*given)
+    assert np.max(np.abs(dae[0] - expected)) < 1e-9 * scale
+    assert np.max(np.abs(dae[1] - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+    if seed % 3 == 0:
+        compiled = quick(model, layout=("fused", "modular")[bool(opened)])
+        for form in ("joint", "dae"):
+            loaded, wrench = compiled.forward_dynamics(*given, form=form)
+            assert np.max(np.abs(loaded - expected)) < 1e-9 * scale
+            assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+
+
+# ------------------------------------------------------------------------------ linkages in closed form
+
+CRANK, COUPLER, ROCKER, GROUND = 0.3, 0.9, 0.6, 0.8
+
+
+@pytest.fixture(scope="module")
+def four_bar():
+    """Rigid bars in the x-z plane; angles about y turn x towards -z."""
+    bars = [link(name, length, "y", rhoA) for name, length, rhoA in (("crank", CRANK, 2.0), ("coupler", COUPLER, 1.5))]
+    rocker = link("rocker", ROCKER, "y", 1.8) | {"parent": "world"}
+    rocker["joint"]["mount"] = {"xyz": [GROUND, 0.0, 0.0]}
+    hinge = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}
+    return model_of(arm(*bars, rocker) | {"loops": [hinge]})
+
+
+def angles(crank: float) -> np.ndarray:
+    """Joint coordinates of the four-bar linkage by the cosine rule (the open branch)."""
+    a = np.array([np.cos(crank), np.sin(crank)]) * CRANK
+    d = np.array([GROUND, 0.0]) - a
+    reach, to_ground = np.hypot(*d), np.arctan2(d[1], d[0])
+    coupler = to_ground + np.arccos((reach**2 + COUPLER**2 - ROCKER**2) / (2 * reach * COUPLER))
+    tip = a + COUPLER * np.array([np.cos(coupler), np.sin(coupler)])
+    rocker = np.arctan2(tip[1], tip[0] - GROUND)
+    return -np.array([crank, coupler - crank, rocker])
+
+
+def lagrangian(crank: float, rate: float) -> float:
+    """T − U of the linkage from the motion of its bars alone."""
+    h = 1e-5
+    here, (before, after) = angles(crank), (angles(crank - h), angles(crank + h))
+    turn = -rate * (after - before) / (2 * h)
+    psi, omega = -np.cumsum(here)[[0, 1]], np.cumsum(turn)[[0, 1]]
+    a = CRANK * np.array([np.cos(psi[0]), np.sin(psi[0])])
+    v_a = CRANK * omega[0] * np.array([-np.sin(psi[0]), np.cos(psi[0])])
+    centre = a + COUPLER / 2 * np.array([np.cos(psi[1]), np.sin(psi[1])])
+    v = v_a + COUPLER / 2 * omega[1] * np.array([-np.sin(psi[1]), np.cos(psi[1])])
+    m = np.array([2.0 * CRANK, 1.5 * COUPLER, 1.8 * ROCKER])
+    kinetic = m[0] * CRANK**2 * omega[0] ** 2 / 6 + m[2] * ROCKER**2 * turn[2] ** 2 / 6
+    kinetic += m[1] * (v @ v) / 2 + m[1] * COUPLER**2 * omega[1] ** 2 / 24
+    height = m[0] * CRANK * np.sin(psi[0]) / 2 + m[1] * centre[1] - m[2] * ROCKER * np.sin(here[2]) / 2
+    return kinetic - 9.81 * height
+
+
+def test_a_hinge_in_a_planar_linkage_has_two_rows_that_matter(four_bar):
+    assert len(four_bar.chain.closures) == 2
+
+
+def test_a_four_bar_linkage_is_assembled_as_by_the_cosine_rule(four_bar):
+    for crank in (0.3, 1.1, 2.0):
+        q = assemble(four_bar, angles(crank) + np.array([0.0, 0.1, -0.1]), hold=["crank.joint[0]"])
+        assert np.allclose(q, angles(crank), rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("crank", [0.4, 1.3, 2.2])
+def test_a_four_bar_linkage_moves_by_its_own_lagrangian(four_bar, crank):
+    """The equation of one coordinate, d/dt ∂L/∂ω − ∂L/∂φ = torque, by differences of sixth order."""
+    q, rate, torque, judge = angles(crank), 3.0, 2.0, four_bar.numpy()
+    v = moving(judge, q, [-rate, 0.0, 0.0])
+    v *= -rate / v[0]
+    found = judge.forward_dynamics(q, v, [-torque, 0.0, 0.0], None)[0][0]
+    inertia = lambda x: 2 * (lagrangian(x, 1.0) - lagrangian(x, 0.0))  # noqa: E731
+    slope = lambda f: sum(c * (f(crank + k * 5e-3) - f(crank - k * 5e-3)) for k, c in SIXTH) / 5e-3  # noqa: E731
+    force = torque - slope(inertia) * rate**2 / 2 + slope(lambda x: lagrangian(x, 0.0))
+    assert -found == pytest.approx(force / inertia(crank), rel=1e-7)
+
+
+SIXTH = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60))
+
+
+def test_forces_of_the_loop_do_no_work_and_energy_stays(four_bar):
+    q = angles(0.4)
+    for form, method, drift in (("joint", "rk4", 1e-8), ("dae", "rk4", 1e-8)):
+        run = simulate(four_bar, 0.5, 1e-3, q0=q, form=form, integrator=method)
+        gaps = [np.max(np.abs(four_bar.numpy().gaps(*x)[0])) for x in zip(run.q[::50], run.v[::50], strict=True)]
+        assert max(gaps) < {"joint": 1e-9, "dae": 1e-10}[form]
+        total = run.energy.sum(axis=1)
+        assert np.ptp(total) < drift * np.ptp(run.energy[:, 0])
+
+
+def test_the_two_steps_of_c_and_numpy_agree(four_bar):
+    runs = [simulate(four_bar, 0.05, 1e-3, q0=angles(0.4), backend=backend) for backend in ("c", "numpy")]
+    assert np.allclose(runs[0].q, runs[1].q, rtol=0, atol=1e-12)
+
+
+def test_a_flexible_parallelogram_keeps_its_platform_level():
+    model = example("parallelogram")
+    q = assemble(model, [-0.5, 0.5, -0.5], hold=["arm.joint[0]"])
+    assert np.allclose(q[:3], [-0.5, 0.5, -0.5], atol=1e-9) and not q[3:].any()
+    found = model.numpy().forward_dynamics(q, np.zeros(model.nv), None, None)[0]
+    given = q, np.zeros(model.nv), np.zeros(model.n_tau), np.zeros((3, 6))
+    assert np.allclose(casadi_forward(model, *given)[0], found, rtol=1e-10, atol=1e-9)
+
+
+# ------------------------------------------------------------------------------ what users see
+
+
+def test_the_command_prints_a_state_that_simulate_reads(four_bar, tmp_path, capsys):
+    robot, state = str(tmp_path / "arm.toml"), tmp_path / "state.json"
+    Path(robot).write_text(dump(four_bar.robot))
+    start = ",".join(map(str, angles(0.4) + np.array([0.0, 0.05, 0.0])))
+    assert main(["assemble", robot, f"--q={start}", "--hold", "crank.joint[0]"]) == 0
+    state.write_text(capsys.readouterr().out)
+    run = ["simulate", robot, "--duration", "0.002", "--step", "0.001", "-o", str(tmp_path / "run.npz"), "-q"]
+    assert main([*run, "--state", str(state)]) == 0
+    state.write_text('{"q": [0.1, 0.0, 0.0]}')
+    assert main([*run, "--state", str(state)]) == 2
+    assert "loop[0] is open by" in capsys.readouterr().err
+
+
+def test_loops_that_cannot_be_closed_say_how_far_they_stay_open(four_bar):
+    short = model_of(arm(link("a", 0.2, "y", 1.0), link("b", 0.2, "y", 1.0) | FAR) | {"loops": [BALL]})
+    with pytest.raises(OpenLoopError, match=r"^loop\[0\] stays open by 0\.1\d* m; start from"):
+        assemble(short)
+    with pytest.raises(SingularError, match="the loops of 'arm' are singular"):
+        short.numpy().forward_dynamics([0.0, np.pi], None, None, None)
+
+
+FAR = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
+BALL = {"between": ["a.tip", "b.tip"], "joint": {"axes": ["x", "y", "z"]}}
+
+
+@pytest.mark.parametrize("ask", [natural_frequencies, equilibrium, analyse, lambda m: m.linearise([0, 0, 0])])
+def test_studies_of_trees_refuse_loops(four_bar, ask):
+    with pytest.raises(UsageError, match=r"^robot 'arm' has loops, for which there is no "):
+        ask(four_bar)
+
+
+def test_a_robot_with_loops_is_written_and_read(tmp_path):
+    robot = load("examples/parallelogram.toml")
+    (tmp_path / "again.toml").write_text(dump(robot))
+    assert load(tmp_path / "again.toml") == robot
+
+
+LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"] }\n'
+WRONG = (
+    ('["upper.tip", "fore.tip"]', '["upper.tip"]', "loops[0].between", "has 1 entries; it must name two tips"),
+    ('["upper.tip", "fore.tip"]', '"upper.tip"', "loops[0].between", "must be an array of two tips"),
+    ('"upper.tip"', '"upper.base"', "loops[0].between[0]", 'must be the name of a link with ".tip"'),
+    ('"upper.tip"', '"lower.tip"', "loops[0].between[0]", 'which is no link; choose "upper" or "fore"'),
+    ('"upper.tip"', '"fore.tip"', "loops[0].between", "joins a link with itself"),
+    ('axes = ["y"]', 'axes = ["y"], armature = [1.0]', "loops[0].joint.armature", "nothing drives a loop's joint"),
+    ('axes = ["y"]', 'axes = ["y"], mount = {}', "loops[0].joint.mount", "sits at the tip of the first link"),
+    ('["y"]', '[{ screw = "y", pitch = 0.1 }]', "loops[0].joint.axes[0]", "is a screw, which no loop can have"),
+    ('["y"]', '["y", { slide = "x" }]', "loops[0].joint.axes[1]", "put it first"),
+    ("joint =", "stabilisation = -1.0\njoint =", "loops[0].stabilisation", "must be"),
+    ("joint =", "damping = 1.0\njoint =", "loops[0].damping", "is an unknown key"),
+    ("[[loops]]", "[loops]", "loops", "must be an array"),
+)
+
+
+@pytest.mark.parametrize(("old", "new", "where", "fragment"), WRONG)
+def test_wrong_loops_are_refused_in_one_line(tmp_path, old, new, where, fragment):
+    path = tmp_path / "bot.toml"
+    path.write_text(GOOD + LOOP.replace(old, new, 1), encoding="utf-8")
+    message = refusal(path)
+    assert message.startswith(where) and fragment in message

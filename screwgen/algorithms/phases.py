@@ -208,8 +208,8 @@ def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
 
 def inverse_outward(s: Scope) -> None:
     """Base to tip: ``delta``, the contribution of qddot and etaddot to the accelerations."""
-    etaddot = s.read("etaddot")
-    delta = imparted(s) + mx.multiply(s.kept("S"), given_acceleration(s))
+    qddot, etaddot = given_acceleration(s), s.read("etaddot")
+    delta = imparted(s) + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
     s.write("tip.delta", tip_acceleration(s, delta, etaddot))
 

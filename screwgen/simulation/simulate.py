@@ -57,7 +57,7 @@ def simulate(
 ) -> Run:
     """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
-    `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
+    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default (a floating base at the inertial frame); `controller(t, q, v)` gives the joint torques
     (n_tau,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
     :class:`~screwgen.integrators.Method`; modal_midpoint if none is given. `form`: "joint", "dae", or what makes a
@@ -189,12 +189,11 @@ def time_grid(duration: float, step: float) -> np.ndarray:
 
 
 def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
-    """`values` as (nq,); the joints alone leave the modes at zero."""
-    given = np.ravel(floats([] if values is None else values, name))
-    if len(given) not in (0, model.n_joints, model.nq):
-        allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
-        raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
-    return np.append(given, np.zeros(model.nq - len(given)))
+    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home."""
+    found = model.chain.complete(np.ravel(floats([] if values is None else values, name)), rates=name[0] == "v")
+    if isinstance(found, str):
+        raise UsageError(f"{name} {found}")
+    return found
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

@@ -12,7 +12,7 @@ from itertools import accumulate
 import numpy as np
 
 from ..arguments import Parameters, array
-from ..errors import SingularError
+from ..errors import SingularError, UsageError
 from ..spec.base import HOME, POSE, TWIST
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
@@ -22,6 +22,9 @@ from ..spec.segments import Segment, segments
 from .parameters import labels
 from .tree import BASE, Tree
 
+
+SLACK = 1e-3
+"""How far the length of a stated quaternion may be from one."""
 
 FREE: dict[str, dict[str, int]] = {
     "q": {"position": 3, "quaternion": 4},
@@ -110,6 +113,33 @@ class Chain:
     def eta_v(self) -> int:
         """The index of its rate in `v`."""
         return self.nv - self.n_modes
+
+    def complete(self, given: np.ndarray, rates: bool = False) -> np.ndarray | str:
+        """All coordinates (nq,), or `rates` (nv,), from all of them, those of the joints alone, or none.
+
+        A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Returns
+        what is wrong with them as a text, "<what is wrong>; <what is allowed>".
+        """
+        out = np.zeros(self.nv) if rates else np.array(self.home)
+        if len(given) == len(out):
+            out[:] = given
+        elif len(given) in (0, self.n_joints):
+            first = self.base_v if rates else self.base_q
+            out[first : first + len(given)] = given
+        else:
+            allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
+            return f"has length {len(given)}; it must have {allowed}"
+        if self.floating and not rates:
+            size = float(np.linalg.norm(out[3:7]))
+            if not abs(size - 1) <= SLACK:
+                return f"has a quaternion of length {size:.6g}, entries 3 to 6 (w, x, y, z); it must have length 1"
+            out[3:7] /= size
+        return out
+
+    def needs_fixed(self, what: str, instead: str) -> None:
+        """Raises UsageError where the base floats: ``what`` is not there for it, ``instead`` says what is."""
+        if self.floating:
+            raise UsageError(f"robot '{self.robot.name}' has a floating base: {what}; {instead}")
 
     @cached_property
     def sprung(self) -> bool:

@@ -10,6 +10,7 @@ import casadi as ca
 from ...algorithms import fused
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
+from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
 from .functions import expressions, function, rotations
 
@@ -48,20 +49,36 @@ class Held:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own = slice(q.numel() - self.chain.n_given, None)
+        own, rates = (x[x.numel() - self.chain.n_given :] for x in (q, v))
         K, D, times = self.stiffness, self.damping, self.chain.modal_product
         felt = {
             "m_eta": self.inertia + h * D + h**2 * K,
-            "f_eta": times(K, q[own, 0] + h * v[own, 0]) + times(D, v[own, 0]),
+            "f_eta": times(K, own + h * rates) + times(D, rates),
         }
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
 
+class Curved:
+    """The coordinates behind a floating base in SX: a :class:`~screwgen.integrators.se3.Space`."""
+
+    def __init__(self, chain: Chain):
+        self._moved, self._rate = programs(chain.nq, chain.nv)
+
+    def moved(self, q: ca.SX, u: ca.SX) -> ca.SX:
+        return expressions(self._moved, {"q": q, "u": u})["q"]
+
+    def rate(self, u: ca.SX, v: ca.SX) -> ca.SX:
+        return expressions(self._rate, {"u": u, "v": v})["rate"]
+
+
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
-    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds."""
+    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds.
+
+    The quaternion of a floating base is multiplied by unit quaternions and not scaled.
+    """
     given = symbols(chain, "q v tau w_ext p dt")
     held = Held(chain, given["tau"], given["w_ext"], given["p"])
-    q, v = method.step(held, given["q"], given["v"], given["dt"])
+    q, v = method.step(held, given["q"], given["v"], given["dt"], Curved(chain) if chain.floating else FLAT)
     return function(name, given, q_next=q, v_next=v)
 
 

@@ -13,9 +13,18 @@ from typing import NamedTuple
 import numpy as np
 
 from ...integrators.method import Method, Move, Stage, times, weighted
+from ...integrators.se3 import FLAT, Floating, Series, Space, algebra_rate, exponential
 from ...topology.chain import Chain
 from .own_forces import OwnForces
 from .python import c4, c5
+
+SERIES = Series(c4, c5)
+"""The Stumpff functions of numbers."""
+
+
+def space_of(chain: Chain) -> Space:
+    """How the coordinates of the joint form move."""
+    return Floating(SERIES) if chain.floating else FLAT
 
 Function = Callable[..., Sequence]
 
@@ -59,41 +68,11 @@ class DaeDynamics:
     def move(self, x: np.ndarray, u: np.ndarray, change: np.ndarray) -> np.ndarray:
         """``x + change``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
         new = x + change
-        new[self.pose] = np.concatenate([exponential(*row) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
+        new[self.pose] = np.concatenate([exponential(*row, SERIES) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
         return new
 
     def twists(self, x: np.ndarray) -> np.ndarray:
         return x[self.twist].reshape(-1, 6)
-
-
-def exponential(pose: np.ndarray, u: np.ndarray) -> np.ndarray:
-    """The pose (w, x, y, z, px, py, pz) times ``exp`` of ``u = [turn; shift]`` in the body's axes.
-
-    Products are summed in order, not by BLAS, whose rounding depends on the machine.
-    """
-    turn, shift = u[:3], u[3:]
-    x = float(sum(turn * turn))
-    cross = np.cross(turn, shift)
-    moved = shift + (0.5 - x * c4(x)) * cross + (1 / 6 - x * c5(x)) * np.cross(turn, cross)
-    quarter = x / 4
-    w, v = 1 - quarter * (0.5 - quarter * c4(quarter)), (1 - quarter * (1 / 6 - quarter * c5(quarter))) / 2 * turn
-    a, b = pose[0], pose[1:4]
-    t = 2 * np.cross(b, moved)
-    return np.concatenate(
-        [[a * w - sum(b * v)], a * v + w * b + np.cross(b, v), pose[4:] + moved + a * t + np.cross(b, t)]
-    )
-
-
-def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
-    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, with terms up to order four."""
-    first = bracket(u, V)
-    return V + first / 2 + bracket(u, first) / 12
-
-
-def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The Lie bracket of se(3), row by row, (25)."""
-    angular = np.cross(a[:, :3], b[:, :3])
-    return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
 
 
 # ------------------------------------------------------------------------------ a step

@@ -128,6 +128,18 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     }
 
 
+def floating_base(chain: Chain) -> dict[str, object]:
+    """Where the joints begin in ``q`` and ``v``: offsets of pointers (``past``) and of indices (``from``), as text."""
+    first = {"q": "$$_NPOSE", "v": "$$_NTWIST"} if chain.floating else {}
+    return {
+        "floating": chain.floating,
+        "first_q": chain.base_q,
+        "first_v": chain.base_v,
+        "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
+        "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
+    }
+
+
 def topology(chain: Chain) -> dict[str, list]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:

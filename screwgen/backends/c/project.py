@@ -26,6 +26,7 @@ from .fields import (
     Field,
     columns,
     constant_fields,
+    floating_base,
     fused_place,
     given_coordinates,
     index_type,
@@ -126,6 +127,7 @@ class CProject:
             "nv": chain.nv,
             "n_tau": chain.n_tau,
             "sprung": chain.sprung,
+            **floating_base(chain),
             "slides": chain.slides,
             "sliding": chain.sliding,
             **given_coordinates(chain),
@@ -332,7 +334,7 @@ class CProject:
         chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(
             store_fields(self._programs, self.chain.sliding)
         )
-        work = own["work"] + states * own["state"] + own["output"] + chain * (self.layout == "modular")
+        work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * (self.layout == "modular")
         dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 

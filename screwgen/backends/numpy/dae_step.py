@@ -44,6 +44,7 @@ class DaeDynamics:
         self.forces = OwnForces(chain, *properties)
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
+        self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
     def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
@@ -125,6 +126,6 @@ class HeldDae:
         by, kick = times(self.h, move.reach), times(self.h, move.kick)
         change = rates.copy()
         change[d.eta] = x[d.etadot] + kick * rates[d.etadot]
-        change[d.q] += (kick - reach) * vdot[: len(x[d.q])]
+        change[d.q] += (kick - reach) * vdot[d.joints]
         u = by * (d.twists(x) + kick * d.twists(rates))
         return d.move(x, u, by * change), u

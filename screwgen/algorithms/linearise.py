@@ -43,11 +43,15 @@ class Slopes:
     f_v: Array
 
 
+EXACT = "code for exact derivatives", "differentiate the CasADi functions"
+
+
 def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
     Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
+    f.chain.needs_fixed(*EXACT)
     stores = f.sensitivities(q, v, vdot, w_ext)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv

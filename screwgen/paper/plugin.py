@@ -36,6 +36,7 @@ def _printed(robot):
 def _names(model) -> list[str]:
     from .z_functions import cauchy_names
 
+    model.chain.needs_fixed("Z-form", "take the functions of the joint form")
     if not model.chain.tree.is_chain:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
     return cauchy_names(model.chain)
@@ -56,7 +57,7 @@ def _common() -> dict:
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.tree.is_chain else {}
+    return z_functions(chain) if chain.tree.is_chain and not chain.floating else {}
 
 
 def _chapter(chain):

@@ -43,6 +43,7 @@ class Holding:
     TOLERANCE, STEPS = 1e-12, 30
 
     def __init__(self, model: Model, p: Numbers | None = None):
+        model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
         self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))

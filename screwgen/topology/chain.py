@@ -137,9 +137,9 @@ class Chain:
         return out
 
     def needs_fixed(self, what: str, instead: str) -> None:
-        """Raises UsageError where the base floats: ``what`` is not there for it, ``instead`` says what is."""
+        """Raises UsageError where the base floats: ``what`` there is none of, and what to do ``instead``."""
         if self.floating:
-            raise UsageError(f"robot '{self.robot.name}' has a floating base: {what}; {instead}")
+            raise UsageError(f"robot '{self.robot.name}' has a floating base, for which there is no {what}; {instead}")
 
     @cached_property
     def sprung(self) -> bool:
@@ -148,6 +148,9 @@ class Chain:
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
+        if self.keys[link].free:
+            said = f"the floating base, with all that it carries, has no inertia about some axis in this posture{self.caution}"
+            return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
 
     @property

@@ -96,7 +96,7 @@ def _run(program: str, folder: str) -> None:
 def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     """The document of a robot, independent of the output format."""
     chain = Chain(robot)
-    plugins = [p for p in plugins if p.trees or chain.tree.is_chain]
+    plugins = [p for p in plugins if p.trees or (chain.tree.is_chain and not chain.floating)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
     views = {key: class_views(key, blocks[key]) for key in chain.classes}

@@ -23,7 +23,7 @@ from ...algorithms.functions import (
     SENSITIVITY,
     Functions,
 )
-from ...algorithms.linearise import slopes
+from ...algorithms.linearise import EXACT, slopes
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
 from ...ir.program import Program
@@ -126,6 +126,7 @@ class Numeric:
 
     def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
+        self.chain.needs_fixed(*EXACT)
         found = slopes(self._functions(INVERSE, SENSITIVITY), *self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext))
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v

@@ -56,6 +56,7 @@ def analyse(
     a `controller(t, q, v)` its torques, held over each step, take the place of the states' and its gains enter the
     spectrum. A singular posture is reported, not raised. Raises UsageError.
     """
+    model.chain.needs_fixed("analysis", "analyse the robot with a fixed base")
     check_step(step)
     given = _labelled(model, states, controller is None)
     if controller is not None and any(state.tau.any() for state in given.values()):

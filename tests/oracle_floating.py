@@ -94,13 +94,13 @@ def case_of(robot: dict, state: dict, oracle: Oracle | None = None) -> FloatingC
 
 
 def draw(seed: int, n_links: int, **limits) -> FloatingCase:
-    """A random robot with a regular mass matrix."""
+    """A random robot with a regular mass matrix; that of a link of order 2 that bends too far may be indefinite."""
     rng = np.random.default_rng(seed)
     for _ in range(200):
         robot = floating(rr.random_robot(rng, n_links, **limits))
         state = rr.random_state(rng, twin(robot))
         state["q"][3:6] = list(rng.uniform(-ANGLE, ANGLE, 3))
         oracle = Oracle(twin(robot))
-        if oracle.condition(state["q"]) <= 1e8:
+        if oracle.condition(state["q"]) <= 1e8 and np.linalg.eigvalsh(oracle.mass_matrix(state["q"]))[0] > 0:
             return case_of(robot, state, oracle)
     raise RuntimeError("no robot with a regular mass matrix in 200 draws")

@@ -15,9 +15,11 @@ def free_block(b: Block) -> Block:
     omega, v = b.input("omega", (3, 1)), b.input("v", (3, 1))
     u = stack(*Q[1:])
     turning = stack(-(u.T @ omega), Q[0] @ omega + hat(u) @ omega)
-    meaning = "rate of the quaternion, half its product with [0, ω]"
-    b.step("quaternion_rate", number(sp.Rational(1, 2)) @ turning, r"\dot{\mathbf{Q}}_i", unit="1/s", frame="-", meaning=meaning)
-    b.step("position_rate", R @ v, r"\dot{\mathbf{r}}_{oi}", unit="m/s", frame="inertial", meaning="rate of the position")
+    half = number(sp.Rational(1, 2))
+    words = {"frame": "-", "meaning": "rate of the quaternion, half its product with [0, ω]"}
+    b.step("quaternion_rate", half @ turning, r"\dot{\mathbf{Q}}_i", unit="1/s", **words)
+    words = {"frame": "inertial", "meaning": "rate of the position"}
+    b.step("position_rate", R @ v, r"\dot{\mathbf{r}}_{oi}", unit="m/s", **words)
     return b
 
 

@@ -57,7 +57,8 @@ def simulate(
 ) -> Run:
     """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
-    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default (a floating base at the inertial frame); `controller(t, q, v)` gives the joint torques
+    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default, a floating base at the inertial frame;
+    `controller(t, q, v)` gives the joint torques
     (n_tau,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
     :class:`~screwgen.integrators.Method`; modal_midpoint if none is given. `form`: "joint", "dae", or what makes a

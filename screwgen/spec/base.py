@@ -34,7 +34,7 @@ def check_floating(links: Sequence[Jointed]) -> None:
         what = "is stated for the first link, which a floating base leaves free in space; write axes = []"
         raise refuse(what, at=("links", 0, "joint", "axes"))
     if joint.mount is not None:
-        what = "is stated for the first link, but base = \"floating\" makes its place a part of the state; leave it out"
+        what = 'is stated for the first link, but base = "floating" makes its place a part of the state; leave it out'
         raise refuse(what, at=("links", 0, "joint", "mount"))
     carriers = parents(links)
     for i in range(1, len(links)):

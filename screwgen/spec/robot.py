@@ -155,8 +155,8 @@ class Robot(Part):
 
     Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall
     in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). `base`:
-    "floating" leaves the first link, which then has no joint axes, free in space. A loop can build a robot of any number
-    of links:
+    "floating" leaves the first link free in space, which then has no joint axes. A loop can build a robot of any
+    number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """

@@ -79,7 +79,7 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    model.chain.needs_fixed("table of modes", "fix the base for those of its arms, or take mass_matrix and the stiffnesses K")
+    model.chain.needs_fixed("table of modes", "fix the base for those of its arms, or take mass_matrix and K")
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:

@@ -22,7 +22,6 @@ from ..spec.segments import Segment, segments
 from .parameters import labels
 from .tree import BASE, Tree
 
-
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
 
@@ -149,7 +148,7 @@ class Chain:
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
         if self.keys[link].free:
-            said = f"the floating base, with all that it carries, has no inertia about some axis in this posture{self.caution}"
+            said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
 

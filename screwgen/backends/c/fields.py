@@ -140,14 +140,14 @@ def floating_base(chain: Chain) -> dict[str, object]:
     }
 
 
-def topology(chain: Chain) -> dict[str, list]:
+def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
-        return {"bases": [], "carriers": []}
+        return {"bases": [], "carriers": [], **floating_base(chain)}
     links = chain.robot.links
     names = ["the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
-    return {"bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
+    return {**floating_base(chain), "bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:

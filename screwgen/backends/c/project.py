@@ -26,7 +26,6 @@ from .fields import (
     Field,
     columns,
     constant_fields,
-    floating_base,
     fused_place,
     given_coordinates,
     index_type,
@@ -121,13 +120,11 @@ class CProject:
             "layout": self.layout,
             "binding": self.binding,
             "n": chain.n,
-            "n_joints": chain.n_joints,
             "n_modes": chain.n_modes,
             "nq": chain.nq,
             "nv": chain.nv,
             "n_tau": chain.n_tau,
             "sprung": chain.sprung,
-            **floating_base(chain),
             "slides": chain.slides,
             "sliding": chain.sliding,
             **given_coordinates(chain),
@@ -331,9 +328,8 @@ class CProject:
         sizes["NINERTIA"] = c.n_inertia
         total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
         own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
-        chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(
-            store_fields(self._programs, self.chain.sliding)
-        )
+        stored = c.n * total(store_fields(self._programs, c.sliding))
+        chain = (c.n + 1) * total(node_fields(self._programs)) + stored
         work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * (self.layout == "modular")
         dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain
         return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}

@@ -121,5 +121,6 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
-    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given]))
+    elastic = stiffness[chain.n_given - chain.n_modes : chain.n_given]
+    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ca.sqrt(twice / elastic))
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))

@@ -26,6 +26,7 @@ def space_of(chain: Chain) -> Space:
     """How the coordinates of the joint form move."""
     return Floating(SERIES) if chain.floating else FLAT
 
+
 Function = Callable[..., Sequence]
 
 
@@ -69,7 +70,9 @@ class DaeDynamics:
     def move(self, x: np.ndarray, u: np.ndarray, change: np.ndarray) -> np.ndarray:
         """``x + change``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
         new = x + change
-        new[self.pose] = np.concatenate([exponential(*row, SERIES) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
+        new[self.pose] = np.concatenate(
+            [exponential(*row, SERIES) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)]
+        )
         return new
 
     def twists(self, x: np.ndarray) -> np.ndarray:

@@ -145,7 +145,7 @@ def topology(chain: Chain) -> dict[str, object]:
     if chain.tree.is_chain:
         return {"bases": [], "carriers": [], **floating_base(chain)}
     links = chain.robot.links
-    names = ["the base", *(link.name for link in links)]
+    names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
     return {**floating_base(chain), "bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
 

@@ -49,7 +49,7 @@ class Held:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own, rates = (x[x.numel() - self.chain.n_given :] for x in (q, v))
+        own, rates = (x[x.numel() - self.chain.n_given :, 0] for x in (q, v))
         K, D, times = self.stiffness, self.damping, self.chain.modal_product
         felt = {
             "m_eta": self.inertia + h * D + h**2 * K,

@@ -2,21 +2,24 @@
 
 import re
 import subprocess
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
 from conftest import require_tool
 from floating_robots import SATELLITE, TAU, start
-from helpers import model_of, quick
+from helpers import example, example_file, model_of, quick, relative
 from random_robots import to_toml
 
 from screwgen import PD, SingularError, UsageError, derive, equilibrium, rollout, simulate
+from screwgen.cli.commands import evaluation
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
-from screwgen.simulation.controllers import Holding
+from screwgen.simulation.controllers import Holding, read_pd
 from screwgen.simulation.motion import centrelines
+from screwgen.simulation.state import State
 from screwgen.spec import load
 from screwgen.spec.base import TWIST
 from screwgen.spec.parameters import coordinate_units
@@ -59,6 +62,26 @@ def test_a_run_starts_at_the_joints_alone_and_a_law_moves_them(satellite):
     assert 1e-3 < np.linalg.norm(run.q[-1, :3]) < 0.2
     place = centrelines(satellite, run.q[-1], [0.0, 1.0])
     assert np.allclose(place[0], run.q[-1, :3]) and np.linalg.norm(place[2, 1] - place[0, 0]) > 0.8
+
+
+def test_the_space_arm_of_the_examples_moves_by_its_law_and_keeps_its_momentum_at_zero():
+    model = example("space_arm")
+    law = replace(read_pd(example_file("space_arm").with_name("space_arm_law.toml"), model), waypoints=())
+    law = replace(law, duration=0.4)
+    assert law.floating and (model.nq, model.n_tau) == (31, 6)
+    form = partial(CompiledStepper, quick(model))
+    run = simulate(model, 0.4, 1e-3, controller=law, form=form, integrator="rk4")
+    M, v = model.numpy().mass_matrix(run.q[-1]), run.v[-1]
+    assert np.abs(run.q[-1, 7:13]).max() > 0.1 and np.linalg.norm(run.q[-1, :3]) > 1e-3
+    assert np.all(np.abs((M @ v)[:6]) < 1e-8 * (np.abs(M) @ np.abs(v))[:6])
+
+
+@pytest.mark.parametrize("form", ["joint", "dae"])
+def test_the_command_line_evaluates_it_alike_in_casadi(satellite, form):
+    q, v = start(satellite)
+    state = State(q, v, np.array(TAU), np.ones((4, 6)))
+    found, expected = (evaluation(satellite, state, *x) for x in (("casadi", form), ("numpy", "joint")))
+    assert relative(found["vdot"], expected["vdot"]) < 1e-10 and relative(found["wrench"], expected["wrench"]) < 1e-10
 
 
 WRONG = [  # what replaces a part of the file, and what the message says

@@ -174,7 +174,9 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
         law: dict[str, Any] = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
         law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
         return PD(
-            **law, duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None
+            **law,
+            floating=model.chain.floating,
+            duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None,
         )
 
 

@@ -24,7 +24,8 @@ from screwgen.spec import load
 from screwgen.spec.base import TWIST
 from screwgen.spec.parameters import coordinate_units
 from screwgen.studies.analysis import analyse, spectrum
-from screwgen.studies.modes import natural_frequencies
+from screwgen.studies.convergence import convergence
+from screwgen.studies.modes import natural_frequencies, stiffness_matrix
 
 
 @pytest.fixture(scope="module")
@@ -129,6 +130,7 @@ def test_what_needs_a_fixed_base_says_so(satellite):
         "linear model": lambda: satellite.linearise(q),
         "equilibrium": lambda: equilibrium(satellite),
         "table of modes": lambda: natural_frequencies(satellite),
+        "table of": lambda: convergence(satellite),
         "batch": lambda: rollout(satellite, np.zeros((2, 33)), np.zeros((2, 3, 4)), step=1e-3),
         "code for exact derivatives": lambda: numeric.derivatives(q, v, TAU, still),
         "C of derivatives": lambda: satellite.c_files(estimator=True),
@@ -148,6 +150,8 @@ def test_what_needs_a_fixed_base_says_so(satellite):
         satellite.c_files(batch=True)
     with pytest.raises(UsageError, match=r"arm is a chain|floating base"):
         derive(satellite.robot, formulation="printed")
+    K = stiffness_matrix(satellite)  # which modes of a free robot are found with
+    assert K.shape == (16, 16) and not K[:10].any() and np.all(np.diag(K)[10:] > 0)
     assert not {"assemble_z", "cauchy"} & set(satellite.casadi())
 
 

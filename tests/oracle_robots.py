@@ -55,6 +55,8 @@ def pinocchio_model(robot):
         mount = link["joint"].get("mount", {})
         turn = Rotation.from_euler("xyz", mount.get("rpy", [0, 0, 0])).as_matrix()
         place = place * pin.SE3(turn, np.array(mount.get("xyz", [0.0, 0, 0])))
+        if i == 0 and robot.get("base") == "floating":
+            parent, place = model.addJoint(parent, pin.JointModelFreeFlyer(), place, "base"), pin.SE3.Identity()
         for k, axis in enumerate(link["joint"]["axes"]):
             joint = pinocchio_joint(pin, *read_axis(axis))
             parent, place = model.addJoint(parent, joint, place, f"{i}_{k}"), pin.SE3.Identity()

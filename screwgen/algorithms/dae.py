@@ -11,12 +11,23 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_motion, joint_offset, joint_point, relative_posture, tip_motion, tip_state
+from .joint_terms import joint_offset, joint_point, rotation
+from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
 from .scope import Scope
 
 
 def dae_kinematics(s: Scope) -> None:
     """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
+    if s.key.free:
+        free_motion(s)
+        s.write("qdot", mx.zeros(0))
+    else:
+        _joint_kinematics(s)
+    tip_motion(s)
+    s.write("tip.v", s.lower("tip_motion", tip_state(s, s.read("twist")), "v_t")[0])
+
+
+def _joint_kinematics(s: Scope) -> None:
     q, twist, omega_R, v_R = s.read("q"), s.read("twist"), relative_posture(s), mx.zeros(3)
     if s.key.slides:
         mounted = mx.multiply(s.kept("R_rel").T, joint_offset(s, q))
@@ -24,8 +35,6 @@ def dae_kinematics(s: Scope) -> None:
     qdot = mx.multiply(pseudo_inverse(s, q), _difference(s, twist, omega_R, v_R))
     s.write("qdot", qdot)
     joint_motion(s, q, qdot, omega_R)
-    tip_motion(s)
-    s.write("tip.v", s.lower("tip_motion", tip_state(s, twist), "v_t")[0])
 
 
 def _relative_twist(s: Scope, q: Array, R: Array, twist: Array, omega: str, v: str) -> Array:
@@ -64,7 +73,12 @@ def motion_subspace(s: Scope, q: Array) -> Array:
 
 
 def twist_rates(s: Scope) -> None:
-    """The rate of the link's twist in F_i components; the elimination's accelerations are less free fall."""
+    """The rate of the link's twist in F_i components; the elimination's accelerations are less free fall.
+
+    That of a floating base is what the elimination solves for.
+    """
+    if s.key.free:
+        return
     R = quaternion_matrix(s.read("quaternion"))
     fall = mx.multiply(R.T, s.read("gravity"))
     alpha, twist = s.read("alpha"), s.read("twist")
@@ -74,6 +88,11 @@ def twist_rates(s: Scope) -> None:
 def pose_rates(s: Scope) -> None:
     """``d/dt`` of the pose: quaternion ``Q omega / 2`` and position ``R v``."""
     Q, twist = s.read("quaternion"), s.read("twist")
+    if s.key.free:
+        given = {"quaternion": Q, "omega": twist[:3], "v": twist[3:]}
+        for name in ("quaternion_rate", "position_rate"):
+            s.write(name, s.lower("joint", given, name)[0])
+        return
     s.write("quaternion_rate", 0.5 * quaternion_product(Q, np.concatenate([mx.zeros(1), twist[:3]])))
     s.write("position_rate", mx.multiply(quaternion_matrix(Q), twist[3:]))
 
@@ -82,9 +101,17 @@ def pose_rates(s: Scope) -> None:
 
 
 def project(s: Scope) -> None:
-    """Base to tip: two Gauss-Newton corrections of q from the poses, then forward kinematics."""
+    """Base to tip: two Gauss-Newton corrections of q from the poses, then forward kinematics.
+
+    Of a floating base only the length of the quaternion is corrected.
+    """
     q, twist, eta, etadot = s.read("q"), s.read("twist"), *_modal(s)
     R_raw = quaternion_matrix(s.read("quaternion"))
+    if s.key.free:
+        s.write("new_q", q)
+        _measured_tip(s, R_raw, twist, eta, etadot)
+        _place(s, q, q, eta, etadot)
+        return
     R_P = s.read("base.R_m")
     measured = mx.multiply(R_P.T, R_raw)
     r_raw = s.read("position") + mx.multiply(R_raw, joint_point(s)) if s.key.slides else None
@@ -131,12 +158,16 @@ def _tip_rotation(s: Scope, eta: Array) -> Array:
 
 
 def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
-    parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
-    R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
+    if s.key.free:
+        omega, v = np.split(s.read("twist"), 2)
+        R, r, Q = rotation(s), s.read("position"), unit_quaternion(s, s.read("quaternion"))
+    else:
+        parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
+        R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
+        R = mx.multiply(s.read("base.R"), R_rel)
+        r = s.read("base.r") + mx.multiply(s.read("base.R"), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
+        Q = quaternion_product(s.read("base.Q"), _joint_quaternion(s, q))
     s.write("new_twist", np.concatenate([omega, v]))
-    R = mx.multiply(s.read("base.R"), R_rel)
-    r = s.read("base.r") + mx.multiply(s.read("base.R"), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
-    Q = quaternion_product(s.read("base.Q"), _joint_quaternion(s, q))
     s.write("new_quaternion", Q)
     s.write("new_position", r)
     state = {"omega": omega, "v": v, "eta": eta, "etadot": etadot}
@@ -163,6 +194,11 @@ def quaternion_matrix(Q: Array) -> Array:
     w, u = Q[0], Q[1:]
     square = mx.symmetric(3, lambda i, j: u[i] * u[j] - (mx.dot(u, u) if i == j else 0.0))
     return mx.identity(3) + scale * (w * mx.hat(u) + square)
+
+
+def unit_quaternion(s: Scope, Q: Array) -> Array:
+    """``Q / |Q|``."""
+    return Q * (1.0 / s.tracer.call("sqrt", mx.dot(Q, Q)))
 
 
 def _axis_quaternion(s: Scope, axis, angle) -> Array:
@@ -220,8 +256,13 @@ LINK_ROWS = (
 
 
 def joint_rows(s: Scope) -> None:
-    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance."""
+    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0."""
     twist, q = s.read("twist"), s.read("q")
+    if s.key.free:
+        _free_terms(s, twist)
+        s.write("tip.b", s.kept("b_T"))
+        _write_rows(s, {})
+        return
     parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     S_plus = pseudo_inverse(s, q)
@@ -239,12 +280,16 @@ def joint_rows(s: Scope) -> None:
         "qdot": qdot,
         "q": q,
     }
-    for name, value in zip(JOINT_ROWS, s.lower("joint_rows", given, *JOINT_ROWS), strict=True):
-        s.write(name, value)
+    _write_rows(s, given)
     X, PX = s.lower("joint_rows", given, "X", "PX")
     s.write("base.X", X)
     s.write("base.PX", PX)
     s.write("tip.b", s.kept("b_T"))
+
+
+def _write_rows(s: Scope, given: dict[str, Array]) -> None:
+    for name, value in zip(JOINT_ROWS, s.lower("joint_rows", given, *JOINT_ROWS), strict=True):
+        s.write(name, value)
 
 
 def _free_terms(s: Scope, twist: Array) -> None:

@@ -11,7 +11,7 @@ from . import dae, loops, validity
 from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
-from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 POSES = Phase(ph.poses, OUTWARD)
@@ -229,6 +229,14 @@ class Functions:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
         return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+
+    def coordinate_rates(self, q, v) -> list:
+        """``dq/dt``: the rates themselves, but for the pose of a floating base."""
+        if not self.chain.floating:
+            return list(v)
+        state, (program,) = self._state(q, v)[0], trace(self.chain.keys[0], DAE_RATES)
+        found = self.apply(0, 0, program, {name: state[name] for name in program.inputs})
+        return [*found["position_rate"], *found["quaternion_rate"], *v[self.chain.base_v :]]
 
     def energy(self, q, v) -> tuple[Value, Value]:
         """Kinetic and potential energy."""

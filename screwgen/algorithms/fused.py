@@ -243,6 +243,15 @@ def energy(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "energy", {"q": chain.nq, "v": chain.nv}, body, constants)
 
 
+def coordinate_rates(chain: Chain, constants="parameters") -> Program:
+    """``(q, v) -> (qdot)``."""
+
+    def body(f: Functions, x):
+        return {"qdot": f.coordinate_rates(x["q"], x["v"])}
+
+    return fuse(chain, "coordinate_rates", {"q": chain.nq, "v": chain.nv}, body, constants)
+
+
 def poses(chain: Chain, constants="parameters") -> Program:
     """``(q) -> (link_R, link_position, tip_R, tip_position)``, every R row by row, link by link."""
 

@@ -22,6 +22,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
+    if key.free:
+        return _free_rows(b)
     m = key.joints
     R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
@@ -46,6 +48,15 @@ def joint_rows_block(key: LinkClass) -> Block:
     bias = -(P_c @ J_B @ beta) - PX @ b_P
     b.step("joint_H", bias + _column(S_plus.T @ passive) if passive is not None else bias)
     b.step("joint_W", _column(S_plus.T @ tau) if m else zeros(6))
+    return b
+
+
+def _free_rows(b: Block) -> Block:
+    """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``."""
+    b.step("joint_w", identity(6))
+    b.step("joint_V", zeros(6, 6))
+    for name in ("joint_H", "joint_W"):
+        b.step(name, zeros(6))
     return b
 
 

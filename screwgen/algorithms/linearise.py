@@ -51,6 +51,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
 
     Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
+    f.chain.needs_fixed(*EXACT)
     stores = f.sensitivities(q, v, vdot, w_ext)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
@@ -162,7 +163,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
     """
-    chain.needs_tree(*EXACT)
+    chain.needs_fixed_tree(*EXACT)
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 

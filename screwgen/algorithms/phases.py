@@ -18,6 +18,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
+from .joint_terms import armature, drive, joint_offset, joint_point, own_force, own_inertia, rotation, stiffness
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
 from .validity import axial_motion
@@ -25,15 +26,29 @@ from .validity import axial_motion
 
 def kinematics(s: Scope) -> None:
     """Base to tip: angular velocity and ``acc_0`` of F_i and of the tip, from q, qdot, eta, etadot."""
-    q, qdot = s.read("q"), s.read("qdot")
-    omega_R = relative_posture(s)
-    joint_motion(s, q, qdot, omega_R)
+    if s.key.free:
+        free_motion(s)
+    else:
+        q, qdot = s.read("q"), s.read("qdot")
+        omega_R = relative_posture(s)
+        joint_motion(s, q, qdot, omega_R)
     tip_motion(s)
+
+
+def free_motion(s: Scope) -> None:
+    """The same of a floating base, from its quaternion and twist; the motion subspace is the identity."""
+    twist, R = s.read("twist"), rotation(s)
+    a_R = mx.multiply(R.T, s.read("base.acc_0")[3:])
+    (a,) = s.lower("joint_motion", {"omega": twist[:3], "v": twist[3:], "a_R": a_R}, "a")
+    s.keep("R_rel", R)
+    s.keep("S", mx.identity(6))
+    s.keep("omega", twist[:3])
+    s.keep("acc_0", np.concatenate([mx.zeros(3), a]))
 
 
 def relative_posture(s: Scope) -> Array:
     """Store the pose of F_i relative to its parent; returns the angular velocity of the parent's tip in F_i axes."""
-    (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
+    R_rel = rotation(s)
     s.keep("R_rel", R_rel)
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
         R = s.name("R_P", mx.multiply(s.read("base.R_T"), R_rel))
@@ -123,6 +138,8 @@ def eliminate(s: Scope) -> None:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
     M, h = eliminate_modes(s, own, *tip_load(s))
     Lambda, p = eliminate_joint(s, M, h)
+    if s.key.free:
+        return
     s.keep("Lambda_i", Lambda)
     s.keep("p_i", p)
     with s.step("handed up: inertia and bias that the joint shows to the parent's tip (49)"):
@@ -150,14 +167,15 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
 
 def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and ``delta`` of the tip."""
-    R, lever, r_B = s.kept("R_P"), s.kept("lever"), joint_point(s)
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
-        carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))), "delta")
+        carried = s.name("carried", imparted(s), "delta")
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-        s.write("qddot", qddot)
+        s.write("qddot", qddot[: s.key.joints])
+        if s.key.free:
+            s.write("Vdot", qddot)
     with s.step("joint wrench (48)"):
-        wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
-        s.write("wrench", mx.shift_wrench(-r_B, wrench))
+        wrench = mx.zeros(6) if s.key.free else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+        s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
         alpha = delta + s.kept("acc_0")
@@ -169,6 +187,13 @@ def accelerate(s: Scope) -> None:
         axial_motion(s, s.kept("omega"), alpha[3], own)
     with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
         s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot), "delta"))
+
+
+def imparted(s: Scope) -> Array:
+    """The part of ``delta`` that the parent's tip imparts; a floating base has no parent."""
+    if s.key.free:
+        return mx.zeros(6)
+    return mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta")))
 
 
 def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
@@ -183,16 +208,15 @@ def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
 
 def inverse_outward(s: Scope) -> None:
     """Base to tip: ``delta``, the contribution of qddot and etaddot to the accelerations."""
-    qddot, etaddot = s.read("qddot"), s.read("etaddot")
-    carried = mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta")))
-    delta = carried + mx.multiply(s.kept("S"), qddot)
+    qddot, etaddot = given_acceleration(s), s.read("etaddot")
+    delta = imparted(s) + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
     s.write("tip.delta", tip_acceleration(s, delta, etaddot))
 
 
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the joint wrenches of given accelerations, and the generalised forces."""
-    qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
+    qddot, etaddot, delta = given_acceleration(s), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
     m, S, I = tip_bodies(s)
     bodies = body_force(s.read("tip.omega"), s.read("tip.acc_0") + s.read("tip.delta"), m, S, I)
@@ -205,9 +229,18 @@ def inverse_inward(s: Scope) -> None:
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)
-    s.write("force", mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s))
+    force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
+    s.write("force", force[: s.key.joints])
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
+    if s.key.free:
+        s.write("base_force", force)
+        return
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
+
+
+def given_acceleration(s: Scope) -> Array:
+    """The accelerations of the joint: those of its coordinates, or the rate of a floating base's twist."""
+    return s.read("Vdot" if s.key.free else "qddot")
 
 
 # -------------------------------------------------------------------------------------- poses, energy
@@ -218,9 +251,12 @@ def poses(s: Scope) -> None:
     R_rel, R_T, r_T = _relative_pose(s)
     R_P, r_P = s.read("base.R"), s.read("base.r")
     with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
-        R = mx.multiply(R_P, R_rel)
-        joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
-        r = joint - mx.multiply(R, joint_point(s))
+        if s.key.free:
+            R, r = R_rel, s.read("position")
+        else:
+            R = mx.multiply(R_P, R_rel)
+            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
+            r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)
     with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
@@ -232,7 +268,7 @@ def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
     """``R_rel, R_T, r_T``, stored by an earlier phase or computed."""
     if "R_rel" in s.layouts:
         return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
-    (R_rel,) = s.lower("posture", {"q": s.read("q")}, "R_rel")
+    R_rel = rotation(s)
     eta = {"eta": s.read("eta")}
     r_T = s.lower("tip_pose", eta, "r_T")[0]
     R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
@@ -241,9 +277,11 @@ def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
 
 def velocities(s: Scope) -> None:
     """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
-    q, qdot = s.read("q"), s.read("qdot")
-    parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
-    omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "omega", "v")
+    if s.key.free:
+        omega, v = np.split(s.read("twist"), 2)
+    else:
+        parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
+        omega, v = s.lower("joint", {"q": s.read("q"), "qdot": s.read("qdot"), **parent}, "omega", "v")
     s.keep("twist", np.concatenate([omega, v]))
     modal = {"eta": s.read("eta"), "etadot": s.read("etadot")}
     omega_T, v_T = s.lower("tip", {"omega": omega, "v": v, **modal}, "omega_T", "v_T")
@@ -274,46 +312,3 @@ def energy(s: Scope) -> None:
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
     spring = mx.dot(q * stiffness(s), q)
     s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity"), moment)])
-
-
-# --------------------------------------------------------------------------------- parts of the joint
-
-
-def joint_point(s: Scope) -> Array:
-    """The joint point in F_i."""
-    return mx.array([-s.constant("frame_at"), 0.0, 0.0]) if s.key.frame_at else mx.zeros(3)
-
-
-def joint_offset(s: Scope, q: Array) -> Array:
-    """The joint point relative to the parent's tip point, in the parent's tip frame."""
-    if s.key.slides:
-        return s.lower("posture", {"q": q}, "r_J")[0]
-    return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
-
-
-def _per_axis(s: Scope, present: bool, label: str) -> Array:
-    return mx.array([s.constant(f"{label}_{j + 1}") if present else 0.0 for j in range(s.key.joints)], (s.key.joints,))
-
-
-def armature(s: Scope) -> Array:
-    """The rotor inertias seen at the joint."""
-    return _per_axis(s, s.key.armature, "armature")
-
-
-def stiffness(s: Scope) -> Array:
-    return _per_axis(s, s.key.stiffness, "joint_stiffness")
-
-
-def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint."""
-    return s.read("m_q") if s.key.sprung else armature(s)
-
-
-def own_force(s: Scope) -> Array:
-    """The generalised forces of the joint's damper and spring."""
-    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)
-
-
-def drive(s: Scope) -> Array:
-    """The sum of the generalised forces of motor, damper and spring."""
-    return s.read("tau") - own_force(s)

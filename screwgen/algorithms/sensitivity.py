@@ -20,8 +20,9 @@ import numpy as np
 from ..ir.derivative import columns
 from ..ir.program import Array
 from . import matrices as mx
-from .phases import joint_offset, joint_point, tip_state
+from .joint_terms import joint_offset, joint_point
 from .phases import swing as swung
+from .phases import tip_state
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning

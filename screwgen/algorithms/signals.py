@@ -109,6 +109,7 @@ CALL: dict[str, Signal] = {
     "m_q": Signal(("m",), "kg*m^2", "-", "inertia of the joint coordinates"),
     "f_q": Signal(("m",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
+    "base_force": Signal((6,), WRENCH, F_I, "wrench on the floating base, at the origin of F_i"),
     "eta": Signal(("r",), MODAL, "-", "modal coordinates"),
     "etadot": Signal(("r",), "m/s (torsion: rad/s)", "-", "modal rates"),
     "etaddot": Signal(("r",), "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),

@@ -150,8 +150,8 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
     M_eta, K, D = functions["modal_properties"](p)
-    own = slice(model.nq - model.chain.n_given, model.nq)
-    force = model.chain.modal_product(K, s.q[own]) + model.chain.modal_product(D, s.v[own])
+    own, rates = (x[len(x) - model.chain.n_given :] for x in (s.q, s.v))
+    force = model.chain.modal_product(K, own) + model.chain.modal_product(D, rates)
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T
 

@@ -14,6 +14,7 @@ from typing import Any, Literal, Protocol
 
 from ..errors import UsageError
 from .order import Place, unmet
+from .se3 import FLAT, Space
 
 Motion = tuple[Any, Any]
 """Coordinates (nq,) and rates (nq,)."""
@@ -169,28 +170,33 @@ class Method:
         """Whether all elastic forces are implicit."""
         return all(stage.implicit for stage in self.stages)
 
-    def step(self, a: Accelerations, q: Any, v: Any, h: Any) -> Motion:
-        """Coordinates and rates `h` seconds after `q, v`: NumPy arrays, CasADi's symbols, all that has +, − and ×."""
+    def step(self, a: Accelerations, q: Any, v: Any, h: Any, space: Space = FLAT) -> Motion:
+        """Coordinates and rates `h` seconds after `q, v`: NumPy arrays, CasADi's symbols, all that has +, − and ×.
+
+        `space`: how coordinates move where they do not add up.
+        """
         rates, accelerations = [], []
         for stage in self.stages:
-            there = _moved(stage, q, v, h, rates, accelerations)
+            u, there_v = _moved(stage, v, h, rates, accelerations)
+            there = (q if u is None else space.moved(q, u)), there_v
             elastic = stage.implicit
             found = a.implicit(q, v, times(h, elastic), there) if elastic else a.explicit(*there)
-            rates.append(there[1])
+            rates.append(there_v if u is None else space.rate(u, there_v))
             accelerations.append(found)
-        return _moved(self.end, q, v, h, rates, accelerations)
+        u, v = _moved(self.end, v, h, rates, accelerations)
+        return space.moved(q, u), v
 
 
-def _moved(move: Move, q: Any, v: Any, h: Any, rates: list, accelerations: list) -> Motion:
-    """The state of a move."""
+def _moved(move: Move, v: Any, h: Any, rates: list, accelerations: list) -> tuple[Any, Any]:
+    """The change of the coordinates by a move, None for none, and the rates."""
     if not move.terms:
-        return q, v
+        return None, v
     new = v + weighted(move, h, accelerations)
     if move.moved == "new":
-        return q + times(h, move.reach) * new, new
+        return times(h, move.reach) * new, new
     if move.moved == "mean":
-        return q + times(h, move.reach / 2) * (v + new), new
-    return q + weighted(move, h, rates), new
+        return times(h, move.reach / 2) * (v + new), new
+    return weighted(move, h, rates), new
 
 
 def weighted(move: Move, h: Any, values: Sequence) -> Any:

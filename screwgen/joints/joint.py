@@ -8,6 +8,7 @@ from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, st
 from ..algebra.rate import acceleration, rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
+from .free import free_block, free_motion_block, free_posture
 from .kinematics import Kinematics, kinematics
 
 LINK = "F_i"
@@ -19,7 +20,9 @@ def joint_block(key: LinkClass) -> Block:
     ``omega, v`` is the link's twist in F_i.  The bias acceleration ``beta_omega, beta_v`` is its rate while the
     parent's tip and the joint coordinates do not accelerate.
     """
-    b = Block("joint", "Joint")
+    b = Block("joint", "Joint" if not key.free else "Floating base")
+    if key.free:
+        return free_block(b)
     q, qdot = _coordinates(b, key)
     omega_P = b.input("omega_P", (3, 1))
     v_P = b.input("v_P", (3, 1))
@@ -72,6 +75,8 @@ def motion_block(key: LinkClass) -> Block:
     Accelerations are those of material points in the inertial frame. ``S`` is the motion subspace at the origin of F_i.
     """
     b = Block("joint_motion", "Motion of the link")
+    if key.free:
+        return free_motion_block(b)
     q, qdot = _coordinates(b, key)
     omega_R = b.input("omega_R", (3, 1))
     alpha_R = b.input("alpha_R", (3, 1))
@@ -96,9 +101,12 @@ def motion_block(key: LinkClass) -> Block:
 
 
 def posture_block(key: LinkClass) -> Block:
-    """Relative pose and motion subspace alone, as functions of q (DAE form, poses)."""
+    """Relative pose and motion subspace alone, as functions of q (DAE form, poses); of a floating base its rotation."""
     b = Block("posture", "Posture of the joint")
-    posture(key, b, _coordinates(b, key, rates=False)[0])
+    if key.free:
+        free_posture(b)
+    else:
+        posture(key, b, _coordinates(b, key, rates=False)[0])
     return b
 
 

@@ -12,10 +12,13 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from scipy.spatial.transform import Rotation
 
+from ..simulation.controllers import on_base
 from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
+from ..spec.base import POSE
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from . import look
@@ -128,6 +131,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
+        *_base(run),
         Panel("Joint angles", "q", "rad", _with(q(".joint["), "goal", goals, turns)),
         Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turns)),
         Panel("Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
@@ -144,6 +148,19 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Energy", "E", "J", energy),
         Panel("Tip, inertial frame", "r", "m", place),
     ]
+
+
+def _base(run: Run) -> list[Panel]:
+    """Where a floating base is, and how it has turned since the start: rotation vectors in inertial axes."""
+    if run.q_names[: len(POSE)] != tuple(f"base.{name}" for name in POSE):
+        return []
+    turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
+    turned = (turns * turns[0].inv()).as_rotvec()
+    place, turn = (
+        [Line(x, shade, "-", name) for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]
+        for values in (run.q[:, :3], turned)
+    )
+    return [Panel("Base, inertial frame", "r", "m", place), Panel("Turn of the base", "θ", "rad", turn)]
 
 
 def sift(given: list[Panel]) -> tuple[list[Panel], list[str]]:
@@ -209,7 +226,7 @@ def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.n
 
 def _goals(run: Run, controller: Any) -> np.ndarray | None:
     """The set points (n_joints, N), rad and m, of a controller that states them."""
-    law = started(controller, run.q[0])
+    law = started(on_base(controller, bool(_base(run))), run.q[0])
     if not hasattr(law, "reference"):
         return None
     times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
@@ -286,8 +303,9 @@ def _space(axes: Axes, run: Run, model: Model | None) -> None:
     if model is not None:
         rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
         postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
-        _arm(axes, [strands(model, posture) for posture in postures], feet(model))
-        points += [postures.reshape(-1, 3), np.array(feet(model))]
+        starts = [postures[-1, 0, 0]] if model.chain.floating else feet(model)
+        _arm(axes, [strands(model, posture) for posture in postures], starts)
+        points += [postures.reshape(-1, 3), np.array(starts)]
     cloud = np.concatenate(points)
     _, size, direction = np.linalg.svd(cloud - cloud.mean(axis=0), full_matrices=False)
     elevation, azimuth = look.view(size[0] * direction[0], size[1] * direction[1])

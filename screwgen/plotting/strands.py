@@ -21,10 +21,13 @@ def feet(model: Model) -> list[np.ndarray]:
 def strands(model: Model, lines: np.ndarray) -> list[np.ndarray]:
     """The polylines (1 + stations, 3), m, of links with the centrelines `lines` (n, stations, 3).
 
-    The first point of each is the tip of its parent, or its mount: a joint that slides moves the link away from it.
+    The first point of each is the tip of its parent, or its mount: a joint that slides moves the link away from it. A
+    floating base begins where it is.
     """
+    loose = lines[0, 0] if model.chain.floating else None
     carried = enumerate(parents(model.robot.links))
-    starts = [lines[parent, -1] if parent >= 0 else _mount(model.robot.links[i]) for i, parent in carried]
+    mounted = lambda i: _mount(model.robot.links[i]) if loose is None else loose  # noqa: E731
+    starts = [lines[parent, -1] if parent >= 0 else mounted(i) for i, parent in carried]
     return [np.concatenate([start[None], line]) for start, line in zip(starts, lines, strict=True)]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..errors import UsageError
+from ..spec.base import POSE, TWIST
 from ..spec.load import DEEP_KEY, one_line, syntax_error
 from ..spec.messages import unknown
 from ..spec.ranges import within
@@ -43,6 +44,7 @@ class Holding:
     TOLERANCE, STEPS = 1e-12, 30
 
     def __init__(self, model: Model, p: Numbers | None = None):
+        model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
         self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))
@@ -73,6 +75,7 @@ class PD:
     `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
     angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
+    `floating`: whether the pose and the twist of a floating base precede the joints in `q` and `v`; a run sets it.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -84,6 +87,7 @@ class PD:
     q_start: tuple[float, ...] | None = None
     waypoints: tuple[tuple[float, tuple[float, ...]], ...] = ()
     gravity: Callable[[np.ndarray], np.ndarray] | None = None
+    floating: bool = False
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -104,7 +108,12 @@ class PD:
 
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
-        return replace(self, q_start=tuple(float(x) for x in q[: len(self.q_des)]))
+        return replace(self, q_start=tuple(float(x) for x in self._joints(q, POSE)))
+
+    def _joints(self, x: Numbers, before: Sequence[str]) -> np.ndarray:
+        """The joints' part of `q` or `v`."""
+        first = len(before) if self.floating else 0
+        return np.asarray(x, float)[first : first + len(self.q_des)]
 
     @property
     def plain(self) -> bool:
@@ -131,12 +140,17 @@ class PD:
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The joint torques, N·m, of slides forces, N."""
-        n = len(self.q_des)
+        q, v = self._joints(q, POSE), self._joints(v, TWIST)
         q_ref, v_ref = self.reference(t)
-        tau = np.array(self.kp) * (q_ref - q[:n]) + np.array(self.kd) * (v_ref - v[:n])
+        tau = np.array(self.kp) * (q_ref - q) + np.array(self.kd) * (v_ref - v)
         if self.gravity is not None:
-            tau = tau + self.gravity(q[:n])
+            tau = tau + self.gravity(q)
         return tau if self.tau_max is None else np.clip(tau, -np.array(self.tau_max), np.array(self.tau_max))
+
+
+def on_base(controller: Any, floating: bool) -> Any:
+    """The controller for a robot whose base floats or not: a `PD` law is told."""
+    return replace(controller, floating=floating) if isinstance(controller, PD) else controller
 
 
 def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
@@ -160,7 +174,9 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
         law: dict[str, Any] = {key: _angles(key, value, model.n_joints, (key,)) for key, value in values.items()}
         law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
         return PD(
-            **law, duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None
+            **law,
+            floating=model.chain.floating,
+            duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None,
         )
 
 

@@ -35,7 +35,7 @@ class DaeStepper:
 
     def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
-        self.reference, self.n_joints = model.numpy(p), model.n_joints
+        self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
         self.p, self.place = np.array(p, float), Evaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -52,7 +52,8 @@ class DaeStepper:
 
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """``q`` and ``v``; the joint rates follow from the twists."""
-        d = self.dynamics
-        rates = d.rates(x, np.zeros(self.n_joints), np.zeros((len(x[d.pose]) // 7, 6)))
-        q, qdot = x[len(x) - self.n_joints :], rates[len(x) - self.n_joints :]
-        return np.concatenate([q, x[d.eta]]), np.concatenate([qdot, x[d.etadot]])
+        d, m = self.dynamics, self.n_joints
+        rates = d.rates(x, np.zeros(m), np.zeros((len(x[d.pose]) // 7, 6)))
+        q, qdot = x[len(x) - m :], rates[len(x) - m :]
+        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.floating else (x[:0], x[:0])
+        return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot]])

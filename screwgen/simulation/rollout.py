@@ -103,6 +103,7 @@ def rollout(
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
+    model.chain.needs_fixed("batch", "simulate the scenarios one after the other")
     _check_numbers(step, steps, substeps, threads)
     method = method_of(integrator, missing=NO_METHOD)
     given = {

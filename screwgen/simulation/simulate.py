@@ -15,7 +15,7 @@ from ..errors import DivergedError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from . import loop
-from .controllers import Controller
+from .controllers import Controller, on_base
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
@@ -57,7 +57,8 @@ def simulate(
 ) -> Run:
     """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
-    `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
+    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default, a floating base at the inertial frame;
+    `controller(t, q, v)` gives the joint torques
     (n_tau,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
     :class:`~screwgen.integrators.Method`; modal_midpoint if none is given. `form`: "joint", "dae", or what makes a
@@ -88,7 +89,7 @@ def simulate(
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
     check_loops(model, p, q0, v0)
-    law = started(controller, q0)
+    law = started(on_base(controller, model.chain.floating), q0)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     diverged = False
@@ -190,12 +191,11 @@ def time_grid(duration: float, step: float) -> np.ndarray:
 
 
 def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
-    """`values` as (nq,); the joints alone leave the modes at zero."""
-    given = np.ravel(floats([] if values is None else values, name))
-    if len(given) not in (0, model.n_joints, model.nq):
-        allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
-        raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
-    return np.append(given, np.zeros(model.nq - len(given)))
+    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home."""
+    found = model.chain.complete(np.ravel(floats([] if values is None else values, name)), rates=name[0] == "v")
+    if isinstance(found, str):
+        raise UsageError(f"{name} {found}")
+    return found
 
 
 OPEN = 1e-6

@@ -75,6 +75,8 @@ class LinkClass:
     """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
+    free: bool = False
+    """Whether the link is a floating base: its pose and twist are state, and its motion subspace is the identity."""
 
     @property
     def modes(self) -> int:
@@ -104,6 +106,11 @@ class LinkClass:
     def joints(self) -> int:
         """The number of joint coordinates."""
         return len(self.screws)
+
+    @property
+    def freedoms(self) -> int:
+        """The number of columns of the motion subspace."""
+        return 6 if self.free else self.joints
 
     @property
     def slides(self) -> bool:
@@ -147,8 +154,11 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
-def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0) -> LinkClass:
-    """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given."""
+def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0, free: bool = False) -> LinkClass:
+    """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
+
+    ``free``: whether it is the segment that floats.
+    """
     joint, modes, count, body = (link.joint if segment == 0 else WELD), link.modes, link.pieces, elastic(link)
     counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
     stated = link.section.states if link.section else lambda _: False
@@ -180,4 +190,5 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         segment=segment if stations else 0,
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
         light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
+        free=free,
     )

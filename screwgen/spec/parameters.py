@@ -1,10 +1,11 @@
 """The runtime parameters of a robot (the numbers that its file states), and the names of its coordinates."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
+from .base import POSE, POSE_UNITS, TWIST
 from .joint import Joint
 from .reduced import of_link as directions
 from .robot import Body, Link, Robot
@@ -177,6 +178,7 @@ WRENCH = ("tau_x", "tau_y", "tau_z", "F_x", "F_y", "F_z")
 def coordinate_names(robot: Robot) -> CoordinateNames:
     """The names (q, v, tau, wrench); no name occurs twice in all four, so they can head one table's columns.
 
+    A floating base comes first: `base.x` … `base.qz` (m, unit quaternion), `base.omega_x` … `base.v_z` (rad/s, m/s).
     q: `forearm.joint[0]` (rad) link by link, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N). wrench: `forearm.tau_x` (N·m) …
@@ -185,8 +187,8 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
     return CoordinateNames(
-        q=(*per_axis(robot, "joint", "slide"), *per_mode(robot, "eta")),
-        v=(*per_axis(robot, "joint_rate", "slide_rate"), *per_mode(robot, "eta_rate")),
+        q=(*per_base(robot, POSE), *per_axis(robot, "joint", "slide"), *per_mode(robot, "eta")),
+        v=(*per_base(robot, TWIST), *per_axis(robot, "joint_rate", "slide_rate"), *per_mode(robot, "eta_rate")),
         tau=per_axis(robot, "torque", "force"),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
@@ -195,7 +197,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    return ["rad" if turns else "m" for turns in turning(robot)] + modal
+    return [*POSE_UNITS * robot.floating, *("rad" if turns else "m" for turns in turning(robot)), *modal]
 
 
 def turning(robot: Robot) -> list[bool]:
@@ -206,6 +208,11 @@ def turning(robot: Robot) -> list[bool]:
 def force_units(robot: Robot) -> list[str]:
     """The units of tau: N·m for axes that turn, N for axes that slide."""
     return ["N·m" if turns else "N" for turns in turning(robot)]
+
+
+def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:
+    """The names of a floating base's coordinates or rates, none where the base is fixed."""
+    return tuple(f"base.{name}" for name in names if robot.floating)
 
 
 def per_axis(robot: Robot, turning: str, sliding: str) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, PlainValidator, model_validator
 
 from ..errors import UsageError
+from .base import FIXED, FLOATING, check_floating
 from .frequencies import Frequencies
 from .joint import Joint, Position
 from .loops import Loop, refuse_loops
@@ -154,8 +155,9 @@ class Robot(Part):
     """Links, each after the one that carries it. `name` is the prefix of everything generated.
 
     Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall
-    in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). A loop can
-    build a robot of any number of links:
+    in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). `base`:
+    "floating" leaves the first link free in space, which then has no joint axes. A loop can build a robot of any
+    number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """
@@ -170,8 +172,16 @@ class Robot(Part):
     order: Annotated[int, PlainValidator(shape_order)] = Field(
         1, description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness"
     )
+    base: Annotated[str, PlainValidator(choice(FIXED, FLOATING))] = Field(
+        FIXED, description='"fixed", or "floating": the first link moves freely, its pose is part of the state'
+    )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
     loops: tuple[Loop, ...] = Field((), description="joints between the tips of two links, [[loops]] tables")
+
+    @property
+    def floating(self) -> bool:
+        """Whether the first link moves freely."""
+        return self.base == FLOATING
 
     def without(self, *directions: str) -> Self:
         """The same robot without the modes of some `DIRECTIONS`, such as "axial"; raises UsageError."""
@@ -187,8 +197,10 @@ class Robot(Part):
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
         distinct_names(self)
         parents(self.links)
+        if self.floating:
+            check_floating(self.links)
         refuse_axes(self)
-        refuse_loops([link.name for link in self.links], self.loops)
+        refuse_loops([link.name for link in self.links], self.loops, self.base == FLOATING)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

@@ -19,7 +19,7 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .modes import locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
+from .modes import STUDY, locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
 from .steady import oscillations, steady
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
-    model.chain.needs_tree("study of vibrations", "look at those of the open tree, without [[loops]]")
+    model.chain.needs_fixed_tree(*STUDY)
     first = locked_from(model, joints)
     if first == model.nq:
         return Convergence(np.zeros(0), {})

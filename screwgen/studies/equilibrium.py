@@ -101,6 +101,7 @@ def equilibrium(
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
+    model.chain.needs_fixed("equilibrium", "fix the base to find the posture of its arms")
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")

@@ -157,6 +157,7 @@ def linearise(
     inputs: Sequence[str] | str = INPUTS,
 ) -> LinearModel:
     """What `Model.linearise` does; `derivatives` is the CasADi function of `emit.casadi_linear.linearisation`."""
+    chain.needs_fixed("linear model", "differentiate casadi()['step'], or fix the base")
     numbers = Numeric(chain, chain.parameters.vector(parameters))
     if np.size(q) == chain.n_joints != chain.nq:
         q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))

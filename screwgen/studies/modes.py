@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 JOINTS = ("locked", "free")
 
 
+STUDY = "table of modes", "look at the robot with a fixed base and without loops"
+
+
 def natural_frequencies(
     model: Model,
     q: Numbers | None = None,
@@ -79,7 +82,7 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    model.chain.needs_tree("study of vibrations", "look at those of the open tree, without [[loops]]")
+    model.chain.needs_fixed_tree(*STUDY)
     q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
     if first == model.nq:
@@ -145,10 +148,10 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def stiffness_matrix(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The stiffness (nq, nq) of joint springs (N·m/rad) and modes (N/m, torsion: N·m/rad)."""
+    """The stiffness (nv, nv) of joint springs (N·m/rad) and modes (N/m, torsion: N·m/rad)."""
     K = np.diag(stiffness(model, p))
     for i, key in enumerate(model.chain.keys):
-        first = model.chain.eta_q + model.chain.eta_offset[i]
+        first = model.chain.eta_v + model.chain.eta_offset[i]
         for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
             K[first + a, first + b] = K[first + b, first + a] = k
     return K
@@ -169,14 +172,18 @@ def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The diagonal of the stiffness matrix (nq,): joint springs (N·m/rad), then modes (N/m, torsion: N·m/rad)."""
+    """The diagonal of the stiffness matrix (nv,): joint springs (N·m/rad), then modes (N/m, torsion: N·m/rad).
+
+    A floating base, whose six entries come first, has none.
+    """
     values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     springs = [
         values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
         for link in model.robot.links
         for j in range(len(link.joint.axes))
     ]
-    return np.array([*springs, *(k for constants in model.numpy(p).constants for k in constants["K"])], float)
+    modal = (k for constants in model.numpy(p).constants for k in constants["K"])
+    return np.array([*[0.0] * model.chain.base_v, *springs, *modal], float)
 
 
 def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..arguments import Parameters, array
 from ..errors import SingularError, UsageError
+from ..spec.base import HOME, POSE, TWIST
 from ..spec.link_class import link_class
 from ..spec.parameters import turning
 from ..spec.parents import parents
@@ -22,6 +23,17 @@ from .loops import Closure, closures
 from .parameters import labels
 from .tree import BASE, Tree
 
+SLACK = 1e-3
+"""How far the length of a stated quaternion may be from one."""
+
+FREE: dict[str, dict[str, int]] = {
+    "q": {"position": 3, "quaternion": 4},
+    "qdot": {"twist": 6},
+    "qddot": {"Vdot": 6},
+    "force": {"base_force": 6},
+}
+"""The signals of a floating base that precede those of the joints, with their sizes."""
+
 
 class Chain:
     """A robot as the algorithms see it: one class and one set of offsets per link."""
@@ -29,8 +41,10 @@ class Chain:
     def __init__(self, robot: Robot):
         self.robot = robot
         self.segments = segments(robot)
-        kind = lambda s: link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number)  # noqa: E731
-        self.keys = [kind(segment) for segment in self.segments]
+        self.keys = [
+            link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number, robot.floating and i == 0)
+            for i, s in enumerate(self.segments)
+        ]
         self.tree = Tree(_carriers(robot, self.segments))
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
@@ -40,8 +54,8 @@ class Chain:
 
     @property
     def serial(self) -> bool:
-        """Whether every link carries at most one other, without loops."""
-        return self.tree.is_chain and not self.closures
+        """Whether every link carries at most one other, on a fixed base and without loops."""
+        return self.tree.is_chain and not self.closures and not self.floating
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -54,8 +68,28 @@ class Chain:
 
     @property
     def n_joints(self) -> int:
-        """The number of joint coordinates, the first of `q`."""
+        """The number of joint coordinates, the first of `q`, or those behind the pose of a floating base."""
         return self.q_offset[-1]
+
+    @property
+    def floating(self) -> bool:
+        """Whether the first link moves freely: its pose precedes the joint coordinates, its twist their rates."""
+        return self.keys[0].free
+
+    @property
+    def base_q(self) -> int:
+        """The number of coordinates of a floating base, which is the index of the first joint coordinate in `q`."""
+        return len(POSE) if self.floating else 0
+
+    @property
+    def base_v(self) -> int:
+        """The number of their rates, which is the index of the first joint rate in `v`."""
+        return len(TWIST) if self.floating else 0
+
+    @property
+    def home(self) -> list[float]:
+        """The coordinates (nq) with joints and modes at zero, and a floating base at the inertial frame."""
+        return [*HOME[: self.base_q], *[0.0] * (self.nq - self.base_q)]
 
     @property
     def n_tau(self) -> int:
@@ -68,13 +102,13 @@ class Chain:
 
     @property
     def nq(self) -> int:
-        """The number of coordinates: joints, then modes."""
-        return self.n_joints + self.n_modes
+        """The number of coordinates: of a floating base, joints, modes."""
+        return self.base_q + self.n_joints + self.n_modes
 
     @property
     def nv(self) -> int:
         """The number of their rates."""
-        return self.nq
+        return self.nq - self.base_q + self.base_v
 
     @property
     def eta_q(self) -> int:
@@ -86,8 +120,36 @@ class Chain:
         """The index of its rate in `v`."""
         return self.nv - self.n_modes
 
-    def needs_tree(self, what: str, instead: str) -> None:
-        """Raises UsageError where loops close the tree: ``what`` there is none of, and what to do ``instead``."""
+    def complete(self, given: np.ndarray, rates: bool = False) -> np.ndarray | str:
+        """All coordinates (nq,), or `rates` (nv,), from all of them, those of the joints alone, or none.
+
+        A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Returns
+        what is wrong with them as a text, "<what is wrong>; <what is allowed>".
+        """
+        out = np.zeros(self.nv) if rates else np.array(self.home)
+        if len(given) == len(out):
+            out[:] = given
+        elif len(given) in (0, self.n_joints):
+            first = self.base_v if rates else self.base_q
+            out[first : first + len(given)] = given
+        else:
+            allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
+            return f"has length {len(given)}; it must have {allowed}"
+        if self.floating and not rates:
+            size = float(np.linalg.norm(out[3:7]))
+            if not abs(size - 1) <= SLACK:
+                return f"has a quaternion of length {size:.6g}, entries 3 to 6 (w, x, y, z); it must have length 1"
+            out[3:7] /= size
+        return out
+
+    def needs_fixed(self, what: str, instead: str) -> None:
+        """Raises UsageError where the base floats: ``what`` there is none of, and what to do ``instead``."""
+        if self.floating:
+            raise UsageError(f"robot '{self.robot.name}' has a floating base, for which there is no {what}; {instead}")
+
+    def needs_fixed_tree(self, what: str, instead: str) -> None:
+        """The same also where loops close the tree."""
+        self.needs_fixed(what, instead)
         if self.closures:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
@@ -98,6 +160,9 @@ class Chain:
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
+        if self.keys[link].free:
+            said = f"the floating base has no inertia about some axis in this posture{self.caution}"
+            return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
 
     @property
@@ -121,7 +186,7 @@ class Chain:
     @property
     def n_given(self) -> int:
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
-        return self.nv if self.sprung else self.n_modes
+        return self.nv - self.base_v if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
         """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link.
@@ -154,13 +219,23 @@ class Chain:
         return out
 
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
-        """``[joint coordinates; modal coordinates]`` as one mapping per link."""
-        qs, es, m = self.q_offset, self.eta_offset, len(q) - self.n_modes
-        return [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        """``[joint coordinates; modal coordinates]`` as one mapping per link; the first has those of a floating base.
+
+        ``joint`` and ``modal`` are the names of their signals, ``joint`` one of ``FREE``.
+        """
+        parts, count = {}, 0
+        for name, size in FREE[joint].items() if self.floating else ():
+            parts[name], count = list(q[count : count + size]), count + size
+        m, es = len(q) - self.n_modes, self.eta_offset
+        qs = [count + k for k in self.q_offset]
+        links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        links[0] |= parts
+        return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
-        return [x for link in links for x in link[joint]] + [x for link in links for x in link[modal]]
+        free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
+        return free + [x for link in links for x in link[joint]] + [x for link in links for x in link[modal]]
 
     @cached_property
     def parameter_labels(self) -> list[dict[str, int]]:

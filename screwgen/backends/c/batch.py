@@ -45,6 +45,7 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     ``constants`` are the members of a link's struct, ``states`` those of a scenario in a step, ``place`` is that of the
     fused function.
     """
+    chain.needs_fixed("batch", "step the scenarios one after the other")
     program = dynamics(chain, baked)
     pointers = ("c", "state", "input", "work", "output", "sin_q", "cos_q", KEPT)
     placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)

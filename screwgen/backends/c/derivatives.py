@@ -26,7 +26,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
+    chain.needs_fixed_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
     check_size(chain, chain.nq, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")

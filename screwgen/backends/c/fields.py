@@ -128,14 +128,26 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     }
 
 
-def topology(chain: Chain) -> dict[str, list]:
+def floating_base(chain: Chain) -> dict[str, object]:
+    """Where the joints begin in ``q`` and ``v``: offsets of pointers (``past``) and of indices (``from``), as text."""
+    first = {"q": "$$_NPOSE", "v": "$$_NTWIST"} if chain.floating else {}
+    return {
+        "floating": chain.floating,
+        "first_q": chain.base_q,
+        "first_v": chain.base_v,
+        "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
+        "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
+    }
+
+
+def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
-        return {"bases": [], "carriers": []}
+        return {"bases": [], "carriers": [], **floating_base(chain)}
     links = chain.robot.links
-    names = ["the base", *(link.name for link in links)]
+    names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
-    return {"bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
+    return {**floating_base(chain), "bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:
@@ -172,7 +184,7 @@ def scratch(
     own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
     chain = (c.n + 1) * total(node) + c.n * total(store)
     loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
-    work = own["work"] + states * own["state"] + own["output"] + chain * modular + loops
+    work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * modular + loops
     dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops
     return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 

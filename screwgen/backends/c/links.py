@@ -51,7 +51,7 @@ RUNS: dict[str, Run] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot etaddot wrench motion tip.R tip.r",
+        "qddot Vdot etaddot wrench motion tip.R tip.r",
         apart=True,
         skipped={"poses": "call->tip_pose"},
     ),
@@ -72,13 +72,15 @@ RUNS: dict[str, Run] = {
         "Poses and twists of the DAE form from coordinates and rates.",
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
-    "inverse": _run(alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_eta wrench"),
+    "inverse": _run(
+        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force base_force force_eta wrench"
+    ),
     "inertia": Run(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
-        frozenset({"force", "force_eta"}),
+        frozenset({"force", "base_force", "force_eta"}),
         False,
-        zero=frozenset("qdot etadot w_ext f_q f_eta gravity".split()),
+        zero=frozenset("qdot twist etadot w_ext f_q f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
     "motion_of": _run(

@@ -122,7 +122,6 @@ class CProject:
             "layout": self.layout,
             "binding": self.binding,
             "n": chain.n,
-            "n_joints": chain.n_joints,
             "n_modes": chain.n_modes,
             "nq": chain.nq,
             "nv": chain.nv,

@@ -92,6 +92,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
 
     def mass_matrix() -> dict[str, ca.SX]:
+        if chain.floating:
+            return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], vdot)}
         lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
@@ -209,7 +211,12 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
     q, v = x[: chain.nq], x[chain.nq :]
     w_ext = ca.reshape(u[chain.n_tau :], 6, chain.n)
     vdot = dynamics(q, v, u[: chain.n_tau], w_ext, p)[0]
-    return dict(x=x, u=u, p=p, ode=ca.vertcat(v, vdot))
+    return dict(x=x, u=u, p=p, ode=ca.vertcat(coordinate_rates(chain, q, v, p), vdot))
+
+
+def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
+    """``dq/dt``, which is v but for the pose of a floating base."""
+    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
 
 
 def expressions(program: Program, given: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
@@ -290,6 +297,7 @@ def casadi_files(
         others=[name for name in functions if name not in saved],
         parameters=parameter_names,
         sliding=not all(turning(robot)),
+        floating=robot.floating,
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,

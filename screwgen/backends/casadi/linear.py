@@ -18,7 +18,7 @@ def linearisation(chain: Chain) -> ca.Function:
     y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s, m/s²), the joint
     wrenches link by link (6 n) and the strains of :func:`base_strains`.
     """
-    chain.needs_tree("linear model", "differentiate casadi()['step']")
+    chain.needs_fixed_tree("linear model", "differentiate casadi()['step']")
     sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "tau": (chain.n_tau, 1), "w_ext": (6, chain.n)}
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | parameter_symbols(chain)
     q, v, p = given["q"], given["v"], given["p"]
@@ -48,7 +48,7 @@ def statics(chain: Chain) -> ca.Function:
     derivative with q; ``weight`` (nq x 3) its derivative with gravity; ``wrench`` the joint wrenches (6 x n);
     ``tip`` the last tip's position (3).
     """
-    chain.needs_tree("equilibrium", "simulate it with dampers, or with PD control")
+    chain.needs_fixed_tree("equilibrium", "simulate it with dampers, or with PD control")
 
     def body(f: Functions, x):
         rest = [0.0] * chain.nv

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
 import casadi as ca
@@ -10,8 +10,9 @@ import casadi as ca
 from ...algorithms import fused
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
+from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
-from .functions import expressions, function, rotations
+from .functions import coordinate_rates, expressions, function, rotations
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
@@ -48,20 +49,36 @@ class Held:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own = slice(q.numel() - self.chain.n_given, None)
+        own, rates = (x[x.numel() - self.chain.n_given :, 0] for x in (q, v))
         K, D, times = self.stiffness, self.damping, self.chain.modal_product
         felt = {
             "m_eta": self.inertia + h * D + h**2 * K,
-            "f_eta": times(K, q[own, 0] + h * v[own, 0]) + times(D, v[own, 0]),
+            "f_eta": times(K, own + h * rates) + times(D, rates),
         }
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
 
+class Curved:
+    """The coordinates behind a floating base in SX: a :class:`~screwgen.integrators.se3.Space`."""
+
+    def __init__(self, chain: Chain):
+        self._moved, self._rate = programs(chain.nq, chain.nv)
+
+    def moved(self, q: ca.SX, u: ca.SX) -> ca.SX:
+        return expressions(self._moved, {"q": q, "u": u})["q"]
+
+    def rate(self, u: ca.SX, v: ca.SX) -> ca.SX:
+        return expressions(self._rate, {"u": u, "v": v})["rate"]
+
+
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
-    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds."""
+    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds.
+
+    The quaternion of a floating base is multiplied by unit quaternions and not scaled.
+    """
     given = symbols(chain, "q v tau w_ext p dt")
     held = Held(chain, given["tau"], given["w_ext"], given["p"])
-    q, v = method.step(held, given["q"], given["v"], given["dt"])
+    q, v = method.step(held, given["q"], given["v"], given["dt"], Curved(chain) if chain.floating else FLAT)
     return function(name, given, q_next=q, v_next=v)
 
 
@@ -70,10 +87,19 @@ def tip_jacobian(chain: Chain) -> ca.Function:
     given = symbols(chain, "q p")
     found = expressions(fused.poses(chain), given)
     R, position = rotations(found["tip_R"], chain.n)[:, -3:], found["tip_position"][-3:]
-    slopes = ca.jacobian(ca.vec(R), given["q"])
-    columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nq)]
+    slopes = along_rates(chain, ca.vec(R), given)
+    columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nv)]
     turning = ca.horzcat(ca.SX(3, 0), *columns)
-    return function("tip_jacobian", given, J=ca.vertcat(turning, ca.jacobian(position, given["q"])))
+    return function("tip_jacobian", given, J=ca.vertcat(turning, along_rates(chain, position, given)))
+
+
+def along_rates(chain: Chain, f: ca.SX, given: Mapping[str, ca.SX]) -> ca.SX:
+    """The matrix that takes v to the rate of a function of q."""
+    slopes = ca.jacobian(f, given["q"])
+    if not chain.floating:
+        return slopes
+    v = ca.SX.sym("v", chain.nv)
+    return slopes @ ca.jacobian(coordinate_rates(chain, given["q"], v, given["p"]), v)
 
 
 def _axis(spin: ca.SX) -> ca.SX:
@@ -88,12 +114,13 @@ def scaling(chain: Chain) -> ca.Function:
     bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad or
     slide by 1 m.  E is 1 J where there are no joints.
     """
-    given, m = symbols(chain, "p"), chain.n_joints
+    given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
     inputs = symbols(chain, "q v vdot w_ext") | given
     force = expressions(fused.inertial_force(chain), inputs)["force"]
     M = ca.diag(ca.jacobian(force, inputs["vdot"]))
-    inertia = ca.substitute(M, inputs["q"], ca.SX.zeros(chain.nq))
+    inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
-    twice = ca.mmax(inertia[:m]) if m else ca.SX(2.0)
-    q = ca.vertcat(ca.SX.ones(m), ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given]))
+    twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
+    elastic = stiffness[chain.n_given - chain.n_modes : chain.n_given]
+    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ca.sqrt(twice / elastic))
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))

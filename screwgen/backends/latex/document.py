@@ -139,7 +139,7 @@ def _robot(robot: Robot, chain: Chain) -> Section:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     links += f" of {chain.n} segments" if chain.n > len(robot.links) else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
-    count = f"{links}, {joints}, {chain.n_modes} modal"
+    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
@@ -161,6 +161,7 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         slides=chain.slides,
         tree=not chain.tree.is_chain,
         loops=bool(chain.closures),
+        floating=chain.floating,
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

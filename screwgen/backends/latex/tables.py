@@ -56,7 +56,7 @@ def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_screw, key.screws)) or "welded"
+    return ", ".join(map(_screw, key.screws)) or ("free" if key.free else "welded")
 
 
 def _screw(screw: Screw) -> str:

@@ -13,9 +13,19 @@ from typing import NamedTuple
 import numpy as np
 
 from ...integrators.method import Method, Move, Stage, times, weighted
+from ...integrators.se3 import FLAT, Floating, Series, Space, algebra_rate, exponential
 from ...topology.chain import Chain
 from .own_forces import OwnForces
 from .python import c4, c5
+
+SERIES = Series(c4, c5)
+"""The Stumpff functions of numbers."""
+
+
+def space_of(chain: Chain) -> Space:
+    """How the coordinates of the joint form move."""
+    return Floating(SERIES) if chain.floating else FLAT
+
 
 Function = Callable[..., Sequence]
 
@@ -35,6 +45,7 @@ class DaeDynamics:
         self.forces = OwnForces(chain, *properties)
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
+        self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
     def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
@@ -59,41 +70,13 @@ class DaeDynamics:
     def move(self, x: np.ndarray, u: np.ndarray, change: np.ndarray) -> np.ndarray:
         """``x + change``, but for the poses: those of ``x`` times ``exp(u)``, one row of ``u`` per link."""
         new = x + change
-        new[self.pose] = np.concatenate([exponential(*row) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)])
+        new[self.pose] = np.concatenate(
+            [exponential(*row, SERIES) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)]
+        )
         return new
 
     def twists(self, x: np.ndarray) -> np.ndarray:
         return x[self.twist].reshape(-1, 6)
-
-
-def exponential(pose: np.ndarray, u: np.ndarray) -> np.ndarray:
-    """The pose (w, x, y, z, px, py, pz) times ``exp`` of ``u = [turn; shift]`` in the body's axes.
-
-    Products are summed in order, not by BLAS, whose rounding depends on the machine.
-    """
-    turn, shift = u[:3], u[3:]
-    x = float(sum(turn * turn))
-    cross = np.cross(turn, shift)
-    moved = shift + (0.5 - x * c4(x)) * cross + (1 / 6 - x * c5(x)) * np.cross(turn, cross)
-    quarter = x / 4
-    w, v = 1 - quarter * (0.5 - quarter * c4(quarter)), (1 - quarter * (1 / 6 - quarter * c5(quarter))) / 2 * turn
-    a, b = pose[0], pose[1:4]
-    t = 2 * np.cross(b, moved)
-    return np.concatenate(
-        [[a * w - sum(b * v)], a * v + w * b + np.cross(b, v), pose[4:] + moved + a * t + np.cross(b, t)]
-    )
-
-
-def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
-    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, with terms up to order four."""
-    first = bracket(u, V)
-    return V + first / 2 + bracket(u, first) / 12
-
-
-def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The Lie bracket of se(3), row by row, (25)."""
-    angular = np.cross(a[:, :3], b[:, :3])
-    return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
 
 
 # ------------------------------------------------------------------------------ a step
@@ -146,6 +129,6 @@ class HeldDae:
         by, kick = times(self.h, move.reach), times(self.h, move.kick)
         change = rates.copy()
         change[d.eta] = x[d.etadot] + kick * rates[d.etadot]
-        change[d.q] += (kick - reach) * vdot[: len(x[d.q])]
+        change[d.q] += (kick - reach) * vdot[d.joints]
         u = by * (d.twists(x) + kick * d.twists(rates))
         return d.move(x, u, by * change), u

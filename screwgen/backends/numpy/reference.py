@@ -110,12 +110,19 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     m, n = chain.n_joints, chain.n
     K = [float(k) for c in functions.constants for k in c["K"]]
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
+    pose = _unit(draw(chain.base_q, 7, 0.9))
     return {
-        "q": nearly_closed(chain, draw(m, 1, 1.2) + eta),
-        "v": draw(m, 3, 0.8) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
+        "q": nearly_closed(chain, pose + draw(m, 1, 1.2) + eta),
+        "v": draw(chain.base_v, 8, 0.8) + draw(m, 3, 0.8) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": draw(m, 5, 20.0),
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
+
+
+def _unit(pose: list[float]) -> list[float]:
+    """The pose of a floating base, its quaternion scaled to length one; of a fixed base there is none."""
+    size = mpmath.sqrt(sum(mpmath.mpf(x) ** 2 for x in pose[3:]))
+    return pose[:3] + [float(x / size) for x in pose[3:]]
 
 
 def _fraction(number: int, salt: int, j: int) -> float:

@@ -21,11 +21,12 @@ from ...bodies.validity import BOUNDS
 from ...errors import SingularError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
+from ...integrators.se3 import unit
 from ...ir.program import Program
 from ...ir.replay import run
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .dae_step import DaeDynamics, HeldDae
+from .dae_step import DaeDynamics, HeldDae, space_of
 from .own_forces import OwnForces
 from .reference import Case
 
@@ -92,6 +93,15 @@ class _Soft:
         at_q, at_v = there or (q, v)
         return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
 
+    def step(self, method: Method, q: np.ndarray, v: np.ndarray, dt: float) -> Motion:
+        """A step of the joint form."""
+        q, v = method.step(self, q, v, dt, space_of(self.chain))
+        return (unit(q) if self.chain.floating else q), v
+
+    def parts(self, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
+        """Coordinates, modal ones apart, and rates likewise."""
+        return [*np.split(q, [self.chain.eta_q]), *np.split(v, [self.chain.eta_v])]
+
     def dae(self) -> DaeDynamics:
         """The DAE form of the same functions."""
         f = self.functions
@@ -120,9 +130,7 @@ def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
         start[dae.twist] += DEFECT
         joint, ends, held = [], [], (np.array(soft.tau), np.array(soft.w_ext))
         for method in methods:
-            joint.append(
-                [weighted_sum(part) for x in method.step(soft, q, v, dt) for part in np.split(x, [chain.n_joints])]
-            )
+            joint.append([weighted_sum(part) for part in soft.parts(*soft.step(method, q, v, dt))])
             ends.append(_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(method))))
         f.given = None
         return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case))
@@ -140,11 +148,11 @@ def _measures(f: Functions, case: Case) -> list[float]:
 
 def _length(soft: _Soft, q: np.ndarray, v: np.ndarray) -> float:
     """LONGEST, halved until neither joints move far nor accelerations change much."""
-    dt, m = LONGEST, soft.chain.n_joints
+    dt, m = LONGEST, soft.chain.eta_q
     start = soft.explicit(q, v)
     while dt > SHORTEST:
         with contextlib.suppress(SingularError):
-            there = METHODS["semi_implicit"].step(soft, q, v, dt)
+            there = soft.step(METHODS["semi_implicit"], q, v, dt)
             change = np.abs(soft.explicit(*there) - start).max(initial=0.0)
             far = np.abs(there[0] - q)[:m].max(initial=0.0)
             if change <= SHARE * np.abs(start).max(initial=0.0) and far <= SHARE:

@@ -39,6 +39,8 @@ class Analysis(Findings):
         return report(self)
 
 
+FIXED = "analysis", "look at the robot with a fixed base and without loops"
+
 # ------------------------------------------------------------------------------ the analysis
 
 
@@ -56,7 +58,7 @@ def analyse(
     a `controller(t, q, v)` its torques, held over each step, take the place of the states' and its gains enter the
     spectrum. A singular posture is reported, not raised. Raises UsageError.
     """
-    model.chain.needs_tree("analysis", "look at that of the open tree, without [[loops]]")
+    model.chain.needs_fixed_tree(*FIXED)
     check_step(step)
     given = _labelled(model, states, controller is None)
     if controller is not None and any(state.tau.any() for state in given.values()):
@@ -131,6 +133,7 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
     the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
     the undeformed posture at rest; else they are zero.
     """
+    model.chain.needs_fixed(*FIXED)
     rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
     deflection, rate = modal_scale(model)
     most = np.where(turning(model.robot), 1.0, 1 / np.pi)

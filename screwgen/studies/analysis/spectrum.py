@@ -116,6 +116,7 @@ class Linearised:
         w_ext: Numbers | None = None,
         p: Parameters | None = None,
     ):
+        model.chain.needs_fixed("spectrum", "analyse the robot with a fixed base")
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
         self.model, self.p = model, model.chain.parameters.vector(p)

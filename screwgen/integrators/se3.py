@@ -1,0 +1,113 @@
+"""Poses on SE(3), moved by the exponential map: for the links of the DAE form, and for a floating base.
+
+A pose is (w, x, y, z, px, py, pz). Entries are numbers or symbols; products are summed in order, not by BLAS, whose
+rounding depends on the machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from ..ir.program import Program, Tracer
+
+Stumpff = Callable[[Any], Any]
+
+
+class Series(NamedTuple):
+    """The Stumpff functions of the entries' algebra."""
+
+    c4: Stumpff
+    c5: Stumpff
+
+
+def exponential(pose: np.ndarray, u: np.ndarray, series: Series) -> np.ndarray:
+    """The pose times ``exp`` of ``u = [turn; shift]`` in the body's axes."""
+    c4, c5 = series
+    turn, shift = u[:3], u[3:]
+    x = sum(turn * turn)
+    cross = np.cross(turn, shift)
+    moved = shift + (0.5 - x * c4(x)) * cross + (1 / 6 - x * c5(x)) * np.cross(turn, cross)
+    quarter = x / 4
+    w, v = 1 - quarter * (0.5 - quarter * c4(quarter)), (1 - quarter * (1 / 6 - quarter * c5(quarter))) / 2 * turn
+    a, b = pose[0], pose[1:4]
+    t = 2 * np.cross(b, moved)
+    return np.concatenate(
+        [[a * w - sum(b * v)], a * v + w * b + np.cross(b, v), pose[4:] + moved + a * t + np.cross(b, t)]
+    )
+
+
+def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
+    """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, row by row, with terms up to order four."""
+    first = bracket(u, V)
+    return V + first / 2 + bracket(u, first) / 12
+
+
+def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The Lie bracket of se(3), row by row, (25)."""
+    angular = np.cross(a[:, :3], b[:, :3])
+    return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
+
+
+class Space(Protocol):
+    """The coordinates of a robot: a change ``u`` (nv,) of them, and its rate."""
+
+    def moved(self, q: Any, u: Any) -> Any:
+        """The coordinates (nq,) at ``u`` from ``q``."""
+
+    def rate(self, u: Any, v: Any) -> Any:
+        """The rate of ``u`` where the rates are ``v`` (nv,)."""
+
+
+class Flat:
+    """Coordinates that add up: those of a fixed base."""
+
+    def moved(self, q: Any, u: Any) -> Any:
+        return q + u
+
+    def rate(self, u: Any, v: Any) -> Any:
+        return v
+
+
+FLAT = Flat()
+
+
+class Floating:
+    """Those behind the pose of a floating base, ``q = [position; quaternion; ...]``, which moves by ``exp(u)``.
+
+    The pose is a product of poses, so the quaternion keeps its length but for rounding.
+    """
+
+    def __init__(self, series: Series):
+        self.series = series
+
+    def moved(self, q: np.ndarray, u: np.ndarray) -> np.ndarray:
+        pose = exponential(np.concatenate([q[3:7], q[:3]]), u[:6], self.series)
+        return np.concatenate([pose[4:], pose[:4], q[7:] + u[6:]])
+
+    def rate(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return np.concatenate([algebra_rate(u[None, :6], v[None, :6])[0], v[6:]])
+
+
+def unit(q: np.ndarray) -> np.ndarray:
+    """Coordinates behind the pose of a floating base, the quaternion scaled to length one."""
+    out = np.array(q, float)
+    out[3:7] /= np.sqrt(sum(out[3:7] * out[3:7]))
+    return out
+
+
+def programs(nq: int, nv: int) -> tuple[Program, Program]:
+    """``(q, u) -> (q)`` and ``(u, v) -> (rate)`` of :class:`Floating`, for symbols of any kind."""
+    return (
+        _traced("moved", {"q": nq, "u": nv}, lambda space, q, u: {"q": space.moved(q, u)}),
+        _traced("rate", {"u": nv, "v": nv}, lambda space, u, v: {"rate": space.rate(u, v)}),
+    )
+
+
+def _traced(name: str, sizes: dict[str, int], body: Callable[..., dict]) -> Program:
+    tracer = Tracer()
+    space = Floating(Series(lambda x: tracer.call("c4", x), lambda x: tracer.call("c5", x)))
+    values = (np.array(tracer.input(x, size), dtype=object) for x, size in sizes.items())
+    return tracer.program(name, sizes, {x: list(out) for x, out in body(space, *values).items()})

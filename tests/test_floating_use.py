@@ -1,0 +1,177 @@
+"""Floating bases, as users meet them: C, names, runs, figures, and what is refused in one line."""
+
+import re
+import subprocess
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from conftest import require_tool
+from floating_robots import SATELLITE, TAU, start
+from helpers import example, example_file, model_of, quick, relative
+from random_robots import to_toml
+
+from screwgen import PD, SingularError, UsageError, derive, equilibrium, rollout, simulate
+from screwgen.cli.commands import evaluation
+from screwgen.errors import RobotFileError
+from screwgen.plotting import plot
+from screwgen.runtime.compiled import CompiledStepper
+from screwgen.simulation.controllers import Holding, read_pd
+from screwgen.simulation.motion import centrelines
+from screwgen.simulation.state import State
+from screwgen.spec import load
+from screwgen.spec.base import TWIST
+from screwgen.spec.parameters import coordinate_units
+from screwgen.studies.analysis import analyse, spectrum
+from screwgen.studies.convergence import convergence
+from screwgen.studies.modes import natural_frequencies, stiffness_matrix
+
+
+@pytest.fixture(scope="module")
+def satellite():
+    return model_of(SATELLITE)
+
+
+def test_the_self_check_of_the_c_passes_in_both_layouts_and_precisions(satellite, tmp_path):
+    require_tool("cc")
+    for layout in ("fused", "modular"):
+        satellite.write(tmp_path / layout, targets=("c",), layout=layout)
+        done = subprocess.run(["make", "-C", tmp_path / layout / "c", "check"], capture_output=True, text=True)
+        assert done.returncode == 0 and done.stdout.count("all checks passed") == 2, done.stdout + done.stderr
+        assert "warning" not in done.stderr
+    header = (tmp_path / "fused" / "c" / "satellite.h").read_text()
+    assert "SATELLITE_NPOSE = 7" in header and "q[7], v[6]  left.joint[0]" in header
+
+
+def test_names_and_units_begin_with_the_base(satellite):
+    assert satellite.q_names[:8] == [*(f"base.{x}" for x in ("x", "y", "z", "qw", "qx", "qy", "qz")), "left.joint[0]"]
+    assert satellite.v_names[:7] == [*(f"base.{x}" for x in TWIST), "left.joint_rate[0]"]
+    assert satellite.tau_names[0] == "left.torque[0]" and satellite.wrench_names[0] == "hull.tau_x"
+    assert (satellite.nq, satellite.nv, satellite.chain.n_tau) == (17, 16, 4)
+    assert coordinate_units(satellite.robot)[:8] == ["m", "m", "m", "1", "1", "1", "1", "rad"]
+
+
+def test_a_run_starts_at_the_joints_alone_and_a_law_moves_them(satellite):
+    law = PD((4.0, 1.0, 1.0, 0.02), (3.5, 0.6, 0.6, 0.015), (0.2, -0.1, 0.1, 0.2))
+    form = partial(CompiledStepper, quick(satellite))
+    run = simulate(satellite, 6.0, 4e-3, [0.1] * 4, None, law, form=form, integrator="modal_midpoint")
+    assert np.allclose(run.q[0, :11], [0, 0, 0, 1, 0, 0, 0, 0.1, 0.1, 0.1, 0.1])
+    assert np.allclose(run.q[-1, 7:11], law.q_des, atol=5e-3)
+    titles = [axes.get_title(loc="left") for axes in plot.figure(run, satellite, law).axes]
+    assert "Base, inertial frame" in titles and "Turn of the base" in titles
+    assert 1e-3 < np.linalg.norm(run.q[-1, :3]) < 0.2
+    place = centrelines(satellite, run.q[-1], [0.0, 1.0])
+    assert np.allclose(place[0], run.q[-1, :3]) and np.linalg.norm(place[2, 1] - place[0, 0]) > 0.8
+
+
+def test_the_space_arm_of_the_examples_moves_by_its_law_and_keeps_its_momentum_at_zero():
+    model = example("space_arm")
+    law = replace(read_pd(example_file("space_arm").with_name("space_arm_law.toml"), model), waypoints=())
+    law = replace(law, duration=0.4)
+    assert law.floating and (model.nq, model.n_tau) == (31, 6)
+    form = partial(CompiledStepper, quick(model))
+    run = simulate(model, 0.4, 1e-3, controller=law, form=form, integrator="rk4")
+    M, v = model.numpy().mass_matrix(run.q[-1]), run.v[-1]
+    assert np.abs(run.q[-1, 7:13]).max() > 0.1 and np.linalg.norm(run.q[-1, :3]) > 1e-3
+    assert np.all(np.abs((M @ v)[:6]) < 1e-8 * (np.abs(M) @ np.abs(v))[:6])
+
+
+@pytest.mark.parametrize("form", ["joint", "dae"])
+def test_the_command_line_evaluates_it_alike_in_casadi(satellite, form):
+    q, v = start(satellite)
+    state = State(q, v, np.array(TAU), np.ones((4, 6)))
+    found, expected = (evaluation(satellite, state, *x) for x in (("casadi", form), ("numpy", "joint")))
+    assert relative(found["vdot"], expected["vdot"]) < 1e-10 and relative(found["wrench"], expected["wrench"]) < 1e-10
+
+
+WRONG = [  # what replaces a part of the file, and what the message says
+    ({"base": "free"}, 'base: is "free"; it must be "fixed" or "floating"'),
+    ({"base": True}, "base: is true; it must be"),
+    ({"base": ["floating"]}, "base: is an array of 1; it must be"),
+    ({"hull": {"axes": ["z"]}}, "links[0].joint.axes: is stated for the first link, which a floating base leaves free"),
+    ({"hull": {"axes": [{"slide": "x"}]}}, "links[0].joint.axes: is stated"),
+    ({"hull": {"axes": [], "mount": {"xyz": [0.0, 0.0, 1.0]}}}, "links[0].joint.mount: is stated for the first link"),
+    ({"hull": {"axes": [], "armature": [1.0]}}, "links[0].joint.armature"),
+    ({"left": {"parent": "world"}}, "links[1].parent: is the world, but of a robot with base"),
+    ({"left_fore": {"parent": "right"}}, 'links[2].parent: is "right", which comes later'),
+    ({"hull_parent": "hull"}, 'links[0].parent: is "hull", which is the link itself'),
+    ({"hull": None}, "links[0].joint: is missing"),
+]
+
+
+@pytest.mark.parametrize(("change", "said"), WRONG, ids=[str(k) for k in range(len(WRONG))])
+def test_a_wrong_file_is_refused_in_one_line(change, said, tmp_path):
+    robot = {**SATELLITE, "links": [dict(part) for part in SATELLITE["links"]]}
+    hull, left, fore, _ = robot["links"]
+    for key, value in change.items():
+        match key:
+            case "base":
+                robot["base"] = value
+            case "hull_parent":
+                hull["parent"] = value
+            case "hull" if value is None:
+                del hull["joint"]
+            case "hull":
+                hull["joint"] = value
+            case _:
+                {"left": left, "left_fore": fore}[key].update(value)
+    (tmp_path / "bot.toml").write_text(to_toml(robot))
+    with pytest.raises(RobotFileError) as refused:
+        load(tmp_path / "bot.toml")
+    message = re.sub(r" \(link \w+\)", "", str(refused.value))
+    assert said in message and "\n" not in message
+
+
+def test_what_needs_a_fixed_base_says_so(satellite):
+    q, v = start(satellite)
+    numeric, still = satellite.numpy(), np.zeros((4, 6))
+    calls = {
+        "linear model": lambda: satellite.linearise(q),
+        "equilibrium": lambda: equilibrium(satellite),
+        "table of modes": lambda: natural_frequencies(satellite),
+        "table of": lambda: convergence(satellite),
+        "batch": lambda: rollout(satellite, np.zeros((2, 33)), np.zeros((2, 3, 4)), step=1e-3),
+        "code for exact derivatives": lambda: numeric.derivatives(q, v, TAU, still),
+        "C of derivatives": lambda: satellite.c_files(estimator=True),
+        "export to acados": satellite.acados,
+        "analysis": lambda: analyse(satellite),
+        "spectrum": lambda: spectrum.step_map(satellite, q, v, 1e-3, "rk4"),
+        "Z-form": lambda: satellite.cauchy_names,
+        "torque that holds it": lambda: Holding(satellite),
+    }
+    for what, call in calls.items():
+        with pytest.raises(
+            UsageError, match=f"'satellite' has a floating base, for which there is no {what}.*; "
+        ) as said:
+            call()
+        assert "\n" not in str(said.value)
+    with pytest.raises(UsageError, match="batch"):
+        satellite.c_files(batch=True)
+    with pytest.raises(UsageError, match=r"arm is a chain|floating base"):
+        derive(satellite.robot, formulation="printed")
+    K = stiffness_matrix(satellite)  # which modes of a free robot are found with
+    assert K.shape == (16, 16) and not K[:10].any() and np.all(np.diag(K)[10:] > 0)
+    assert not {"assemble_z", "cauchy"} & set(satellite.casadi())
+
+
+def test_states_that_are_no_states_are_refused(satellite):
+    for q, said in (
+        ([0.0] * 17, "quaternion of length 0"),
+        ([1.0] * 17, "quaternion of length 2"),
+        ([0.0] * 5, "length 5"),
+    ):
+        with pytest.raises(UsageError, match=said):
+            simulate(satellite, 0.01, 1e-3, q)
+    with pytest.raises(UsageError, match="v0 has length 17; it must have 16 numbers, or the 4 of the joints alone"):
+        simulate(satellite, 0.01, 1e-3, None, [0.0] * 17)
+    point = {**SATELLITE, "links": [{**SATELLITE["links"][0], "bodies": [{"at": "base", "mass": 1.0}]}]}
+    model = model_of(point)
+    with pytest.raises(SingularError, match=r"has no inertia about some axis .* give link 'hull' a body"):
+        model.numpy().forward_dynamics(model.chain.home, np.zeros(6), [], np.zeros((1, 6)))
+
+
+def test_the_document_shows_the_pose_and_its_rates(satellite, tmp_path):
+    satellite.write(tmp_path / "out", targets=("latex",))
+    text = (tmp_path / "out" / "latex" / "satellite.tex").read_text()
+    assert r"\subsection{Floating base}" in text and r"\dot{\mathbf{Q}}_i" in text

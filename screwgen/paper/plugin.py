@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..errors import UsageError
 from ..plugins import Plugin
 
-NO_TREE = "the Z-form is that of a chain; leave out parent and loops"
+NO_TREE = "the Z-form is that of a chain on a fixed base; leave out parent, loops and base"
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;

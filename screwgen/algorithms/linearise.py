@@ -63,7 +63,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
     key = chain.keys[i]
-    shapes = {name: STORE[name].size(key.joints, key.modes) for name in PAIRS}
+    shapes = {name: STORE[name].size_of(key) for name in PAIRS}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
 
@@ -101,7 +101,7 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
     if key.sprung:
         return [constants[name] for name in COLUMNS["q"]]
     none = [0.0] * key.joints
-    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.armature else none, none, none]
+    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
+from .drives import accelerate_rotors, condense, drive_energies, rotor_forces, spring
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
 from .validity import axial_motion
@@ -132,16 +133,20 @@ def eliminate(s: Scope) -> None:
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
-    """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given."""
+    """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
+
+    The rotors of elastic drives are eliminated before, see :mod:`.drives`.
+    """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
         U = s.name("U", mx.multiply(M, S))
-        inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own_inertia(s)))
+        own, driving = condense(s, own_inertia(s), own_force(s))
+        inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
-        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(S.T, h)), inverse)
+        w = mx.scale_rows(mx.forward(L, driving - mx.multiply(S.T, h)), inverse)
         s.keep("joint_L", L)
         s.keep("joint_W", W)
         s.keep("joint_w", w)
@@ -155,6 +160,8 @@ def accelerate(s: Scope) -> None:
         carried = s.name("carried", mx.shift_twist(lever, mx.rotate_wrench(R.T, s.read("base.delta"))), "delta")
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
         s.write("qddot", qddot)
+        if s.key.motors:
+            accelerate_rotors(s, qddot)
     with s.step("joint wrench (48)"):
         wrench = mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-r_B, wrench))
@@ -206,6 +213,8 @@ def inverse_inward(s: Scope) -> None:
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)
     s.write("force", mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s))
+    if s.key.motors:
+        rotor_forces(s)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
@@ -268,12 +277,13 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    rotor = mx.dot(qdot, armature(s) * qdot)
+    spin, wound = drive_energies(s, q)
+    rotor = mx.dot(qdot, armature(s) * qdot) + spin
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
     R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
-    spring = mx.dot(q * stiffness(s), q)
-    s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity"), moment)])
+    springs = mx.dot(q * spring(s), q) + wound
+    s.write("potential", [stress.item() + 0.5 * springs - mx.dot(s.read("gravity"), moment)])
 
 
 # --------------------------------------------------------------------------------- parts of the joint
@@ -291,17 +301,9 @@ def joint_offset(s: Scope, q: Array) -> Array:
     return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
 
 
-def _per_axis(s: Scope, present: bool, label: str) -> Array:
-    return mx.array([s.constant(f"{label}_{j + 1}") if present else 0.0 for j in range(s.key.joints)], (s.key.joints,))
-
-
 def armature(s: Scope) -> Array:
     """The rotor inertias seen at the joint."""
-    return _per_axis(s, s.key.armature, "armature")
-
-
-def stiffness(s: Scope) -> Array:
-    return _per_axis(s, s.key.stiffness, "joint_stiffness")
+    return mx.array([s.constant(f"armature_{j + 1}") if s.key.weighted else 0.0 for j in range(s.key.joints)])
 
 
 def own_inertia(s: Scope) -> Array:
@@ -312,8 +314,3 @@ def own_inertia(s: Scope) -> Array:
 def own_force(s: Scope) -> Array:
     """The generalised forces of the joint's damper and spring."""
     return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)
-
-
-def drive(s: Scope) -> Array:
-    """The sum of the generalised forces of motor, damper and spring."""
-    return s.read("tau") - own_force(s)

@@ -108,7 +108,7 @@ def ours(model: Model, name: str, title: str, library: Library, *defines: str, e
 def same_function(model: Model, constants: str) -> Program:
     """The forward dynamics as the generated C computes it; ``constants`` see :func:`screwgen.algorithms.fused.fuse`."""
     chain = model.chain
-    inputs = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    inputs = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
 
     def body(f, x):
         vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])

@@ -97,7 +97,7 @@ def modes_run(robot: screwgen.Robot, sample: float = SAMPLE) -> Samples:
     """The motion by modes: CasADi's forward dynamics under PD, by CVODES, so that no step spoils the comparison."""
     model = screwgen.derive(robot)
     functions, p, n = model.casadi(), model.parameter_values, model.n_joints
-    q, v, t = ca.SX.sym("q", model.nq), ca.SX.sym("v", model.nq), ca.SX.sym("t")
+    q, v, t = ca.SX.sym("q", model.nq), ca.SX.sym("v", model.nv), ca.SX.sym("t")
     angles, rates = zip(*(reference(t, k) for k in range(n)), strict=True)
     tau = ca.DM(MOTION["kp"]) * ca.vertcat(*angles) + ca.DM(MOTION["kd"]) * (ca.vertcat(*rates) - v[:n])
     vdot, wrench = functions["forward_dynamics"](q, v, tau, 0, p)

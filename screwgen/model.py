@@ -75,14 +75,24 @@ class Model:
         return self.chain.nq
 
     @property
+    def nv(self) -> int:
+        """The number of their rates."""
+        return self.chain.nv
+
+    @property
     def n_links(self) -> int:
         """The number of links; one with segments counts as so many."""
         return self.chain.n
 
     @property
     def n_joints(self) -> int:
-        """The number of joint coordinates, which is the number of torques."""
+        """The number of joint coordinates, the first of `q`."""
         return self.chain.n_joints
+
+    @property
+    def n_tau(self) -> int:
+        """The number of torques."""
+        return self.chain.n_tau
 
     def blocks(self, link: int) -> dict[str, Block]:
         """The derived blocks of a link by name: those of its class and those of plug-ins."""
@@ -171,7 +181,7 @@ class Model:
     ) -> LinearModel:
         """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
 
-        ``q`` (nq, or the joints alone), ``v`` (nq), ``tau`` (n_joints), ``w_ext`` (n, 6): zero where left out;
+        ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out;
         ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
         ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``,
         ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
@@ -185,10 +195,10 @@ class Model:
     def validity(self, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
         """How far every link is from the limits of the first-order model, in a state.
 
-        ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
+        ``q`` (nq,), ``v`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
         the order of ``parameter_names``, the file's by default.  Raises SingularError that names the joint.
         """
-        v, tau = np.zeros(self.nq) if v is None else v, np.zeros(self.n_joints) if tau is None else tau
+        v, tau = np.zeros(self.nv) if v is None else v, np.zeros(self.n_tau) if tau is None else tau
         w_ext = np.zeros((self.n_links, 6)) if w_ext is None else w_ext
         return Validity(tuple(self.chain.names), self.numpy(parameters).validity(q, v, tau, w_ext))
 

@@ -46,8 +46,8 @@ def unknown_size(chain: Chain) -> int:
 def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
     links, names = chain.names, coordinate_names(chain.robot)
-    modal = list(names.q[chain.n_joints :])
-    rates = list(names.v[chain.n_joints :])
+    modal = list(names.q[chain.eta_q :])
+    rates = list(names.v[chain.eta_v :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)

@@ -134,7 +134,7 @@ class Functions:
 
     def measures_at_rest(self, q, w_ext) -> list:
         """The measures at rest in a held posture."""
-        rest = [0.0] * self.chain.nq
+        rest = [0.0] * self.chain.nv
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
@@ -151,7 +151,7 @@ class Functions:
 
     def statics(self, q, w_ext) -> tuple[list, list]:
         """The same at rest."""
-        rest = [0.0] * self.chain.nq
+        rest = [0.0] * self.chain.nv
         return self.loads(q, rest, rest, w_ext)
 
     def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:

@@ -113,7 +113,7 @@ def _stumpff(order: int, x):
 
 
 def _dynamics_inputs(chain: Chain, given: bool) -> dict[str, int]:
-    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     return sizes | ({"m_eta": chain.n_inertia, "f_eta": chain.n_given} if given else {})
 
 
@@ -195,7 +195,7 @@ def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(q, v, vdot, w_ext) -> (force)``."""
-    inputs = {"q": chain.nq, "v": chain.nq, "vdot": chain.nq, "w_ext": 6 * chain.n}
+    inputs = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "w_ext": 6 * chain.n}
 
     def body(f: Functions, x):
         return {"force": f.inverse_dynamics(x["q"], x["v"], x["vdot"], x["w_ext"])}
@@ -205,10 +205,10 @@ def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
 
 def bias(chain: Chain, constants="parameters") -> Program:
     """``(q, v, w_ext) -> (h)``: the bias force, which is the inverse dynamics without accelerations."""
-    inputs = {"q": chain.nq, "v": chain.nq, "w_ext": 6 * chain.n}
+    inputs = {"q": chain.nq, "v": chain.nv, "w_ext": 6 * chain.n}
 
     def body(f: Functions, x):
-        return {"h": f.inverse_dynamics(x["q"], x["v"], [0.0] * chain.nq, x["w_ext"])}
+        return {"h": f.inverse_dynamics(x["q"], x["v"], [0.0] * chain.nv, x["w_ext"])}
 
     return fuse(chain, "bias", inputs, body, constants)
 
@@ -218,10 +218,10 @@ def inertial_force(chain: Chain, constants="parameters") -> Program:
 
     def body(f: Functions, x):
         still = Functions(chain, f.constants, [0.0] * 3, f.apply)
-        rest = {"q": x["q"], "v": [0.0] * chain.nq, "w_ext": [0.0] * 6 * chain.n}
+        rest = {"q": x["q"], "v": [0.0] * chain.nv, "w_ext": [0.0] * 6 * chain.n}
         return {"force": still.inverse_dynamics(vdot=x["vdot"], **rest)}
 
-    return fuse(chain, "inertial_force", {"q": chain.nq, "vdot": chain.nq}, body, constants)
+    return fuse(chain, "inertial_force", {"q": chain.nq, "vdot": chain.nv}, body, constants)
 
 
 def energy(chain: Chain, constants="parameters") -> Program:
@@ -231,7 +231,7 @@ def energy(chain: Chain, constants="parameters") -> Program:
         kinetic, potential = f.energy(x["q"], x["v"])
         return {"kinetic": [kinetic], "potential": [potential]}
 
-    return fuse(chain, "energy", {"q": chain.nq, "v": chain.nq}, body, constants)
+    return fuse(chain, "energy", {"q": chain.nq, "v": chain.nv}, body, constants)
 
 
 def poses(chain: Chain, constants="parameters") -> Program:
@@ -252,7 +252,7 @@ def poses(chain: Chain, constants="parameters") -> Program:
 
 def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[int, int]]]:
     """``(x, tau, w_ext) -> (M, H, W)`` of the DAE form, with the places of the entries of ``M``."""
-    inputs = {"x": state_size(chain), "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    inputs = {"x": state_size(chain), "tau": chain.n_tau, "w_ext": 6 * chain.n}
     places: list[tuple[int, int]] = []
 
     def body(f: DaeFunctions, x):
@@ -277,7 +277,7 @@ def dae_dynamics(chain: Chain, constants="parameters") -> Program:
     """``(x, tau, w_ext, m_eta, f_eta) -> (xdot, vdot, wrench)``: the DAE form by block elimination."""
     inputs = {
         "x": state_size(chain),
-        "tau": chain.n_joints,
+        "tau": chain.n_tau,
         "w_ext": 6 * chain.n,
         "m_eta": chain.n_inertia,
         "f_eta": chain.n_given,
@@ -315,4 +315,4 @@ def placement(chain: Chain, constants="parameters") -> Program:
     def body(f: DaeFunctions, x):
         return {"x": f.place(x["q"], x["v"])}
 
-    return fuse(chain, "placement", {"q": chain.nq, "v": chain.nq}, body, constants, DaeFunctions)
+    return fuse(chain, "placement", {"q": chain.nq, "v": chain.nv}, body, constants, DaeFunctions)

@@ -50,8 +50,8 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
     """
     stores = f.sensitivities(q, v, vdot, w_ext)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
-    nq = f.chain.nq
-    out = Slopes(*(mx.zeros(nq, nq) for _ in range(3)))
+    nv = f.chain.nv
+    out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
     name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
@@ -68,8 +68,8 @@ def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]
 
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:
-    """The slices of q with the joint and the modal coordinates of a link."""
-    m = chain.n_joints
+    """The slices of v with the joint and the modal rates of a link."""
+    m = chain.eta_v
     return slice(*chain.q_offset[i : i + 2]), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
 
 
@@ -159,7 +159,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
     """
-    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "w_ext": 6 * chain.n}
+    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
@@ -168,7 +168,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
         tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
         section = tracer.section if tracer else lambda _: nullcontext()
         found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], section)
-        lower = [found.M[i, j] for i in range(chain.nq) for j in range(i + 1)]
+        lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
 
     return fuse(chain, "linearisation", sizes, body, constants)

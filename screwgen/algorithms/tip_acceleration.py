@@ -33,4 +33,5 @@ def tip_acceleration(chain: Chain, constants="constants") -> Program:
         slopes = {f"a_{n}": [s for column in columns(a, x[n]) for s in column] for n in ("q", "v", "vdot")}
         return {"a": a} | slopes
 
-    return fuse(chain, "tip_acceleration", dict.fromkeys(("q", "v", "vdot"), chain.nq), body, constants, Accelerometer)
+    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv}
+    return fuse(chain, "tip_acceleration", sizes, body, constants, Accelerometer)

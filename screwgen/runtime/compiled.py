@@ -63,7 +63,7 @@ class Compiled(Memory):
 
     Numbers are copied from the caller's arrays into the structs of the C, and from there into ``out`` or new arrays.
     Arrays of another number type are converted. Arguments may have the shape named or be flat; axes of length 1 do not
-    count.  ``q`` (nq,), ``v`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6), ``vdot`` (nq,), ``wrench`` (n, 6),
+    count.  ``q`` (nq,), ``v`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6), ``vdot`` (nv,), ``wrench`` (n, 6),
     ``tip_rotation`` (3, 3), ``tip_position`` (3,) are views of those structs after the last call.
 
     An instance keeps its state in memory of its own.  Threads may share one: their calls take turns.  To compute at
@@ -168,14 +168,14 @@ class Compiled(Memory):
             return kinetic, potential
 
     def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
-        """``vdot`` (nq,) and its partial derivatives with q, v (nq, nq) and tau (nq, m).
+        """``vdot`` (nv,) and its partial derivatives with q (nv, nq), v (nv, nv) and tau (nv, n_tau).
 
         Needs ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
         """
         if not self.project.with_derivatives:
             raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
-        nq, m = self.chain.nq, self.chain.n_joints
-        arrays = [np.zeros(shape, self.real) for shape in (nq, (nq, nq), (nq, nq), (nq, m))]
+        nq, nv, m = self.chain.nq, self.chain.nv, self.chain.n_tau
+        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nq), (nv, nv), (nv, m))]
         with self._lock:
             self._set(q, v, tau, w_ext)
             self.check(self.library.shim_linearise(self.memory, self._linearise_memory, *map(pointer, arrays)))
@@ -187,30 +187,31 @@ class Compiled(Memory):
         return ctypes.create_string_buffer(self.library.shim_linearise_size())
 
     def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
-        """The generalised forces (nq,) and the joint wrenches (n, 6) of a motion."""
+        """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""
         c = self.chain
-        force, wrench = np.zeros(max(c.nq, 1), self.real), np.zeros((c.n, 6), self.real)
-        given = self._in(vdot, (c.nq,), "vdot")
+        force, wrench = np.zeros(max(c.nv, 1), self.real), np.zeros((c.n, 6), self.real)
+        given = self._in(vdot, (c.nv,), "vdot")
         with self._lock:
             self._set(q, v, None, w_ext)
             self.check(self.library.shim_inverse(self.memory, *map(pointer, (given, force, wrench))))
-        return force[: c.nq], wrench
+        return force[: c.nv], wrench
 
     def mass_matrix(self, q) -> Array:
-        """``M`` (nq, nq)."""
-        size = max(self.chain.nq, 1)
+        """``M`` (nv, nv)."""
+        nv, size = self.chain.nv, max(self.chain.nv, 1)
         M = np.zeros((size, size), self.real)
         with self._lock:
             self._set(q, self._no_v)
             self.check(self.library.shim_mass_matrix(self.memory, pointer(M)))
-        return M[: self.chain.nq, : self.chain.nq]
+        return M[:nv, :nv]
 
     def step(self, q, v, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> tuple[Array, Array]:
         """The state after ``count`` steps of the joint form, the input held; long work can be interrupted.
 
         ``method``: a built-in integrator, or one of those that the model was compiled with.
         """
-        q, v = (array(x, name, (self.chain.nq,), finite=False) for x, name in ((q, "q"), (v, "v")))
+        q = array(q, "q", (self.chain.nq,), finite=False)
+        v = array(v, "v", (self.chain.nv,), finite=False)
         state = ((self.q, slice(None), q), (self.v, slice(None), v))
         q, v = self._steps(self.library.shim_step, method, count, dt, tau, w_ext, state)
         return q, v

@@ -52,8 +52,8 @@ class Memory:
         self._lock = threading.Lock()
         c, self._block = self.chain, Block(self.library, VIEWS, self.real)
         self.memory, view = self._block.address, self._block.view
-        self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nq), view("output.vdot", c.nq)
-        self.tau, self.w_ext = view("input.tau", c.n_joints), view("input.w_ext", c.n, 6)
+        self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nv), view("output.vdot", c.nv)
+        self.tau, self.w_ext = view("input.tau", c.n_tau), view("input.w_ext", c.n, 6)
         self.wrench = view("output.wrench", c.n, 6)
         self.tip_rotation, self.tip_position = view("output.tip_rotation", 3, 3), view("output.tip_position", 3)
         self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
@@ -61,7 +61,7 @@ class Memory:
         self._dae = view("dae", int(max(self._order)) + 1)
         self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)
         self._w_ext = memoryview(self.w_ext.reshape(-1))
-        self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nq, c.n_joints, 6 * c.n))
+        self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nv, c.n_tau, 6 * c.n))
         self._w_shape = self.w_ext.shape
         self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
         self._forward_in = {"joint": self._forward, "dae": self.library.shim_dae_forward}
@@ -118,7 +118,7 @@ class Memory:
             place[...] = array(values, name, place.shape, finite=False)
 
     def _input(self, tau, w_ext):
-        given = ((tau, "tau", (self.chain.n_joints,)), (w_ext, "w_ext", (self.chain.n, 6)))
+        given = ((tau, "tau", (self.chain.n_tau,)), (w_ext, "w_ext", (self.chain.n, 6)))
         return [array(values, name, shape, finite=False) for values, name, shape in given]
 
     def _in(self, values, shape: tuple[int, ...], name: str) -> Array:

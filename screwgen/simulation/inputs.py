@@ -20,12 +20,12 @@ def started(controller: Any, q0: np.ndarray) -> Any:
 
 
 class Inputs:
-    """Torques (n_joints,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
+    """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
 
     def __init__(self, model: Model, controller: Any, w_ext: Any):
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
         self.sources = (
-            _source(controller, "the controller", (model.n_joints,)),
+            _source(controller, "the controller", (model.n_tau,)),
             _source(w_ext, "w_ext", (model.n_links, 6)),
         )
 

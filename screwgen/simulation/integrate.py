@@ -35,16 +35,16 @@ class Stepper(Protocol):
     method: Method
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> object:
-        """The state at the coordinates `q` (nq,) and rates `v` (nq,)."""
+        """The state at the coordinates `q` (nq,) and rates `v` (nv,)."""
 
     def step(self, state: object, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> object:
-        """The state `dt` seconds later under torques (n_joints,) and tip wrenches (n, 6), both held.
+        """The state `dt` seconds later under torques (n_tau,) and tip wrenches (n, 6), both held.
 
         Raises SingularError or DivergedError.
         """
 
     def coordinates(self, state: object) -> tuple[np.ndarray, np.ndarray]:
-        """`q` (nq,) and `v` (nq,) of a state."""
+        """`q` (nq,) and `v` (nv,) of a state."""
 
 
 class Evaluator:
@@ -86,7 +86,7 @@ class Dynamics:
         return self.own.force(self.own.of(q), self.own.of(v), h)
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
-        """`vdot` (nq,) and the joint wrenches (6 n,)."""
+        """`vdot` (nv,) and the joint wrenches (6 n,)."""
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
@@ -94,7 +94,7 @@ class Dynamics:
         return self.own.M, self.force(q, v, 0.0)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
-        """`vdot` (nq,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
+        """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
         return self.evaluate(*there, tau, w_ext, self.own.inertia(h), self.force(q, v, h), self.p)[0]
 
 
@@ -131,7 +131,7 @@ def left(method: Method, watch: Watch) -> DivergedError:
 
 
 class JointState(NamedTuple):
-    """Coordinates (nq,) and rates (nq,)."""
+    """Coordinates (nq,) and rates (nv,)."""
 
     q: np.ndarray
     v: np.ndarray

@@ -37,7 +37,7 @@ class Screws(NamedTuple):
 def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
-    n, r = model.n_links, model.nq - model.n_joints
+    n, r = model.n_links, model.chain.n_modes
     x = _mapped(model.casadi()["dae_state"], q, v, _values(model, p))
     poses = x[:, : 7 * n].reshape(-1, n, 7)
     twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)
@@ -82,7 +82,7 @@ def _bent(model: Model, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray
 
 def _modal(model: Model, q: np.ndarray, i: int) -> np.ndarray:
     """The modal coordinates (N, r) of a segment."""
-    first = model.n_joints + model.chain.eta_offset[i]
+    first = model.chain.eta_q + model.chain.eta_offset[i]
     return _samples(model, q, "q")[:, first : first + model.chain.keys[i].modes]
 
 
@@ -121,7 +121,7 @@ def modal_columns(model: Model, link: int, direction: str) -> list[int]:
 def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
     """The coordinates (N, nq) of the same joint angles with straight links."""
     out = np.zeros_like(_samples(model, q, "q"))
-    out[:, : model.n_joints] = q[:, : model.n_joints]
+    out[:, : model.chain.eta_q] = q[:, : model.chain.eta_q]
     return out
 
 

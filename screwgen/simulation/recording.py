@@ -85,7 +85,7 @@ class Table:
 
     def __init__(self, model: Model, times: np.ndarray, p: np.ndarray):
         self.model, self.times, self.p = model, times, p
-        widths = {"t": 1, "q": model.nq, "v": model.nq, "tau": model.n_joints}
+        widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
         widths |= {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}

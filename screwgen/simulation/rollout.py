@@ -90,7 +90,7 @@ def rollout(
     """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
 
     `x0`: initial states [q; v], (batch, 2 nq), or (2 nq,) for all. `tau`: joint torques in N·m, (batch, steps,
-    n_joints); (steps, n_joints) for all scenarios; (n_joints,) for all and held; zero by default. `w_ext`: tip
+    n_tau); (steps, n_tau) for all scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
     `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
     steps. `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
@@ -107,7 +107,7 @@ def rollout(
     method = method_of(integrator, missing=NO_METHOD)
     given = {
         "x0": _array(x0, "x0", (2 * model.nq,), "(batch, 2 nq) or (2 nq,)"),
-        "tau": _sequence(tau, "tau", (model.n_joints,)),
+        "tau": _sequence(tau, "tau", (model.n_tau,)),
         "w_ext": _sequence(w_ext, "w_ext", (model.n_links, 6)),
         "parameters": _parameters(parameters, model),
     }

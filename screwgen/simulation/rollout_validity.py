@@ -50,7 +50,7 @@ def _of(values: np.ndarray, *place: int) -> np.ndarray:
 
 def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndarray]:
     """Deflection over length and slope of a link, (batch, samples) each; none for a link that cannot bend."""
-    values, offset = model.blocks(i)["validity"].values, model.n_joints + model.chain.eta_offset[i]
+    values, offset = model.blocks(i)["validity"].values, model.chain.eta_q + model.chain.eta_offset[i]
     if f"{MEASURES[0]}_shapes" not in values:
         return []
     segment = model.chain.segments[i]

@@ -28,7 +28,7 @@ ENERGY_NAMES = ("energy.kinetic", "energy.potential")
 class Run:
     """A simulated motion: N samples of a robot with n links; SI units, radians.
 
-    `t` (N,); `q`, `v` (N, nq): coordinates, joints then modes, and rates; `tau` (N, n_joints): the torques held
+    `t` (N,); `q` (N, nq): coordinates, joints then modes; `v` (N, nv): their rates; `tau` (N, n_tau): the torques held
     from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
     the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame;
     `energy` (N, 2): kinetic, potential. The names belong to the columns.

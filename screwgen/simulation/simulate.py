@@ -58,7 +58,7 @@ def simulate(
     """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
     `q0`, `v0` (nq,) or the joints alone, zero by default; `controller(t, q, v)` gives the joint torques
-    (n_joints,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
+    (n_tau,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
     :class:`~screwgen.integrators.Method`; modal_midpoint if none is given. `form`: "joint", "dae", or what makes a
     stepper of one's own of `(model, integrator, p)`, such as

@@ -31,7 +31,7 @@ MAX_BYTES = 16 * 2**20
 class State:
     """The state and the inputs of a robot at an instant; SI units, radians.
 
-    `q`, `v` (nq,): coordinates, joints then modes, and their rates; `tau` (n_joints,): joint torques, N·m (slides: N);
+    `q`, `v` (nq,): coordinates, joints then modes, and their rates; `tau` (n_tau,): joint torques, N·m (slides: N);
     `w_ext` (n, 6): external wrench [τ; F] on each link's tip section, tip-frame components.
     """
 
@@ -61,7 +61,7 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
             if key not in KEYS:
                 raise refuse(unknown(key, KEYS), (key,))
         coordinates = {key: motion(given.get(key, []), key, model) for key in ("q", "v")}
-        tau = sized(given.get("tau", [0.0] * model.n_joints), ("tau",), model.n_joints, "torques", within("tau"))
+        tau = sized(given.get("tau", [0.0] * model.n_tau), ("tau",), model.n_tau, "torques", within("tau"))
         w_ext = wrenches(given["w_ext"], model) if "w_ext" in given else np.zeros((model.n_links, 6))
         return State(**coordinates, tau=np.array(tau, float), w_ext=w_ext)
 

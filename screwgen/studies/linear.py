@@ -55,7 +55,7 @@ class LinearModel:
     y: np.ndarray
     """(outputs,): the outputs there."""
     tau: np.ndarray
-    """(n_joints,): all torques there, N·m."""
+    """(n_tau,): all torques there, N·m."""
     w_ext: np.ndarray
     """(n, 6): the external wrenches there, [τ; F] on each tip section, tip-frame components."""
     vdot: np.ndarray
@@ -160,7 +160,7 @@ def linearise(
     numbers = Numeric(chain, chain.parameters.vector(parameters))
     if np.size(q) == chain.n_joints != chain.nq:
         q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))
-    q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nq), checked(tau, "tau", chain.n_joints)
+    q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
     names = coordinate_names(chain.robot)
     givers, takers = input_groups(chain), output_groups(chain)

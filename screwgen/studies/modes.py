@@ -147,7 +147,7 @@ def stiffness_matrix(model: Model, p: Numbers | None = None) -> np.ndarray:
     """The stiffness (nq, nq) of joint springs (N·m/rad) and modes (N/m, torsion: N·m/rad)."""
     K = np.diag(stiffness(model, p))
     for i, key in enumerate(model.chain.keys):
-        first = model.n_joints + model.chain.eta_offset[i]
+        first = model.chain.eta_q + model.chain.eta_offset[i]
         for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
             K[first + a, first + b] = K[first + b, first + a] = k
     return K
@@ -194,9 +194,9 @@ def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.n
 
 def _singular(model: Model, q: np.ndarray, p: Numbers | None) -> SingularError:
     """The error that names the joint, if the dynamics know it."""
-    zero = np.zeros(model.nq)
+    zero = np.zeros(model.nv)
     try:
-        model.numpy(p).forward_dynamics(q, zero, np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
+        model.numpy(p).forward_dynamics(q, zero, np.zeros(model.n_tau), np.zeros((model.n_links, 6)))
     except SingularError as error:
         return error
     return SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")

@@ -47,7 +47,13 @@ class Chain:
 
     @property
     def n_joints(self) -> int:
+        """The number of joint coordinates, the first of `q`."""
         return self.q_offset[-1]
+
+    @property
+    def n_tau(self) -> int:
+        """The number of torques, one per axis."""
+        return self.n_joints
 
     @property
     def n_modes(self) -> int:
@@ -55,7 +61,23 @@ class Chain:
 
     @property
     def nq(self) -> int:
+        """The number of coordinates: joints, then modes."""
         return self.n_joints + self.n_modes
+
+    @property
+    def nv(self) -> int:
+        """The number of their rates."""
+        return self.nq
+
+    @property
+    def eta_q(self) -> int:
+        """The index of the first modal coordinate in `q`."""
+        return self.nq - self.n_modes
+
+    @property
+    def eta_v(self) -> int:
+        """The index of its rate in `v`."""
+        return self.nv - self.n_modes
 
     @cached_property
     def sprung(self) -> bool:
@@ -87,7 +109,7 @@ class Chain:
     @property
     def n_given(self) -> int:
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
-        return self.nq if self.sprung else self.n_modes
+        return self.nv if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
         """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link.
@@ -121,7 +143,7 @@ class Chain:
 
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
         """``[joint coordinates; modal coordinates]`` as one mapping per link."""
-        qs, es, m = self.q_offset, self.eta_offset, self.n_joints
+        qs, es, m = self.q_offset, self.eta_offset, len(q) - self.n_modes
         return [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:

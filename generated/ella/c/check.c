@@ -88,9 +88,10 @@ static ella_real wrench_deviation(const ella_real w[][6], const ella_real refere
 /* Joint and modal accelerations, moments, each component of the forces, and the pose, each over its own size. */
 static ella_real compare(const ella_output *y, const ella_output *r)
 {
-    ella_real worst = deviation(y->vdot, r->vdot, ELLA_NTAU, 1);
+    ella_real worst = deviation(y->vdot, r->vdot, ELLA_NV - ELLA_NMODES, 1);
     int k;
-    worst = larger(deviation(y->vdot + ELLA_NTAU, r->vdot + ELLA_NTAU, ELLA_NMODES, 1), worst);
+    worst = larger(deviation(y->vdot + (ELLA_NV - ELLA_NMODES), r->vdot + (ELLA_NV - ELLA_NMODES), ELLA_NMODES, 1),
+        worst);
     worst = larger(wrench_deviation(y->wrench, r->wrench, 0), worst);
     for (k = 0; k < 3; ++k) {
         worst = larger(deviation(&y->wrench[0][k + 3], &r->wrench[0][k + 3], ELLA_NLINKS, 6), worst);
@@ -116,7 +117,7 @@ static ella_real residual(const ella_dae_state *dae, const ella_input *input)
         }
     }
     for (k = 0; k < ELLA_NMODES; ++k) {
-        z[12 * ELLA_NLINKS + k] = y.vdot[ELLA_NTAU + k];
+        z[12 * ELLA_NLINKS + k] = y.vdot[ELLA_NV - ELLA_NMODES + k];
     }
     forget();
     memset(M, 0xff, sizeof M);
@@ -194,9 +195,10 @@ static void check_step(const ella_constants *soft, int number, step method)
     }
     forget();
     verdict("step", number, method(soft, &state, &last->input, ella_dt, &work) == ELLA_OK);
-    error = larger(sum_error(state.q, ELLA_NTAU, sums[0]), sum_error(state.q + ELLA_NTAU, ELLA_NMODES, sums[1]));
-    error = larger(sum_error(state.v, ELLA_NTAU, sums[2]), error);
-    error = larger(sum_error(state.v + ELLA_NTAU, ELLA_NMODES, sums[3]), error);
+    error = larger(sum_error(state.q, ELLA_NQ - ELLA_NMODES, sums[0]),
+        sum_error(state.q + (ELLA_NQ - ELLA_NMODES), ELLA_NMODES, sums[1]));
+    error = larger(sum_error(state.v, ELLA_NV - ELLA_NMODES, sums[2]), error);
+    error = larger(sum_error(state.v + (ELLA_NV - ELLA_NMODES), ELLA_NMODES, sums[3]), error);
     verdict("state after a step", number, error <= TOLERANCE);
 }
 
@@ -398,15 +400,17 @@ static void check_rest(void)
     memset(posture.v, 0, sizeof posture.v);
     for (round = 0; round <= ELLA_ROUNDS && status == ELLA_OK; ++round) {
         for (k = 0; k < ELLA_NMODES && round > 0; ++k) {
-            posture.q[ELLA_NTAU + k] -= force[ELLA_NTAU + k] / constants.K[k];
+            posture.q[ELLA_NQ - ELLA_NMODES + k] -= force[ELLA_NV - ELLA_NMODES + k] / constants.K[k];
         }
         status = ella_inverse_dynamics(&constants, &posture, &r->input, still, &dae_work.chain, force, 0);
     }
     verdict("status of rest", 0,
         ella_gravity(&constants, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
     if (status == ELLA_OK) {
-        verdict("joints at rest", 0, deviation(rest.q, posture.q, ELLA_NTAU, 1) <= TOLERANCE);
-        verdict("modes at rest", 0, deviation(rest.q + ELLA_NTAU, posture.q + ELLA_NTAU, ELLA_NMODES, 1) <= TOLERANCE);
+        verdict("joints at rest", 0, deviation(rest.q, posture.q, ELLA_NQ - ELLA_NMODES, 1) <= TOLERANCE);
+        verdict("modes at rest", 0,
+            deviation(rest.q + (ELLA_NQ - ELLA_NMODES), posture.q + (ELLA_NQ - ELLA_NMODES), ELLA_NMODES,
+            1) <= TOLERANCE);
         verdict("rates at rest", 0, deviation(rest.v, posture.v, ELLA_NV, 1) <= 0);
         verdict("forces at rest", 0, deviation(found, force, ELLA_NV, 1) <= TOLERANCE);
     }

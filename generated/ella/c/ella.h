@@ -34,7 +34,7 @@ typedef double ella_real;
 
 enum {
     ELLA_NLINKS = 2, /* links, base to tip: upper_arm, forearm */
-    ELLA_NTAU = 3, /* joint coordinates, as many as torques */
+    ELLA_NTAU = 3, /* torques, one per axis */
     ELLA_NMODES = 14, /* modal coordinates */
     ELLA_NQ = 17, /* coordinates: joints, then modes, both link by link */
     ELLA_NV = 17, /* their rates */

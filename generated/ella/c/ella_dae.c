@@ -116,8 +116,8 @@ ella_status ella_dae_from_state(const ella_constants *c, const ella_state *state
         work->qdot[k] = state->v[k];
     }
     for (k = 0; k < ELLA_NMODES; ++k) {
-        work->next.eta[k] = state->q[ELLA_NTAU + k];
-        work->next.etadot[k] = state->v[ELLA_NTAU + k];
+        work->next.eta[k] = state->q[ELLA_NQ - ELLA_NMODES + k];
+        work->next.etadot[k] = state->v[ELLA_NV - ELLA_NMODES + k];
     }
     call = call_of(c, &work->next, 0, work);
     call.new_quaternion = &work->next.quaternion[0][0];
@@ -150,7 +150,7 @@ ella_status ella_dae_forward_dynamics(const ella_constants *c, const ella_dae_st
         output->vdot[k] = work->qddot[k];
     }
     for (k = 0; k < ELLA_NMODES; ++k) {
-        output->vdot[ELLA_NTAU + k] = work->etaddot[k];
+        output->vdot[ELLA_NV - ELLA_NMODES + k] = work->etaddot[k];
     }
     for (i = 0; i < ELLA_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {

@@ -10,8 +10,8 @@ static ella_call call_at(const ella_constants *c, const ella_state *state, const
     call.gravity = c->gravity;
     call.q = state->q;
     call.qdot = state->v;
-    call.eta = state->q + ELLA_NTAU;
-    call.etadot = state->v + ELLA_NTAU;
+    call.eta = state->q + (ELLA_NQ - ELLA_NMODES);
+    call.etadot = state->v + (ELLA_NV - ELLA_NMODES);
     call.m_eta = m + (ELLA_NGIVEN - ELLA_NMODES);
     call.f_eta = f + (ELLA_NGIVEN - ELLA_NMODES);
     return call;
@@ -1974,7 +1974,7 @@ ella_status ella_validity(const ella_constants *c, const ella_state *state, cons
     if (!c || !state || !output || !work || !measures) {
         return ELLA_BAD_ARGUMENT;
     }
-    call.eta = state->q + ELLA_NTAU;
+    call.eta = state->q + (ELLA_NQ - ELLA_NMODES);
     call.wrench = &output->wrench[0][0];
     call.motion = &work->motion[0][0];
     call.new_measures = &measures->value[0][0];
@@ -1998,9 +1998,9 @@ ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *sta
     call = call_at(c, state, c->M_eta, f_eta);
     call.w_ext = &input->w_ext[0][0];
     call.qddot = vdot;
-    call.etaddot = vdot + ELLA_NTAU;
+    call.etaddot = vdot + (ELLA_NV - ELLA_NMODES);
     call.new_force = force;
-    call.new_force_eta = force + ELLA_NTAU;
+    call.new_force_eta = force + (ELLA_NV - ELLA_NMODES);
     call.new_wrench = wrench ? &wrench[0][0] : 0;
     status = ella_inverse(c, &call, chain, &fault);
     if (status == ELLA_OK && !(ella_finite(force, ELLA_NV) && ella_finite(call.w_ext, 6 * ELLA_NLINKS)
@@ -2022,7 +2022,7 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
     }
     call = call_at(c, state, c->M_eta, unit);
     call.qddot = unit;
-    call.etaddot = unit + ELLA_NTAU;
+    call.etaddot = unit + (ELLA_NV - ELLA_NMODES);
     if (!ella_finite(state->q, ELLA_NQ)) {
         return ELLA_NONFINITE;
     }
@@ -2030,7 +2030,7 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
     for (j = 0; j < ELLA_NV && status == ELLA_OK; ++j) {
         unit[j] = 1;
         call.new_force = M[j];
-        call.new_force_eta = M[j] + ELLA_NTAU;
+        call.new_force_eta = M[j] + (ELLA_NV - ELLA_NMODES);
         status = ella_inertia_column(c, &call, chain, &fault);
         unit[j] = 0;
         if (!ella_finite(M[j], ELLA_NV)) {

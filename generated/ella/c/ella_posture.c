@@ -6,8 +6,8 @@ static ella_call call_for(const ella_state *state, ella_motion *motion)
     ella_call call = { 0 };
     call.q = state->q;
     call.qdot = state->v;
-    call.eta = state->q + ELLA_NTAU;
-    call.etadot = state->v + ELLA_NTAU;
+    call.eta = state->q + (ELLA_NQ - ELLA_NMODES);
+    call.etadot = state->v + (ELLA_NV - ELLA_NMODES);
     call.new_R = &motion->rotation[0][0][0];
     call.new_r = &motion->position[0][0];
     call.new_tip_twist = &motion->tip_twist[0][0];
@@ -50,7 +50,7 @@ ella_status ella_tip_jacobian(const ella_constants *c, const ella_state *state, 
     }
     call = call_for(state, motion);
     call.qdot = unit;
-    call.etadot = unit + ELLA_NTAU;
+    call.etadot = unit + (ELLA_NV - ELLA_NMODES);
     for (j = 0; j < ELLA_NV && status == ELLA_OK; ++j) {
         unit[j] = 1;
         status = ella_motion_of(c, &call, chain, &fault);
@@ -82,7 +82,7 @@ ella_status ella_gravity(const ella_constants *c, const ella_state *state, const
     status = ella_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     for (round = 0; round < ELLA_ROUNDS && status == ELLA_OK; ++round) {
         for (k = 0; k < ELLA_NMODES; ++k) {
-            posture.q[ELLA_NTAU + k] -= force[ELLA_NTAU + k] / c->K[k];
+            posture.q[ELLA_NQ - ELLA_NMODES + k] -= force[ELLA_NV - ELLA_NMODES + k] / c->K[k];
         }
         status = ella_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     }

@@ -129,7 +129,8 @@ static inline int ella_moderate(const ella_real *x, int n)
 /* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
 static inline int ella_sound(const ella_state *s, const ella_input *u)
 {
-    return ella_finite(s->q, ELLA_NTAU) && ella_moderate(s->q + ELLA_NTAU, ELLA_NMODES) && ella_moderate(s->v, ELLA_NV)
+    return ella_finite(s->q, ELLA_NQ - ELLA_NMODES) && ella_moderate(s->q + (ELLA_NQ - ELLA_NMODES), ELLA_NMODES)
+        && ella_moderate(s->v, ELLA_NV)
         && ella_finite(u->tau, ELLA_NTAU) && ella_finite(&u->w_ext[0][0], 6 * ELLA_NLINKS);
 }
 

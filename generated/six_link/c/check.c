@@ -89,9 +89,10 @@ static six_link_real wrench_deviation(const six_link_real w[][6], const six_link
 /* Joint and modal accelerations, moments, each component of the forces, and the pose, each over its own size. */
 static six_link_real compare(const six_link_output *y, const six_link_output *r)
 {
-    six_link_real worst = deviation(y->vdot, r->vdot, SIX_LINK_NTAU, 1);
+    six_link_real worst = deviation(y->vdot, r->vdot, SIX_LINK_NV - SIX_LINK_NMODES, 1);
     int k;
-    worst = larger(deviation(y->vdot + SIX_LINK_NTAU, r->vdot + SIX_LINK_NTAU, SIX_LINK_NMODES, 1), worst);
+    worst = larger(deviation(y->vdot + (SIX_LINK_NV - SIX_LINK_NMODES), r->vdot + (SIX_LINK_NV - SIX_LINK_NMODES),
+        SIX_LINK_NMODES, 1), worst);
     worst = larger(wrench_deviation(y->wrench, r->wrench, 0), worst);
     for (k = 0; k < 3; ++k) {
         worst = larger(deviation(&y->wrench[0][k + 3], &r->wrench[0][k + 3], SIX_LINK_NLINKS, 6), worst);
@@ -117,7 +118,7 @@ static six_link_real residual(const six_link_dae_state *dae, const six_link_inpu
         }
     }
     for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        z[12 * SIX_LINK_NLINKS + k] = y.vdot[SIX_LINK_NTAU + k];
+        z[12 * SIX_LINK_NLINKS + k] = y.vdot[SIX_LINK_NV - SIX_LINK_NMODES + k];
     }
     forget();
     memset(M, 0xff, sizeof M);
@@ -197,10 +198,10 @@ static void check_step(const six_link_constants *soft, int number, step method)
     }
     forget();
     verdict("step", number, method(soft, &state, &last->input, six_link_dt, &work) == SIX_LINK_OK);
-    error = larger(sum_error(state.q, SIX_LINK_NTAU, sums[0]),
-        sum_error(state.q + SIX_LINK_NTAU, SIX_LINK_NMODES, sums[1]));
-    error = larger(sum_error(state.v, SIX_LINK_NTAU, sums[2]), error);
-    error = larger(sum_error(state.v + SIX_LINK_NTAU, SIX_LINK_NMODES, sums[3]), error);
+    error = larger(sum_error(state.q, SIX_LINK_NQ - SIX_LINK_NMODES, sums[0]),
+        sum_error(state.q + (SIX_LINK_NQ - SIX_LINK_NMODES), SIX_LINK_NMODES, sums[1]));
+    error = larger(sum_error(state.v, SIX_LINK_NV - SIX_LINK_NMODES, sums[2]), error);
+    error = larger(sum_error(state.v + (SIX_LINK_NV - SIX_LINK_NMODES), SIX_LINK_NMODES, sums[3]), error);
     verdict("state after a step", number, error <= TOLERANCE);
 }
 
@@ -406,16 +407,18 @@ static void check_rest(void)
     memset(posture.v, 0, sizeof posture.v);
     for (round = 0; round <= SIX_LINK_ROUNDS && status == SIX_LINK_OK; ++round) {
         for (k = 0; k < SIX_LINK_NMODES && round > 0; ++k) {
-            posture.q[SIX_LINK_NTAU + k] -= force[SIX_LINK_NTAU + k] / constants.K[SIX_LINK_NTAU + k];
+            posture.q[SIX_LINK_NQ - SIX_LINK_NMODES + k] -= force[SIX_LINK_NV - SIX_LINK_NMODES
+                + k] / constants.K[SIX_LINK_NTAU + k];
         }
         status = six_link_inverse_dynamics(&constants, &posture, &r->input, still, &dae_work.chain, force, 0);
     }
     verdict("status of rest", 0,
         six_link_gravity(&constants, &r->state, &r->input, &dae_work.chain, found, &rest) == status);
     if (status == SIX_LINK_OK) {
-        verdict("joints at rest", 0, deviation(rest.q, posture.q, SIX_LINK_NTAU, 1) <= TOLERANCE);
+        verdict("joints at rest", 0, deviation(rest.q, posture.q, SIX_LINK_NQ - SIX_LINK_NMODES, 1) <= TOLERANCE);
         verdict("modes at rest", 0,
-            deviation(rest.q + SIX_LINK_NTAU, posture.q + SIX_LINK_NTAU, SIX_LINK_NMODES, 1) <= TOLERANCE);
+            deviation(rest.q + (SIX_LINK_NQ - SIX_LINK_NMODES), posture.q + (SIX_LINK_NQ - SIX_LINK_NMODES),
+            SIX_LINK_NMODES, 1) <= TOLERANCE);
         verdict("rates at rest", 0, deviation(rest.v, posture.v, SIX_LINK_NV, 1) <= 0);
         verdict("forces at rest", 0, deviation(found, force, SIX_LINK_NV, 1) <= TOLERANCE);
     }

@@ -34,7 +34,7 @@ typedef double six_link_real;
 
 enum {
     SIX_LINK_NLINKS = 6, /* links, base to tip: shoulder, upper_arm, forearm, wrist_roll, wrist_pitch, flange */
-    SIX_LINK_NTAU = 6, /* joint coordinates, as many as torques */
+    SIX_LINK_NTAU = 6, /* torques, one per axis */
     SIX_LINK_NMODES = 9, /* modal coordinates */
     SIX_LINK_NQ = 15, /* coordinates: joints, then modes, both link by link */
     SIX_LINK_NV = 15, /* their rates */

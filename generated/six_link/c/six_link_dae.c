@@ -132,8 +132,8 @@ six_link_status six_link_dae_from_state(const six_link_constants *c, const six_l
         work->qdot[k] = state->v[k];
     }
     for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        work->next.eta[k] = state->q[SIX_LINK_NTAU + k];
-        work->next.etadot[k] = state->v[SIX_LINK_NTAU + k];
+        work->next.eta[k] = state->q[SIX_LINK_NQ - SIX_LINK_NMODES + k];
+        work->next.etadot[k] = state->v[SIX_LINK_NV - SIX_LINK_NMODES + k];
     }
     call = call_of(c, &work->next, 0, work);
     call.new_quaternion = &work->next.quaternion[0][0];
@@ -166,7 +166,7 @@ six_link_status six_link_dae_forward_dynamics(const six_link_constants *c, const
         output->vdot[k] = work->qddot[k];
     }
     for (k = 0; k < SIX_LINK_NMODES; ++k) {
-        output->vdot[SIX_LINK_NTAU + k] = work->etaddot[k];
+        output->vdot[SIX_LINK_NV - SIX_LINK_NMODES + k] = work->etaddot[k];
     }
     for (i = 0; i < SIX_LINK_NLINKS; ++i) {
         for (k = 0; k < 6; ++k) {

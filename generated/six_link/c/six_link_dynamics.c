@@ -11,8 +11,8 @@ static six_link_call call_at(const six_link_constants *c, const six_link_state *
     call.gravity = c->gravity;
     call.q = state->q;
     call.qdot = state->v;
-    call.eta = state->q + SIX_LINK_NTAU;
-    call.etadot = state->v + SIX_LINK_NTAU;
+    call.eta = state->q + (SIX_LINK_NQ - SIX_LINK_NMODES);
+    call.etadot = state->v + (SIX_LINK_NV - SIX_LINK_NMODES);
     call.m_q = m;
     call.f_q = f;
     call.m_eta = m + (SIX_LINK_NGIVEN - SIX_LINK_NMODES);
@@ -3275,7 +3275,7 @@ six_link_status six_link_validity(const six_link_constants *c, const six_link_st
     if (!c || !state || !output || !work || !measures) {
         return SIX_LINK_BAD_ARGUMENT;
     }
-    call.eta = state->q + SIX_LINK_NTAU;
+    call.eta = state->q + (SIX_LINK_NQ - SIX_LINK_NMODES);
     call.wrench = &output->wrench[0][0];
     call.motion = &work->motion[0][0];
     call.new_measures = &measures->value[0][0];
@@ -3301,9 +3301,9 @@ six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six
     call = call_at(c, state, c->M_eta, f_eta);
     call.w_ext = &input->w_ext[0][0];
     call.qddot = vdot;
-    call.etaddot = vdot + SIX_LINK_NTAU;
+    call.etaddot = vdot + (SIX_LINK_NV - SIX_LINK_NMODES);
     call.new_force = force;
-    call.new_force_eta = force + SIX_LINK_NTAU;
+    call.new_force_eta = force + (SIX_LINK_NV - SIX_LINK_NMODES);
     call.new_wrench = wrench ? &wrench[0][0] : 0;
     status = six_link_inverse(c, &call, chain, &fault);
     if (status == SIX_LINK_OK
@@ -3326,7 +3326,7 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
     }
     call = call_at(c, state, c->M_eta, unit);
     call.qddot = unit;
-    call.etaddot = unit + SIX_LINK_NTAU;
+    call.etaddot = unit + (SIX_LINK_NV - SIX_LINK_NMODES);
     if (!six_link_finite(state->q, SIX_LINK_NQ)) {
         return SIX_LINK_NONFINITE;
     }
@@ -3334,7 +3334,7 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
     for (j = 0; j < SIX_LINK_NV && status == SIX_LINK_OK; ++j) {
         unit[j] = 1;
         call.new_force = M[j];
-        call.new_force_eta = M[j] + SIX_LINK_NTAU;
+        call.new_force_eta = M[j] + (SIX_LINK_NV - SIX_LINK_NMODES);
         status = six_link_inertia_column(c, &call, chain, &fault);
         unit[j] = 0;
         if (!six_link_finite(M[j], SIX_LINK_NV)) {

@@ -6,8 +6,8 @@ static six_link_call call_for(const six_link_state *state, six_link_motion *moti
     six_link_call call = { 0 };
     call.q = state->q;
     call.qdot = state->v;
-    call.eta = state->q + SIX_LINK_NTAU;
-    call.etadot = state->v + SIX_LINK_NTAU;
+    call.eta = state->q + (SIX_LINK_NQ - SIX_LINK_NMODES);
+    call.etadot = state->v + (SIX_LINK_NV - SIX_LINK_NMODES);
     call.new_R = &motion->rotation[0][0][0];
     call.new_r = &motion->position[0][0];
     call.new_tip_twist = &motion->tip_twist[0][0];
@@ -54,7 +54,7 @@ six_link_status six_link_tip_jacobian(const six_link_constants *c, const six_lin
     }
     call = call_for(state, motion);
     call.qdot = unit;
-    call.etadot = unit + SIX_LINK_NTAU;
+    call.etadot = unit + (SIX_LINK_NV - SIX_LINK_NMODES);
     for (j = 0; j < SIX_LINK_NV && status == SIX_LINK_OK; ++j) {
         unit[j] = 1;
         status = six_link_motion_of(c, &call, chain, &fault);
@@ -86,7 +86,8 @@ six_link_status six_link_gravity(const six_link_constants *c, const six_link_sta
     status = six_link_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     for (round = 0; round < SIX_LINK_ROUNDS && status == SIX_LINK_OK; ++round) {
         for (k = 0; k < SIX_LINK_NMODES; ++k) {
-            posture.q[SIX_LINK_NTAU + k] -= force[SIX_LINK_NTAU + k] / c->K[SIX_LINK_NTAU + k];
+            posture.q[SIX_LINK_NQ - SIX_LINK_NMODES + k] -= force[SIX_LINK_NV - SIX_LINK_NMODES
+                + k] / c->K[SIX_LINK_NTAU + k];
         }
         status = six_link_inverse_dynamics(c, &posture, input, still, chain, force, 0);
     }

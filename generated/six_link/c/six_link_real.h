@@ -129,7 +129,8 @@ static inline int six_link_moderate(const six_link_real *x, int n)
 /* Whether a failed pivot means a singular posture: the input is finite and does not overflow. */
 static inline int six_link_sound(const six_link_state *s, const six_link_input *u)
 {
-    return six_link_finite(s->q, SIX_LINK_NTAU) && six_link_moderate(s->q + SIX_LINK_NTAU, SIX_LINK_NMODES)
+    return six_link_finite(s->q, SIX_LINK_NQ - SIX_LINK_NMODES)
+        && six_link_moderate(s->q + (SIX_LINK_NQ - SIX_LINK_NMODES), SIX_LINK_NMODES)
         && six_link_moderate(s->v, SIX_LINK_NV)
         && six_link_finite(u->tau, SIX_LINK_NTAU) && six_link_finite(&u->w_ext[0][0], 6 * SIX_LINK_NLINKS);
 }

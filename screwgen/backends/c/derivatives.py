@@ -29,17 +29,17 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     check_size(chain, chain.nq, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
-    nq = chain.nq
+    nq, nv = chain.nq, chain.nv
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
         "m_eta": lambda k: f"work->m_eta[{k}]",
         "M": lambda k: "work->M[{}][{}]".format(*_triangle(k)),
         "f_q": lambda k: f"out->vdot_q[{k // nq}][{k % nq}]",
-        "f_v": lambda k: f"out->vdot_v[{k // nq}][{k % nq}]",
+        "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
     }
     placed = piece_place(chain, "work->kept", own, place)
     return pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | {
-        "solve": nq**3 // 3 + 2 * nq * nq * (2 * nq + chain.n_joints),
+        "solve": nv**3 // 3 + 2 * nv * nv * (nq + nv + chain.n_tau),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
     }

@@ -123,6 +123,8 @@ class CProject:
             "n_joints": chain.n_joints,
             "n_modes": chain.n_modes,
             "nq": chain.nq,
+            "nv": chain.nv,
+            "n_tau": chain.n_tau,
             "sprung": chain.sprung,
             "slides": chain.slides,
             "sliding": chain.sliding,
@@ -323,7 +325,7 @@ class CProject:
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
         c, states = self.chain, 1 + len(steps.registers(self.methods))
-        sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nq, "NTAU": c.n_joints, "NMODES": c.n_modes, "NGIVEN": c.n_given}
+        sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
         sizes["NINERTIA"] = c.n_inertia
         total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
         own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}

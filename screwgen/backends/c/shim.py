@@ -39,7 +39,7 @@ def shims(project: CProject) -> dict[str, str]:
         extra=extra,
         extra_lines=_extra_lines(project, extra),
         energy=_energy(project, energy, known, extra),
-        width=1 + 2 * chain.nq + chain.n_joints + 6 * chain.n + 3 + 2,
+        width=1 + chain.nq + chain.nv + chain.n_tau + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}
 

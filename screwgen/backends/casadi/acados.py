@@ -68,7 +68,7 @@ def acados(
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
     _check("form", form, FORMS)
     _check("binding of the parameters", binding, BINDINGS)
-    tau = ca.SX.sym("tau", chain.n_joints)
+    tau = ca.SX.sym("tau", chain.n_tau)
     p, robot_p, wrenches, labels, values = _parameters(chain, binding, w_ext)
     maker = _joint if form == "joint" else _dae
     parts = maker(chain, functions, tau, wrenches, robot_p)

@@ -64,9 +64,9 @@ class Made(Mapping):
 
 def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     """What makes the functions of the joint form, by name."""
-    n, nq, np_ = chain.n, chain.nq, len(fused.parameters(chain.robot))
-    q, v, vdot = (ca.SX.sym(name, nq) for name in ("q", "v", "vdot"))
-    tau, w_ext, p = ca.SX.sym("tau", chain.n_joints), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
+    n, nv, np_ = chain.n, chain.nv, len(fused.parameters(chain.robot))
+    q, v, vdot = ca.SX.sym("q", chain.nq), ca.SX.sym("v", nv), ca.SX.sym("vdot", nv)
+    tau, w_ext, p = ca.SX.sym("tau", chain.n_tau), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
     given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
 
     @cache
@@ -92,7 +92,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        lower = ca.SX(ca.Sparsity.lower(nq).T, outputs(_inertia)["lower"]).T
+        lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
     rows = (
@@ -112,16 +112,16 @@ def _inertia(chain: Chain) -> Program:
     """``(q) -> (lower)``: the lower triangle of the mass matrix, row by row."""
 
     def body(f: Functions, x: Mapping) -> dict[str, list]:
-        rest, nothing = [0.0] * chain.nq, [0.0] * 6 * chain.n
+        rest, nothing = [0.0] * chain.nv, [0.0] * 6 * chain.n
         M = slopes(f, x["q"], rest, rest, nothing).M
-        return {"lower": [M[i, j] for i in range(chain.nq) for j in range(i + 1)]}
+        return {"lower": [M[i, j] for i in range(chain.nv) for j in range(i + 1)]}
 
     return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)
 
 
 def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     """What makes the DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
-    given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq)}
+    given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nv)}
 
     def assemble() -> ca.Function:
         program, places = fused.assembly(chain)
@@ -139,7 +139,7 @@ def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 
 
 def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:
-    sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_joints}
+    sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_tau}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     parameters = ca.SX.sym("p", len(fused.parameters(chain.robot)))
     return given | {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": parameters}
@@ -152,8 +152,8 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     by the integrator's own error.
     """
     given = _dae_symbols(chain)
-    u = ca.SX.sym("u", chain.n_joints + 6 * chain.n)
-    tau, w_ext = u[: chain.n_joints], ca.reshape(u[chain.n_joints :], 6, chain.n)
+    u = ca.SX.sym("u", chain.n_tau + 6 * chain.n)
+    tau, w_ext = u[: chain.n_tau], ca.reshape(u[chain.n_tau :], 6, chain.n)
     M, H, W = assemble(given["x"], tau, w_ext, given["p"])
     ode = expressions(fused.kinematic_rates(chain), given)["ode"]
     return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
@@ -165,7 +165,7 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     ``dae_dynamics``, ``joint_rates``, ``project``.  ``f_eta`` belongs to the last ``chain.n_given`` of q, and so
     does ``m_eta``, which ends with the entries below the diagonal where modes are coupled.
     """
-    sizes = {"q": chain.nq, "v": chain.nq, "tau": chain.n_joints, "m_eta": chain.n_inertia, "f_eta": chain.n_given}
+    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "m_eta": chain.n_inertia, "f_eta": chain.n_given}
     given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fused.parameters(chain.robot)))}
     dynamics = expressions(fused.modal_dynamics(chain), given)
@@ -204,11 +204,11 @@ def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Fun
 
 def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
     """``dict(x, u, p, ode)`` of the joint form for ``casadi.integrator``: x = [q; v], u = [tau; vec(w_ext)]."""
-    x, u = ca.SX.sym("x", 2 * chain.nq), ca.SX.sym("u", chain.n_joints + 6 * chain.n)
+    x, u = ca.SX.sym("x", chain.nq + chain.nv), ca.SX.sym("u", chain.n_tau + 6 * chain.n)
     p = ca.SX.sym("p", dynamics.size1_in("p"))
     q, v = x[: chain.nq], x[chain.nq :]
-    w_ext = ca.reshape(u[chain.n_joints :], 6, chain.n)
-    vdot = dynamics(q, v, u[: chain.n_joints], w_ext, p)[0]
+    w_ext = ca.reshape(u[chain.n_tau :], 6, chain.n)
+    vdot = dynamics(q, v, u[: chain.n_tau], w_ext, p)[0]
     return dict(x=x, u=u, p=p, ode=ca.vertcat(v, vdot))
 
 

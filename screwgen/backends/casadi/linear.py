@@ -18,7 +18,7 @@ def linearisation(chain: Chain) -> ca.Function:
     y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s, m/s²), the joint
     wrenches link by link (6 n) and the strains of :func:`base_strains`.
     """
-    sizes = {"q": (chain.nq, 1), "v": (chain.nq, 1), "tau": (chain.n_joints, 1), "w_ext": (6, chain.n)}
+    sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "tau": (chain.n_tau, 1), "w_ext": (6, chain.n)}
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | parameter_symbols(chain)
     q, v, p = given["q"], given["v"], given["p"]
     dynamics = expressions(fused.forward_dynamics(chain), given)
@@ -49,7 +49,7 @@ def statics(chain: Chain) -> ca.Function:
     """
 
     def body(f: Functions, x):
-        rest = [0.0] * chain.nq
+        rest = [0.0] * chain.nv
         force, wrench = f.statics(x["q"], x["w_ext"])
         energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][-1][1]
         return {"force": force, "wrench": wrench, "potential": [energy], "tip": tip}
@@ -77,7 +77,7 @@ def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     names = [x.name for x in parameters(chain.robot)]
     rows = []
     for i in chain.firsts:
-        segment, first = chain.segments[i], chain.n_joints + chain.eta_offset[i]
+        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
         for strain in strains(chain.keys[i], 0.0):
             length = p[names.index(f"{segment.owner}.length")] / segment.count
             eta = q[[first + k for k in strain.modes]]

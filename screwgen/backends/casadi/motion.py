@@ -30,9 +30,8 @@ def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.
 
 def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
     """Inputs of functions by name."""
-    nq = chain.nq
-    sizes = {"q": (nq, 1), "v": (nq, 1), "vdot": (nq, 1), "tau": (chain.n_joints, 1), "w_ext": (6, chain.n)}
-    sizes |= {"p": (len(fused.parameters(chain.robot)), 1), "dt": (1, 1)}
+    sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "vdot": (chain.nv, 1), "tau": (chain.n_tau, 1)}
+    sizes |= {"w_ext": (6, chain.n), "p": (len(fused.parameters(chain.robot)), 1), "dt": (1, 1)}
     return {name: ca.SX.sym(name, *sizes[name]) for name in names.split()}
 
 

@@ -100,7 +100,7 @@ def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 class Evaluated(NamedTuple):
-    """The results of a stage: the rate of the state, `vdot` (nq,), and the rate (n, 6) of the poses' vectors ``u``."""
+    """The results of a stage: the rate of the state, `vdot` (nv,), and the rate (n, 6) of the poses' vectors ``u``."""
 
     rates: np.ndarray
     vdot: np.ndarray

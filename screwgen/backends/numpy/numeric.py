@@ -48,7 +48,7 @@ def function_of(program: Program):
 class Numeric:
     """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values).
 
-    ``q``, ``v``, ``vdot`` (nq,), ``tau`` (n_joints,), ``w_ext`` (n, 6), ``x`` as :func:`state_size` says; None is
+    ``q`` (nq,), ``v``, ``vdot`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6), ``x`` as :func:`state_size` says; None is
     zero.  Raises :class:`UsageError` on other shapes, :class:`SingularError` naming the link whose joint is singular.
     """
 
@@ -82,7 +82,7 @@ class Numeric:
         return outputs
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-        """``vdot`` (nq,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
+        """``vdot`` (nv,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
         vdot, wrench = self._functions(FORWARD).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
@@ -99,7 +99,7 @@ class Numeric:
         return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
     def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
-        """All nq generalised forces."""
+        """All nv generalised forces."""
         given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
         return np.array(self._functions(INVERSE).inverse_dynamics(*given))
 
@@ -108,20 +108,20 @@ class Numeric:
         return self.inverse_dynamics(q, v, None, w_ext)
 
     def mass_matrix(self, q) -> np.ndarray:
-        """``M`` (nq, nq), column by column from the inverse dynamics."""
-        nq, (q, rest, w_ext) = self.chain.nq, self._rows(q=q, v=None, w_ext=None)
+        """``M`` (nv, nv), column by column from the inverse dynamics."""
+        nv, (q, rest, w_ext) = self.chain.nv, self._rows(q=q, v=None, w_ext=None)
         stiff = self._functions(INVERSE).constants
         soft = [c | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
         still = Functions(self.chain, soft, [0.0] * 3, self._apply)
         offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
-        columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nq).tolist()]
-        return np.array(columns).reshape(nq, nq).T
+        columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nv).tolist()]
+        return np.array(columns).reshape(nv, nv).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
-        given = np.eye(self.chain.nq)[:, : self.chain.n_joints]
+        given = np.eye(self.chain.nv)[:, : self.chain.n_tau]
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -192,8 +192,8 @@ class Numeric:
 
 def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
     """The shapes of the functions' arguments, by name."""
-    return dict.fromkeys(("q", "v", "vdot"), (chain.nq,)) | {
-        "tau": (chain.n_joints,),
+    return {"q": (chain.nq,), "v": (chain.nv,), "vdot": (chain.nv,)} | {
+        "tau": (chain.n_tau,),
         "w_ext": (chain.n, 6),
         "x": (state_size(chain),),
     }

@@ -34,7 +34,7 @@ def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
     except KeyError as error:
         raise UsageError(f"{shown}: has no {one_line(str(error.args[0]))}; give a .npz of simulate") from None
     count = len(found["t"])
-    sizes = {"q": (model.nq,), "v": (model.nq,), "tau": (model.n_joints,), "wrench": (model.n_links, 6)}
+    sizes = {"q": (model.nq,), "v": (model.nv,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
     for name, size in sizes.items():
         if found[name].shape != (count, *size):
             raise UsageError(f"{shown}: {name} has the shape {found[name].shape}; this robot's is {(count, *size)}")

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
+from .drives import joint_torque
 from .phases import joint_motion, joint_offset, joint_point, relative_posture, tip_motion, tip_state
 from .scope import Scope
 
@@ -235,7 +236,7 @@ def joint_rows(s: Scope) -> None:
         "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
         "b_P": s.read("base.b"),
-        "tau": s.read("tau"),
+        "tau": joint_torque(s, qdot),
         "qdot": qdot,
         "q": q,
     }

@@ -9,9 +9,11 @@ takes the place of the torque in the joint's rows. The gear is a symmetric coupl
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
-from ..ir.program import Array, Value
+from ..ir.program import Array, Program, Tracer, Value
 from ..spec.link_class import DriveClass, LinkClass
 from . import matrices as mx
 from .scope import Scope
@@ -48,6 +50,10 @@ def constant(s: Scope, name: str, axis: int) -> Value:
             return read("joint_stiffness") if s.key.stiffness else 0.0
         case "rotor_inertia":
             return inertia
+        case "coulomb":
+            return read("drive_coulomb")
+        case "speed":
+            return read("drive_velocity") * read("drive_velocity")
         case "gear_inertia":
             return 0.0
         case "rotor_damping":
@@ -68,6 +74,24 @@ def labelled(s: Scope, label: str) -> Value | None:
     """The constant with the label of an axis, such as ``armature_1``; None if it is no such constant."""
     name, _, number = label.rpartition("_")
     return constant(s, name, int(number) - 1) if name in PREPARED else None
+
+
+@cache
+def friction(count: int) -> Program:
+    """``(w, coulomb, speed) -> (force, slope)``: dry friction at rates ``w``, and its derivative; speeds are squared.
+
+    ``coulomb w / sqrt(w^2 + speed)``, whose secant ``coulomb / sqrt(w^2 + speed)`` implicit methods take as a damping.
+    """
+    tracer = Tracer()
+    w, coulomb, speed = (tracer.input(name, count) for name in ("w", "coulomb", "speed"))
+    force: list[Value] = []
+    slope: list[Value] = []
+    for rate, dry, square in zip(w, coulomb, speed, strict=True):
+        whole = rate * rate + square
+        secant = dry / tracer.call("sqrt", whole)
+        force.append(secant * rate)
+        slope.append(secant * square / whole)
+    return tracer.program("friction", {"w": count, "coulomb": count, "speed": count}, {"force": force, "slope": slope})
 
 
 # ------------------------------------------------------------------------------------------ elimination
@@ -109,19 +133,28 @@ def rotor_forces(s: Scope) -> None:
 
 def rotor_accelerations(s: Scope) -> None:
     """The rotors' accelerations by themselves: where no coupling is implicit they need no others."""
+    if not s.key.motors:
+        return
     tau = s.read("tau")
     torque = mx.array([tau[axis] for axis in s.key.motors])
     s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
 
 
-def gear_torque(s: Scope, tau: Array) -> Array:
-    """The torques on the joint's axes: of an elastic drive what its gear passes on, less its spring's own part."""
-    tau = tau.copy()
-    theta, thetadot = s.read("theta"), s.read("thetadot")
+def joint_torque(s: Scope, qdot: Array) -> Array:
+    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction is included.
+
+    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause.
+    """
+    tau = s.read("tau").copy()
+    of = lambda name, axis: s.constant(f"{name}_{axis + 1}")  # noqa: E731
     for k, axis in enumerate(s.key.motors):
-        tau[axis] = -(s.constant(f"gear_stiffness_{axis + 1}") * theta[k])
+        tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
         if drive_of(s.key, axis).damping:
-            tau[axis] = tau[axis] - s.constant(f"gear_damping_{axis + 1}") * thetadot[k]
+            tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]
+    for axis in (axis for axis in s.key.rubbed if axis not in s.key.motors):
+        speed = of("drive_velocity", axis)
+        size = s.tracer.call("sqrt", qdot[axis] * qdot[axis] + speed * speed)
+        tau[axis] = tau[axis] - of("drive_coulomb", axis) / size * qdot[axis]
     return tau
 
 

@@ -183,14 +183,21 @@ def modal_properties(chain: Chain, constants="parameters") -> Program:
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
     """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
 
-    Entries below the diagonal, if modes are coupled, follow the diagonal's.
+    Entries below the diagonal, if modes or rotors are coupled, follow the diagonal's. ``coulomb`` and ``speed`` are of
+    the coordinates in ``chain.dry``, if there are any.
     """
     out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
+    out |= {name: [0.0] * len(chain.dry) for name in COLUMNS["dry"] if chain.dry}
     for i, link in enumerate(links):
         for part, span in chain.given(i).items():
-            for name, own in zip(out, COLUMNS[part], strict=True):
+            for name, own in zip(robot_columns(part), COLUMNS[part], strict=True):
                 out[name][span] = link[own]
     return out
+
+
+def robot_columns(part: str) -> tuple[str, ...]:
+    """The robot's columns that hold those of a part of every link."""
+    return COLUMNS["dry" if part == "dry" else "eta"]
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
@@ -264,12 +271,15 @@ def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[
 
 
 def kinematic_rates(chain: Chain, constants="parameters") -> Program:
-    """``(x, z) -> (ode)``: the differential equations of the DAE form, the accelerations given."""
+    """``(x, z[, tau]) -> (ode)``: the differential equations of the DAE form, the accelerations given.
+
+    ``tau`` is an input where drives are elastic.
+    """
 
     def body(f: DaeFunctions, x):
-        return {"ode": f.kinematic_rates(x["x"], x["z"])}
+        return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    sizes = {"x": state_size(chain), "z": unknown_size(chain)}
+    sizes = {"x": state_size(chain), "z": unknown_size(chain)} | ({"tau": chain.n_tau} if chain.n_motors else {})
     return fuse(chain, "kinematic_rates", sizes, body, constants, DaeFunctions)
 
 

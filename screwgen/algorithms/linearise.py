@@ -56,6 +56,9 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
             _own(f, i, link, out)
+    if f.chain.n_motors or f.chain.dry:
+        with section("drives: rotors, gears and dry friction"):
+            _drives(f, v, out)
     _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
     _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
     return out
@@ -94,6 +97,22 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
         J[q, eta] = mx.multiply(link["axes"].T, link[f"F_{modal}"])
         J[eta, q] = mx.multiply(link["rows_eta"], link[f"u_{joint}"])
         J[eta, eta] = link[f"f_{modal}"] + stress
+
+
+def _drives(f: Functions, v, out: Slopes) -> None:
+    """The rows and columns of rotors, and the slopes of dry friction."""
+    chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
+    state, rotors, dry = chain.split(v, "qdot", "etadot"), enumerate(chain.geared, first), iter(chain.dry)
+    for i, key in enumerate(chain.keys):
+        own = f.constants[i]
+        for k in range(len(key.motors)):
+            rotor, joint = next(rotors)
+            for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
+                J[rotor, rotor] = own[f"{name}_theta"][k]
+                J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+        for slope in f.friction(i, state[i])["slope"]:
+            place = next(dry)
+            out.f_v[place, place] = out.f_v[place, place] + slope
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:

@@ -23,14 +23,16 @@ COLUMNS = {
     "theta": ("M_theta", "K_theta", "D_theta"),
     "gear": ("M_gear", "K_gear", "D_gear"),
     "below": ("M_below", "K_below", "D_below"),
+    "dry": ("coulomb", "speed"),
 }
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
 of the rotors of elastic drives, the entries that couple these with their axes,
-and the entries below the diagonal where modes are coupled (``LinkClass.coupled``)."""
+and those below the diagonal where modes are coupled (``LinkClass.coupled``)."""
 OF_AXES = {
     "q": ("armature", "joint_stiffness", "joint_damping"),
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
     "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
+    "dry": ("coulomb", "speed"),
 }
 """The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
 FEW, MANY = 3, 12
@@ -112,7 +114,8 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
             damped = key.damping or not name.startswith("D")
             values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
             scope.write(name, values)
-    for part, axes in (("q", range(key.joints) if key.sprung else ()), ("theta", key.motors), ("gear", key.motors)):
+    sprung = range(key.joints) if key.sprung else ()
+    for part, axes in (("q", sprung), ("theta", key.motors), ("gear", key.motors), ("dry", key.rubbed)):
         for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
             if axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])

@@ -22,6 +22,10 @@ from .parameters import labels
 from .tree import BASE, Tree
 
 
+ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
+"""The signal of a link's rotors by that of its joint."""
+
+
 class Chain:
     """A robot as the algorithms see it: one class and one set of offsets per link."""
 
@@ -34,6 +38,8 @@ class Chain:
         self.classes = list(dict.fromkeys(self.keys))
         self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
         self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
+        self.theta_offset = list(accumulate((len(k.motors) for k in self.keys), initial=0))
+        self.dry_offset = list(accumulate((len(k.rubbed) for k in self.keys), initial=0))
         self.below_offset = list(accumulate((len(k.coupled) for k in self.keys), initial=0))
 
     @cached_property
@@ -60,9 +66,19 @@ class Chain:
         return self.eta_offset[-1]
 
     @property
+    def n_motors(self) -> int:
+        """The number of rotors with a coordinate of their own, those of elastic drives."""
+        return self.theta_offset[-1]
+
+    @property
+    def n_inner(self) -> int:
+        """The number of coordinates behind those of the joints: rotors and modes."""
+        return self.n_motors + self.n_modes
+
+    @property
     def nq(self) -> int:
-        """The number of coordinates: joints, then modes."""
-        return self.n_joints + self.n_modes
+        """The number of coordinates: joints, then rotors, then modes."""
+        return self.n_joints + self.n_inner
 
     @property
     def nv(self) -> int:
@@ -81,8 +97,39 @@ class Chain:
 
     @cached_property
     def sprung(self) -> bool:
-        """Whether springs or dampers act in any joint."""
+        """Whether springs, dampers or friction act in any joint."""
         return any(key.sprung for key in self.keys)
+
+    @cached_property
+    def geared(self) -> list[int]:
+        """The joint coordinate, as an index in `v`, that each rotor drives."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.motors]
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor."""
+        out, first = list(range(self.nv - self.n_inner - self.n_tau, self.nv - self.n_inner)), self.eta_v - self.n_motors
+        for k, joint in enumerate(self.geared):
+            out[out.index(joint)] = first + k
+        return out
+
+    def ratios(self, p: Sequence) -> list:
+        """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols."""
+        axes = [(self.parameter_labels[i], axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        places = [labels.get(f"drive_ratio_{axis + 1}") for labels, axis in axes]
+        return [1.0 if place is None else p[place] for place in places]
+
+    def relaxed(self, q: np.ndarray, p: Sequence) -> np.ndarray:
+        """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+        shape = (self.n_motors, *(1 for _ in q.shape[1:]))
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
+
+    @cached_property
+    def dry(self) -> list[int]:
+        """The coordinates, as indices in `v`, with dry friction."""
+        axes = [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.rubbed]
+        places = dict(zip(range(self.n_joints), self.driven, strict=True))
+        return [places[axis] for axis in axes]
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
@@ -112,26 +159,34 @@ class Chain:
         return self.nv if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
-        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link.
+        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
 
-        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled.
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
+        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction.
         """
-        before = self.n_given - self.n_modes
-        parts = {"eta": slice(*(before + e for e in self.eta_offset[i : i + 2]))}
-        if self.keys[i].coupled:
-            parts["below"] = slice(*(self.n_given + e for e in self.below_offset[i : i + 2]))
-        return parts | ({"q": slice(*self.q_offset[i : i + 2])} if self.keys[i].sprung else {})
+        before, key = self.n_given - self.n_modes, self.keys[i]
+        part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
+        parts = {"eta": part(before, self.eta_offset)}
+        if key.coupled:
+            parts["below"] = part(self.n_given, self.below_offset)
+        if key.sprung:
+            parts["q"] = part(0, self.q_offset)
+        if key.motors:
+            parts["theta"] = part(before - self.n_motors, self.theta_offset)
+            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+        return parts | ({"dry": part(0, self.dry_offset)} if key.rubbed else {})
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
         first = [self.given(i)["eta"].start for i in range(self.n)]
-        return [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+        modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+        return modes + [(self.eta_v - self.n_motors + k, joint) for k, joint in enumerate(self.geared)]
 
     @property
     def n_inertia(self) -> int:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
-        return self.n_given + self.below_offset[-1]
+        return self.n_given + self.below_offset[-1] + self.n_motors
 
     def modal_product(self, A, x):
         """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
@@ -142,13 +197,19 @@ class Chain:
         return out
 
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
-        """``[joint coordinates; modal coordinates]`` as one mapping per link."""
+        """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link."""
         qs, es, m = self.q_offset, self.eta_offset, len(q) - self.n_modes
-        return [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        out = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        if self.n_motors:
+            ts, t = self.theta_offset, m - self.n_motors
+            for i, link in enumerate(out):
+                link[ROTOR[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
+        return out
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
-        return [x for link in links for x in link[joint]] + [x for link in links for x in link[modal]]
+        parts = [joint, *([ROTOR[joint]] if self.n_motors else []), modal]
+        return [x for part in parts for link in links for x in link.get(part, ())]
 
     @cached_property
     def parameter_labels(self) -> list[dict[str, int]]:

@@ -141,7 +141,7 @@ class CProject:
             "parameter_links": "$$_NLINKS" if chain.n == len(robot.links) else "$$_NPARTS",
             "q_names": coordinate_names(robot).q,
             "units": coordinate_units(robot),
-            "structs": structs(bool(chain.coupled), chain.sliding),
+            "structs": structs(chain),
             "parameters": self.parameters,
             "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
             "n_bodies": body_count(robot),
@@ -326,9 +326,9 @@ class CProject:
         """The scratch in double precision."""
         c, states = self.chain, 1 + len(steps.registers(self.methods))
         sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
-        sizes["NINERTIA"] = c.n_inertia
+        sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner}
         total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
-        own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
+        own = {name: total(fields) for name, fields in structs(c).items()}
         chain = (c.n + 1) * total(node_fields(self._programs)) + c.n * total(
             store_fields(self._programs, self.chain.sliding)
         )

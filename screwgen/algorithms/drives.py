@@ -97,13 +97,28 @@ def friction(count: int) -> Program:
 # ------------------------------------------------------------------------------------------ elimination
 
 
-def condense(s: Scope, inertia: Array, force: Array) -> tuple[Array, Array]:
+def armature(s: Scope) -> Array:
+    """The rotor inertias seen at the joint."""
+    return mx.array([s.constant(f"armature_{j + 1}") if s.key.weighted else 0.0 for j in range(s.key.joints)])
+
+
+def own_inertia(s: Scope) -> Array:
+    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint."""
+    return s.read("m_q") if s.key.sprung else armature(s)
+
+
+def own_force(s: Scope) -> Array:
+    """The generalised forces of the joint's damper and spring."""
+    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)
+
+
+def condense(s: Scope) -> tuple[Array, Array]:
     """Eliminate the rotors' accelerations from the joint's rows: the inertia that remains, and the driving force.
 
-    ``force`` is ``f_q``. The driving force of an axis without a rotor is ``tau - f_q``; that of an elastic one is
+    The driving force of an axis without a rotor is ``tau - f_q``; that of an elastic one is
     ``-f_q - m_gear / m_theta (tau - f_theta)``, and the inertia ``m_q - m_gear^2 / m_theta``.
     """
-    tau, inertia = s.read("tau"), inertia.copy()
+    inertia, tau, force = own_inertia(s).copy(), s.read("tau"), own_force(s)
     if not s.key.motors:
         return inertia, tau - force
     m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")

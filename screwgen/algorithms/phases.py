@@ -18,7 +18,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .drives import accelerate_rotors, condense, drive_energies, rotor_forces, spring
+from .drives import accelerate_rotors, armature, condense, drive_energies, own_force, own_inertia, rotor_forces, spring
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
 from .validity import axial_motion
@@ -140,7 +140,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
         U = s.name("U", mx.multiply(M, S))
-        own, driving = condense(s, own_inertia(s), own_force(s))
+        own, driving = condense(s)
         inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
@@ -299,18 +299,3 @@ def joint_offset(s: Scope, q: Array) -> Array:
     if s.key.slides:
         return s.lower("posture", {"q": q}, "r_J")[0]
     return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
-
-
-def armature(s: Scope) -> Array:
-    """The rotor inertias seen at the joint."""
-    return mx.array([s.constant(f"armature_{j + 1}") if s.key.weighted else 0.0 for j in range(s.key.joints)])
-
-
-def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint."""
-    return s.read("m_q") if s.key.sprung else armature(s)
-
-
-def own_force(s: Scope) -> Array:
-    """The generalised forces of the joint's damper and spring."""
-    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.joints)

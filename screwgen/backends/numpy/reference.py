@@ -112,12 +112,12 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
     q, v, tau, p = draw(m, 1, 1.2), draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
-    rotors = [[round(x * w, 6) for x, w in zip(chain.relaxed(np.array(y), p)[m:], wound, strict=True)] for y in (q, v)]
+    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(np.array(x), p)[m:], wound, strict=True)]  # noqa: E731
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
-        tau[joint] = round(tau[joint] / ratio, 6)
+        tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     return {
-        "q": q + rotors[0] + eta,
-        "v": v + rotors[1] + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
+        "q": q + turned(q) + eta,
+        "v": v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }

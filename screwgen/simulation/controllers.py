@@ -20,6 +20,7 @@ from .state import read_text, refusals, sized
 
 if TYPE_CHECKING:
     from ..model import Model
+    from ..topology.chain import Chain
 
 Controller = Callable[[float, np.ndarray, np.ndarray], Numbers]
 
@@ -34,7 +35,7 @@ KEYS = (*UNITS, "duration", "waypoints", "gravity")
 
 
 class Holding:
-    """The joint torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
+    """The torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
     They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
     are encoders.
@@ -43,14 +44,14 @@ class Holding:
     TOLERANCE, STEPS = 1e-12, 30
 
     def __init__(self, model: Model, p: Numbers | None = None):
-        self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
+        self.statics, self.count, self.chain = model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))
 
     def __call__(self, q: Numbers) -> np.ndarray:
-        """The torques (n_joints,), N·m, at the joint angles `q` (n_joints,), rad."""
+        """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
         m = self.count
-        x = np.append(np.asarray(q, float)[:m], np.zeros(self.nq - m))
+        x = self.chain.filled(np.asarray(q, float)[:m], self.p)
         for _ in range(self.STEPS):
             _, force, K, *_ = self.statics(x, self.still, self.p)
             force, K = np.array(force)[:, 0], np.array(K)[m:, m:]
@@ -58,7 +59,7 @@ class Holding:
             x[m:] += step
             if np.abs(step).max(initial=0.0) <= self.TOLERANCE * np.abs(x[m:]).max(initial=0.0):
                 break
-        return force[:m]
+        return self.chain.at_rotors(force[:m], self.p)
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,9 @@ class PD:
     `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
     angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
+
+    Gains, limits and angles are those of the joints. Of an elastic drive a run measures the rotor's angle over the
+    ratio in place of the joint's, and the torque acts on the rotor, less by the ratio (`through`).
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -84,6 +88,8 @@ class PD:
     q_start: tuple[float, ...] | None = None
     waypoints: tuple[tuple[float, tuple[float, ...]], ...] = ()
     gravity: Callable[[np.ndarray], np.ndarray] | None = None
+    driven: tuple[int, ...] | None = None
+    ratios: tuple[float, ...] | None = None
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -104,7 +110,30 @@ class PD:
 
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
-        return replace(self, q_start=tuple(float(x) for x in q[: len(self.q_des)]))
+        return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float))))
+
+    def through(self, chain: Chain, p: Numbers) -> PD:
+        """The same law through the elastic drives of a robot, at its parameters `p`."""
+        ratios = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p)
+        return replace(self, driven=tuple(chain.driven), ratios=tuple(ratios.tolist()))
+
+    @property
+    def _ratios(self) -> np.ndarray:
+        return np.ones(len(self.q_des)) if self.ratios is None else np.array(self.ratios)
+
+    def measured(self, x: np.ndarray) -> np.ndarray:
+        """The joints' part of `q` or `v` as the drives see it."""
+        return x[: len(self.q_des)] if self.driven is None else x[list(self.driven)] / self._ratios
+
+    @property
+    def bounds(self) -> np.ndarray | None:
+        """The limits of the torques where they act; None without limits."""
+        return None if self.tau_max is None else np.array(self.tau_max) / self._ratios
+
+    def scaled(self, name: str, power: int) -> np.ndarray | None:
+        """Gains, angles or limits in terms of what the torques act on: times a power of the ratios."""
+        value = getattr(self, name)
+        return None if value is None else np.array(value, float) * self._ratios**power
 
     @property
     def plain(self) -> bool:
@@ -130,13 +159,12 @@ class PD:
         return start + place * (goal - start), rate * (goal - start)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The joint torques, N·m, of slides forces, N."""
-        n = len(self.q_des)
-        q_ref, v_ref = self.reference(t)
-        tau = np.array(self.kp) * (q_ref - q[:n]) + np.array(self.kd) * (v_ref - v[:n])
+        """The torques, N·m, of slides forces, N, where they act."""
+        (q_ref, v_ref), there, rate, most = self.reference(t), self.measured(q), self.measured(v), self.bounds
+        tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
         if self.gravity is not None:
-            tau = tau + self.gravity(q[:n])
-        return tau if self.tau_max is None else np.clip(tau, -np.array(self.tau_max), np.array(self.tau_max))
+            tau = tau + self.gravity(there)
+        return tau if most is None else np.clip(tau, -most, most)
 
 
 def read_pd(path: str | os.PathLike[str], model: Model) -> PD:

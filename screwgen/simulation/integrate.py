@@ -81,13 +81,6 @@ class Dynamics:
         self.evaluate = Evaluator(functions["modal_dynamics"])
         self.own = OwnForces(model.chain, *Evaluator(functions["modal_properties"])(self.p))
 
-    def force(self, q: np.ndarray, v: np.ndarray, h: float) -> np.ndarray:
-        """The force of modes, joints and rotors `h` after `q`, `v` (nq, ...), without the accelerations' part.
-
-        Dry friction is left out.
-        """
-        return self.own.force(self.own.of(q), self.own.of(v), h)
-
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)

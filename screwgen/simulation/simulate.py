@@ -86,8 +86,8 @@ def simulate(
         check_output(store, FORMATS)
     every = whole(every, "every", 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
-    q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
-    law = started(controller, q0)
+    q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
+    law = started(controller, q0, model, p)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     diverged = False
@@ -188,12 +188,14 @@ def time_grid(duration: float, step: float) -> np.ndarray:
     return np.append(step * np.arange(step_count(duration, step)), float(duration))
 
 
-def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
-    """`values` as (nq,); the joints alone leave the modes at zero."""
+def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
+    """`values` as (nq,); the joints alone leave the modes at zero and gears without load, with the ratios in `p`."""
     given = np.ravel(floats([] if values is None else values, name))
     if len(given) not in (0, model.n_joints, model.nq):
         allowed = f"{model.nq}, or {model.n_joints} for the joints alone"
         raise UsageError(f"{name} has length {len(given)}; it must have {allowed}")
+    if len(given) == model.n_joints != model.nq:
+        return model.chain.filled(given, model.parameter_values if p is None else p)
     return np.append(given, np.zeros(model.nq - len(given)))
 
 

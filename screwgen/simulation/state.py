@@ -67,14 +67,17 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
 
 
 def motion(value: Any, key: str, model: Model) -> np.ndarray:
-    """`q` or `v` (nq,); an array of the joints alone leaves the modes at zero, an empty one everything."""
+    """`q` or `v` (nq,); an array of the joints alone leaves the modes at zero and gears without load, an empty
+    one leaves everything at zero.
+    """
     entries = array(value, "an array of numbers", at=(key,))
     if len(entries) not in (0, model.n_joints, model.nq):
         allowed = f"{model.nq} numbers, or the {model.n_joints} of the joints alone"
         raise refuse(f"has length {len(entries)}; it must have {allowed}", (key,))
-    out = np.zeros(model.nq)
-    out[: len(entries)] = [within(key)(x, at=(key, i)) for i, x in enumerate(entries)]
-    return out
+    given = np.array([within(key)(x, at=(key, i)) for i, x in enumerate(entries)], float)
+    if len(given) == model.n_joints != model.nq:
+        return model.chain.filled(given, model.parameter_values)
+    return np.append(given, np.zeros(model.nq - len(given)))
 
 
 def wrenches(value: Any, model: Model) -> np.ndarray:

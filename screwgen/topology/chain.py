@@ -124,6 +124,16 @@ class Chain:
         shape = (self.n_motors, *(1 for _ in q.shape[1:]))
         return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
 
+    def filled(self, joints: np.ndarray, p: Sequence) -> np.ndarray:
+        """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
+        return np.append(self.relaxed(np.asarray(joints, float), p), np.zeros(self.n_modes))
+
+    def at_rotors(self, tau: np.ndarray, p: Sequence) -> np.ndarray:
+        """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
+        out = np.array(tau, float)
+        out[[joint - (self.nv - self.n_inner - self.n_tau) for joint in self.geared]] /= np.array(self.ratios(p))
+        return out
+
     @cached_property
     def dry(self) -> list[int]:
         """The coordinates, as indices in `v`, with dry friction."""

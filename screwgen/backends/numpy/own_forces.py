@@ -38,6 +38,15 @@ class OwnForces:
         D[self.chain.dry] += self.coulomb / np.sqrt(rate[self.chain.dry] ** 2 + self.speed)
         return replace(self, D=D)
 
+    def softened(self, rate: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """(n_given, ...): what the fall of dry friction's secant adds to its force by a ``change`` of the rates."""
+        out, dry = np.zeros_like(change), self.chain.dry
+        if dry:
+            w, shape = rate[dry], (-1, *(1,) * (change.ndim - 1))
+            fall = -self.coulomb * w**2 / (w**2 + self.speed) ** 1.5
+            out[dry] = fall.reshape(shape) * change[dry]
+        return out
+
     def inertia(self, h: float) -> np.ndarray:
         """(n_inertia,): the inertia with the forces implicit over ``h`` seconds, ``M + h (D + h K)``."""
         return self.M + self.added(h)

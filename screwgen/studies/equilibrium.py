@@ -143,7 +143,7 @@ def _rested(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Stati
     _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, rotors))
     torques = np.where(held, b.force[: chain.n_tau], at_joints)
     q = np.concatenate([chain.relaxed(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
-    statics = _statics(model, p, chain.at_rotors(torques, p), w_ext, held)
+    statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held)
     return statics, statics.at(wound(model, q, torques, p))
 
 

@@ -56,7 +56,7 @@ RANGES = {
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m² or kg"),
     "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad or N·s/m"),
     "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad or N/m"),
-    "ratio": Range(positive, 1e-6, 1e9, "or rad/m"),
+    "ratio": Range(positive, 1e-6, 1e9, "1"),
     "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m²"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),

@@ -201,7 +201,14 @@ def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
         for link in model.robot.links
         for j in range(len(link.joint.axes))
     ]
-    return np.array([*springs, *[0.0] * model.chain.n_motors, *(k for constants in model.numpy(p).constants for k in constants["K"])], float)
+    return np.array(
+        [
+            *springs,
+            *[0.0] * model.chain.n_motors,
+            *(k for constants in model.numpy(p).constants for k in constants["K"]),
+        ],
+        float,
+    )
 
 
 def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

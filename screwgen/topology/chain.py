@@ -108,7 +108,10 @@ class Chain:
     @cached_property
     def driven(self) -> list[int]:
         """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor."""
-        out, first = list(range(self.nv - self.n_inner - self.n_tau, self.nv - self.n_inner)), self.eta_v - self.n_motors
+        out, first = (
+            list(range(self.nv - self.n_inner - self.n_tau, self.nv - self.n_inner)),
+            self.eta_v - self.n_motors,
+        )
         for k, joint in enumerate(self.geared):
             out[out.index(joint)] = first + k
         return out

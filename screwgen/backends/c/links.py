@@ -72,7 +72,9 @@ RUNS: dict[str, Run] = {
         "Poses and twists of the DAE form from coordinates and rates.",
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
-    "inverse": _run(alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_theta force_eta wrench"),
+    "inverse": _run(
+        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_theta force_eta wrench"
+    ),
     "inertia": Run(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",

@@ -116,7 +116,11 @@ def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
         joint, ends, held = [], [], (np.array(soft.tau), np.array(soft.w_ext))
         for method in methods:
             joint.append(
-                [weighted_sum(part) for x in method.step(soft, q, v, dt) for part in np.split(x, [len(x) - chain.n_modes])]
+                [
+                    weighted_sum(part)
+                    for x in method.step(soft, q, v, dt)
+                    for part in np.split(x, [len(x) - chain.n_modes])
+                ]
             )
             ends.append(_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(method))))
         f.given = None

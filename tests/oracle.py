@@ -10,7 +10,8 @@ equations of motion.
 Units are SI, angles radians. `q = [joint coordinates, link by link; modal coordinates, link by link]`,
 `v = dq/dt`. Twists and wrenches have the angular part first. `w_ext[i]` acts at link i's tip point, in
 tip-frame components. `wrench[i]` is what link i-1 (or the base) exerts on link i, at the joint point, in F_i
-components. Angles of rotors (elastic drives) stand between joints and modes. F_i is the link's frame: x along the undeformed centreline, origin at `frame_at` from the joint.
+components. F_i is the link's frame: x along the undeformed centreline, origin at `frame_at` from the joint. Angles of
+rotors (elastic drives) stand between joints and modes.
 """
 
 from __future__ import annotations

@@ -231,7 +231,7 @@ def test_natural_frequencies_equal_the_oracle(joints):
 
 
 def test_an_elastic_axis_costs_few_operations():
-    """At most 5 % of those of an axis with an armature, even where links are rigid; friction costs the dynamics none."""
+    """At most 5 % of those of an axis with an armature, even where links are rigid; friction costs the dynamics 0."""
 
     def operations(joint: dict, modes: dict | None) -> int:
         links = [link(f"l{i}", 0.4, "yz"[i % 2], modes=modes, joint=joint) for i in range(6)]

@@ -1,7 +1,8 @@
 """The functions of the DAE form: its state, its rates, its projection, and the assembled system.
 
 State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q]`` with poses
-``(w, x, y, z, px, py, pz)``, (109), and the angles of the rotors of elastic drives; unknowns ``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
+``(w, x, y, z, px, py, pz)``, (109), and the angles of the rotors of elastic drives; unknowns
+``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
 """
 
 from __future__ import annotations

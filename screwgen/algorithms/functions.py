@@ -203,7 +203,7 @@ class Functions:
 
 
 def dry_places(key: LinkClass) -> list[tuple[str, int]]:
-    """Where the dry friction of each axis acts: the part of the coordinates, ``q`` or ``theta``, and the place there."""
+    """Where the dry friction of each axis acts: the part of the coordinates, ``q`` or ``theta``, and the place."""
     return [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]
 
 

@@ -1,9 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates of a
-link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes. Angular parts come first. Accelerations
-are those of material points in the inertial frame, less free fall.
+phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates of
+a link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes. Angular parts come
+first. Accelerations are those of material points in the inertial frame, less free fall.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ class Joint(Part):
     )
 
     drives: tuple[Drive, ...] | None = Field(
-        None, description="the drive of each axis, an array of tables; {} is none, and then the torque acts on the axis"
+        None, description="the drive of each axis, an array of tables: gear, rotor, friction; {} is none"
     )
 
     @model_validator(mode="before")

@@ -104,7 +104,7 @@ SLIDING = {
     "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
     "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
 }
-"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction of a rotor is as of one."""
+"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
 
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 

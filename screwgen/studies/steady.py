@@ -58,8 +58,9 @@ def steady(
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 
-    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them, rotors to where
-    their gears carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where the loads on them change as joints turn.
+    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them, rotors to where their gears
+    carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where
+    the loads on them change as joints turn.
     """
     chain = model.chain
     v = chain.filled(checked(rates, "rates", model.n_joints), p)

@@ -21,7 +21,6 @@ from ..spec.segments import Segment, segments
 from .parameters import labels
 from .tree import BASE, Tree
 
-
 ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
 """The signal of a link's rotors by that of its joint."""
 

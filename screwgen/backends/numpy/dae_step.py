@@ -23,9 +23,8 @@ Function = Callable[..., Sequence]
 class DaeDynamics:
     """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints.
 
-    `properties`: of :class:`.OwnForces`, inertia, stiffness and damping of the coordinates that have them. `solve (x, tau, w_ext,
-    inertia, force) -> (xdot, vdot, wrench)`; `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read
-    where joints are sprung.
+    `properties`: those of :class:`.OwnForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
+    `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung.
     """
 
     def __init__(

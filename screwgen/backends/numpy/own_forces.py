@@ -1,4 +1,4 @@
-"""The coordinates with inertia, spring and damper of their own: all modes, and joints and rotors where any is sprung."""
+"""The coordinates with inertia, spring and damper of their own: modes, and joints and rotors where any is sprung."""
 
 from __future__ import annotations
 

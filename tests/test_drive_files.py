@@ -1,15 +1,21 @@
 """Drives in robot files: names, units and parameters, and ten kinds of wrong tables, each refused in one line."""
 
+import casadi as ca
+import numpy as np
 import pytest
 from bad_robot_files import GOOD, refusal
-from drive_robots import MIXED, mixed
-from helpers import example, model_of
+from drive_robots import ELASTIC, MIXED, mixed
+from helpers import example, link, model_of
 
-from screwgen import UsageError, load
+from screwgen import Robot, UsageError, derive, load
+from screwgen.backends.latex import document as latex
+from screwgen.plugins import plugins
 from screwgen.spec import dump
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
 UPPER = "links[0].joint.drives"
+BARE = link("bare", joint={"armature": [0.1]})
+CHAIN = MIXED | {"links": MIXED["links"][:2]}
 FULL = "ratio = 100.0, rotor_inertia = 1e-4, stiffness = 2e4, damping = 5.0"
 DRY = "friction = { coulomb = 0.4, viscous = 0.1, velocity = 0.01 }"
 WRONG = [
@@ -77,6 +83,37 @@ def test_parameters_have_names_units_and_limits():
     for name, value in (("cart.joint.drives[0].ratio", 0.0), ("tool.joint.drives[0].friction.velocity", -1.0)):
         with pytest.raises(UsageError, match="must be > 0"):
             model.numpy({name: value})
+
+
+def test_documents_have_the_equations_of_drives():
+    shown = latex.content(mixed().robot, plugins())
+    text = latex.tex(shown)
+    assert text.count(r"\ddot{\vartheta}") == 1 and "angle of the rotor of an elastic drive" in text
+    assert "elastic drives; rigid gears; friction" in text and "3 of rotors" in text
+    assert r"\vartheta" not in latex.tex(latex.content(model_of(MIXED | {"links": [BARE]}).robot, plugins()))
+
+
+def test_the_z_form_and_the_printed_system_refuse_rotors():
+    with pytest.raises(UsageError, match="the Z-form has no rotors; leave out the stiffness of drives"):
+        model_of(CHAIN).cauchy_names  # noqa: B018
+    assert "assemble_z" not in model_of(CHAIN).casadi()
+    rigid = MIXED | {"links": [link("a", joint={"drives": [ELASTIC]})]}
+    with pytest.raises(UsageError, match="the paper has neither gears nor friction"):
+        derive(Robot.model_validate(rigid), formulation="printed")
+
+
+def test_acados_has_torques_where_they_act():
+    export, model = mixed().acados(), mixed()
+    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
+    x, u = np.linspace(-0.1, 0.1, 2 * model.nq), np.ones(model.n_tau)
+    rates = f(x, np.zeros(2 * model.nq), u, model.parameter_values)[1]
+    rest = f(x, rates, u, model.parameter_values)[0]
+    assert np.abs(rest.full()).max() < 1e-9
+
+
+def test_the_readme_of_casadi_knows_where_the_states_of_the_dae_stand():
+    readme = mixed().casadi_files(["assemble", "dae"])["README.md"].decode()
+    assert "rotors' angles" in readme and "rate of rotors' rates" in readme
 
 
 def test_the_example_has_seven_axes_and_six_rotors():

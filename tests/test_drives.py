@@ -1,5 +1,6 @@
 """Drives of random robots against the oracle in every back end, and what the equations of gears and rotors must do."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -11,8 +12,10 @@ from judges import compiled, derivatives, numpy_and_casadi, solved_densely
 from random_robots import random_state
 from test_c_posture import Posture
 
-from screwgen import equilibrium, natural_frequencies, simulate
+from screwgen import PD, Holding, equilibrium, natural_frequencies, simulate
 from screwgen.algorithms import fused
+from screwgen.simulation.integrate import JointState, JointStepper
+from screwgen.simulation.motion import screws
 from screwgen.studies.analysis.spectrum import growth, step_map
 
 SEEDS = range(8000, 8024)
@@ -185,6 +188,39 @@ def test_derivatives_are_finite_at_rest():
     assert all(np.isfinite(x.full()).all() for x in slopes)
     for found, expected in zip(model.numpy().derivatives(*rest[:3], None), slopes[:3], strict=True):
         assert relative(found, expected.full()) < 1e-9
+
+
+@pytest.mark.parametrize("method", ["modal_implicit", "semi_implicit"])
+def test_the_amplification_matrix_is_the_derivative_of_a_step(method):
+    """In motion, with dry friction; of the methods that evaluate the dynamics once."""
+    c, h = everything(7), 1e-5
+    q, v, tau, w_ext = c.inputs
+    stepper = JointStepper(c.model, method, c.model.parameter_values)
+    after = lambda x: np.concatenate(stepper.step(JointState(*np.split(x, 2)), tau, w_ext, 1e-3))  # noqa: E731
+    x, columns = np.append(q, v), []
+    for e in h * np.eye(len(x)):
+        columns.append((8 * (after(x + e) - after(x - e)) - (after(x + 2 * e) - after(x - 2 * e))) / (12 * h))
+    assert relative(step_map(c.model, method, q, v, 1e-3, tau, w_ext=w_ext), np.array(columns).T) < 1e-6
+
+
+def test_a_pd_law_works_through_gears():
+    """Gains and limits are those at the joint: the rotor is measured, and gets its share of the torque."""
+    model, q = swing(3e3), np.array([0.4, -0.2])
+    law = PD((900.0, 400.0), (120.0, 60.0), tuple(q), duration=0.4, tau_max=(150.0, 60.0), gravity=Holding(model))
+    run = simulate(model, 1.0, 1e-3, controller=law, backend="numpy", every=10)
+    assert np.abs(run.q[-1, :2] - q).max() < 2e-2 and np.abs(run.tau).max() < 150.0 / RATIO
+    plain = replace(law, gravity=None)
+    runs = [simulate(model, 0.2, 1e-3, controller=plain, backend=b, every=10) for b in ("c", "numpy")]
+    assert relative(runs[0].q, runs[1].q) < 1e-9 and relative(runs[0].tau, runs[1].tau) < 1e-9
+    rest = equilibrium(model, q, hold=True)
+    assert relative(Holding(model)(q), rest.tau) < 1e-9
+
+
+def test_screws_and_poses_of_runs_know_where_twists_stand():
+    c = everything(8)
+    q, v = c.inputs[:2]
+    found = screws(c.model, q[None], v[None])
+    assert relative(np.hstack([found.omega[0], found.v[0]]), c.oracle.link_twists(q, v)) < 1e-11
 
 
 # -------- rest and vibration

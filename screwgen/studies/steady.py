@@ -106,7 +106,7 @@ def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.n
     chain, out = model.chain, q.copy()
     gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
     rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
-    out[rotors] += force[chain.geared] / (np.array(gears) * np.array(chain.ratios(p)))
+    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * np.array(chain.ratios(p), float))
     return out
 
 

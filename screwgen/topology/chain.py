@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
+from typing import Any
 
 import numpy as np
 
@@ -115,22 +116,23 @@ class Chain:
             out[out.index(joint)] = first + k
         return out
 
-    def ratios(self, p: Sequence) -> list:
+    def ratios(self, p: Any) -> list:
         """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols."""
         axes = [(self.parameter_labels[i], axis) for i, key in enumerate(self.keys) for axis in key.motors]
         places = [labels.get(f"drive_ratio_{axis + 1}") for labels, axis in axes]
         return [1.0 if place is None else p[place] for place in places]
 
-    def relaxed(self, q: np.ndarray, p: Sequence) -> np.ndarray:
+    def relaxed(self, q: Any, p: Any) -> np.ndarray:
         """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+        q = np.asarray(q, float)
         shape = (self.n_motors, *(1 for _ in q.shape[1:]))
         return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
 
-    def filled(self, joints: np.ndarray, p: Sequence) -> np.ndarray:
+    def filled(self, joints: Any, p: Any) -> np.ndarray:
         """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
-        return np.append(self.relaxed(np.asarray(joints, float), p), np.zeros(self.n_modes))
+        return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
 
-    def at_rotors(self, tau: np.ndarray, p: Sequence) -> np.ndarray:
+    def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
         out = np.array(tau, float)
         out[[joint - (self.nv - self.n_inner - self.n_tau) for joint in self.geared]] /= np.array(self.ratios(p))

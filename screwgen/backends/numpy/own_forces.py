@@ -38,12 +38,15 @@ class OwnForces:
         D[self.chain.dry] += self.coulomb / np.sqrt(rate[self.chain.dry] ** 2 + self.speed)
         return replace(self, D=D)
 
-    def softened(self, rate: np.ndarray, change: np.ndarray) -> np.ndarray:
-        """(n_given, ...): what the fall of dry friction's secant adds to its force by a ``change`` of the rates."""
+    def softened(self, rate: np.ndarray, felt: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """(n_given, ...): what the fall of dry friction's secant adds to its force by a ``change`` of the rates.
+
+        ``felt`` (n_given,): the rates that the secant multiplies.
+        """
         out, dry = np.zeros_like(change), self.chain.dry
         if dry:
             w, shape = rate[dry], (-1, *(1,) * (change.ndim - 1))
-            fall = -self.coulomb * w**2 / (w**2 + self.speed) ** 1.5
+            fall = -self.coulomb * w * felt[dry] / (w**2 + self.speed) ** 1.5
             out[dry] = fall.reshape(shape) * change[dry]
         return out
 

@@ -112,7 +112,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
     q, v, tau, p = draw(m, 1, 1.2), draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
-    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(np.array(x), p)[m:], wound, strict=True)]  # noqa: E731
+    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     return {

@@ -166,8 +166,17 @@ class Linearised:
         """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
         a, own = self.slopes(h), self.own
         at_q, at_v = there or (q, v)
-        force = own.force(own.of(q), own.of(v), h) + own.softened(own.of(self.v), own.of(at_v))
+        force = own.force(own.of(q), own.of(v), h)
+        if self.model.chain.dry:
+            force = force + own.softened(own.of(self.v), own.of(self._felt(h)), own.of(at_v))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+
+    def _felt(self, h: float) -> np.ndarray:
+        """The rates (nv,) that dry friction resists: those `h` later, as the accelerations lead to them."""
+        if h == 0 or self.trim is not None:
+            return self.v
+        here = (self.q, self.v)
+        return self.v + h * self.dynamics.implicit(*here, self.tau, self.w_ext, h, here)
 
     def slopes(self, h: float) -> Slopes:
         """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""

@@ -71,7 +71,7 @@ class Model:
 
     @property
     def nq(self) -> int:
-        """The number of coordinates: joint angles, then modal coordinates."""
+        """The number of coordinates: joint angles, angles of rotors, then modal coordinates."""
         return self.chain.nq
 
     @property

@@ -21,6 +21,7 @@ HOMES = {
     "simulation.validity": ("ModelLeftError", "ModelValidityWarning", "Validity"),
     "spec.frequencies": ("Frequencies",),
     "spec.load": ("dump", "load"),
+    "spec.drive": ("Drive", "Friction"),
     "spec.joint": ("Joint", "Mount"),
     "spec.robot": ("Body", "Damping", "Link", "Modes", "Robot"),
     "spec.screw": ("Screw",),

@@ -17,6 +17,8 @@ from .simulation.simulate import simulate as simulate
 from .simulation.validity import ModelLeftError as ModelLeftError
 from .simulation.validity import ModelValidityWarning as ModelValidityWarning
 from .simulation.validity import Validity as Validity
+from .spec.drive import Drive as Drive
+from .spec.drive import Friction as Friction
 from .spec.frequencies import Frequencies as Frequencies
 from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount

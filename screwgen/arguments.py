@@ -112,7 +112,8 @@ Given = Numbers | Mapping[str, Any] | None
 FREE = ("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia")
 """Fields whose numbers may have either sign."""
 
-POSITIVE = ("length", "rhoA")
+DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity")
+POSITIVE = ("length", "rhoA", *(f"joint.drives.{name}" for name in DRIVES))
 
 
 class Parameters:

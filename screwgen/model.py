@@ -74,7 +74,7 @@ class Model:
 
     @property
     def nq(self) -> int:
-        """The number of coordinates: joint angles, then modal coordinates."""
+        """The number of coordinates: joint angles, angles of rotors, then modal coordinates."""
         return self.chain.nq
 
     @property
@@ -186,8 +186,9 @@ class Model:
 
         ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out;
         ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
-        ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``modes``, ``mode_rates``,
-        ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
+        ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``rotor_angles``,
+        ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``tip_position``, ``tip_velocity``,
+        ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
         ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
         neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
         ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.

@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import random_robots as rr
+from drive_robots import MIXED
 from helpers import arm, equal_links, example_dict, link, model_of
 from varying_robots import tapered_arm
 
@@ -35,6 +36,7 @@ ROBOTS = {
     ),
     "rods": arm(*(link(n, axes=a) | {"section": {"rhoA": 1.0}} for n, a in (("rod", "x"), ("blade", "z")))),
     "eleven links": equal_links(11),
+    "drives": MIXED | {"links": MIXED["links"][:2]},
 }
 
 

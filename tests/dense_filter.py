@@ -36,12 +36,12 @@ class DenseFilter:
 
     def update(self, tau, w_ext, encoder, strain, acceleration):
         """All entries at once; NaN is not measured."""
-        n, m = self.n, self.model.n_joints
+        n, driven = self.n, self.model.chain.driven
         a, H_a = self.accelerometer(self.x, tau, np.reshape(w_ext, (-1, 6)).T)
-        H = np.r_[np.eye(2 * n)[:m], self.gauge_rows, H_a.full()]
-        expected = np.r_[self.x[:m], self.gauge_rows @ self.x, a.full()[:, 0]]
+        H = np.r_[np.eye(2 * n)[driven], self.gauge_rows, H_a.full()]
+        expected = np.r_[self.x[driven], self.gauge_rows @ self.x, a.full()[:, 0]]
         z = np.r_[encoder, strain, acceleration]
-        sizes = (m, len(self.gauge_rows), 3)
+        sizes = (len(driven), len(self.gauge_rows), 3)
         names = ("encoder", "strain", "acceleration")
         R = np.concatenate([full(getattr(self.noise, x), k) ** 2 for x, k in zip(names, sizes, strict=True)])
         there = np.isfinite(z)
@@ -60,7 +60,7 @@ def full(value, size) -> np.ndarray:
 def accelerometer(model: Model) -> ca.Function:
     """``(x, tau, w_ext) -> (a, da/dx)``: R^T (d²r/dt² - g), by differentiating the position of the tip twice."""
     n, p = model.nq, model.parameter_values
-    x, tau, w = ca.SX.sym("x", 2 * n), ca.SX.sym("tau", model.n_joints), ca.SX.sym("w", 6, model.n_links)
+    x, tau, w = ca.SX.sym("x", 2 * n), ca.SX.sym("tau", model.n_tau), ca.SX.sym("w", 6, model.n_links)
     q, v = x[:n], x[n:]
     vdot = model.casadi()["forward_dynamics"](q, v, tau, w, p)[0]
     R, r = model.casadi()["tip_pose"](q, p)

@@ -27,7 +27,7 @@ def solved_densely(case: Case) -> None:
     M, H, W = (np.array(a.full()) for a in functions["assemble"](x, tau, w_ext.T, p))
     z = np.linalg.solve(M, W - H)[:, 0]
     wrench, etaddot = z[: 12 * n].reshape(n, 12)[:, :6], z[12 * n :]
-    found = np.append(case.oracle.forward_dynamics(**case.state)[0][: case.model.n_joints], etaddot)
+    found = np.append(case.oracle.forward_dynamics(**case.state)[0][: case.model.chain.eta_v], etaddot)
     assert max(case.oracle.errors(case.state, found, wrench).values()) <= case.tolerance
 
 

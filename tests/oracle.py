@@ -10,7 +10,8 @@ equations of motion.
 Units are SI, angles radians. `q = [joint coordinates, link by link; modal coordinates, link by link]`,
 `v = dq/dt`. Twists and wrenches have the angular part first. `w_ext[i]` acts at link i's tip point, in
 tip-frame components. `wrench[i]` is what link i-1 (or the base) exerts on link i, at the joint point, in F_i
-components. F_i is the link's frame: x along the undeformed centreline, origin at `frame_at` from the joint.
+components. F_i is the link's frame: x along the undeformed centreline, origin at `frame_at` from the joint. Angles of
+rotors (elastic drives) stand between joints and modes.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import casadi as ca
 import numpy as np
 import scipy.linalg
 from oracle_cloud import Cloud, build_cloud, gradient, modal_slices, per_column, rates, slices
+from oracle_drives import Drives
 from oracle_link import read_link
 
 
@@ -51,15 +53,22 @@ class Oracle:
         self.gravity = np.array(robot["gravity"], dtype=float)
         self.joint_slices = slices([len(link.axes) for link in self.links])
         self.n_joint = self.joint_slices[-1].stop
-        self.modal_slices = slices([len(link.damping) for link in self.links], self.n_joint)
+        drives = [drive for link in self.links for drive in link.drives]
+        self.n_rotor = sum("stiffness" in drive for drive in drives)
+        self.modal_slices = slices([len(link.damping) for link in self.links], self.n_joint + self.n_rotor)
         self.nv = self.modal_slices[-1].stop
-        self.K = scipy.linalg.block_diag(
-            *[np.diag(link.joint_stiffness) for link in self.links], *[link.K for link in self.links]
+        self.drives, rotors = Drives(drives, self.nv), np.zeros(self.n_rotor)
+        self.K = self.drives.K + scipy.linalg.block_diag(
+            *[np.diag(link.joint_stiffness) for link in self.links],
+            *[np.zeros((1, 1))] * self.n_rotor,
+            *[link.K for link in self.links],
         )
         self.damping = np.concatenate(
-            [link.joint_damping for link in self.links] + [link.damping for link in self.links]
+            [link.joint_damping for link in self.links] + [rotors] + [link.damping for link in self.links]
         )
-        self.armature = np.concatenate([link.armature for link in self.links] + [np.zeros(self.nv - self.n_joint)])
+        self.D = self.drives.D + np.diag(self.damping)
+        self.armature = self.drives.inertia.copy()
+        self.armature[: self.n_joint] += np.concatenate([link.armature for link in self.links])
         self.q, self.v, self.a, self.trial = (ca.SX.sym(name, self.nv) for name in ("q", "v", "a", "trial"))
         self.w_ext = ca.SX.sym("w_ext", 6, self.n)
 
@@ -120,7 +129,7 @@ class Oracle:
         """Lagrange: d/dt(∂T/∂v) - ∂T/∂q + ∂U/∂q + D v - external."""
         (inertial,) = self.along_motion([gradient(self.kinetic, self.v)])
         force = inertial - gradient(self.kinetic, self.q) + gradient(self.potential, self.q)
-        force += ca.DM(self.damping) * self.v - gradient(self.external_power, self.v)
+        force += self._losses() - gradient(self.external_power, self.v)
         return self._function([self.q, self.v, self.a, self.w_ext], force)
 
     @cached_property
@@ -128,9 +137,13 @@ class Oracle:
         """d'Alembert: virtual power of every element's inertia and weight; accelerations, no energies."""
         trial = self._with_rates(self._place(), self.trial)
         power = sum(map(self._virtual_power, self.clouds, trial))
-        force = gradient(power, self.trial) + ca.DM(self.K) @ self.q + ca.DM(self.damping) * self.v
+        force = gradient(power, self.trial) + ca.DM(self.K) @ self.q + self._losses()
         force += ca.DM(self.armature) * self.a - gradient(self.external_power, self.v)
         return self._function([self.q, self.v, self.a, self.w_ext], force)
+
+    def _losses(self) -> ca.SX:
+        """(nv,): the forces of dampers and friction."""
+        return ca.DM(self.D) @ self.v + self.drives.friction(self.v)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
         momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
@@ -195,8 +208,10 @@ class Oracle:
         return np.zeros((6, self.n)) if w_ext is None else np.array(w_ext, dtype=float).reshape(self.n, 6).T
 
     def _force(self, tau) -> np.ndarray:
-        tau = np.zeros(self.n_joint) if tau is None else np.array(tau, dtype=float)
-        return np.concatenate([tau, np.zeros(self.nv - self.n_joint)])
+        out = np.zeros(self.nv)
+        if tau is not None:
+            out[self.drives.driven] = tau
+        return out
 
     def mass_matrix(self, q) -> np.ndarray:
         """M(q), (nv, nv): the momenta of unit velocities."""
@@ -234,13 +249,14 @@ class Oracle:
         """
         expected = self.parts(*self.forward_dynamics(**state))
         given = self.parts(np.array(vdot), np.reshape(wrench, (self.n, 6)))
-        companion = {"qdd": "etadd", "etadd": "qdd", "tau": "F", "F": "tau"}
-        return {k: part_error(expected[k], given[k], expected[companion[k]]) for k in companion}
+        companion = {"qdd": "etadd", "etadd": "qdd", "tau": "F", "F": "tau", "thetadd": "qdd"}
+        return {k: part_error(value, given[k], expected[companion[k]]) for k, value in expected.items()}
 
     def parts(self, vdot, wrench) -> dict[str, np.ndarray]:
-        """Forward dynamics split into its four parts of one unit each."""
-        joints, modal = vdot[: self.n_joint], vdot[self.n_joint :]
-        return {"qdd": joints, "etadd": modal, "tau": wrench[:, :3], "F": wrench[:, 3:]}
+        """Forward dynamics split into its parts of one unit each: four, and the rotors' if there are any."""
+        joints, rotors, modal = np.split(vdot, [self.n_joint, self.n_joint + self.n_rotor])
+        own = {"thetadd": rotors} if self.n_rotor else {}
+        return {"qdd": joints, "etadd": modal, "tau": wrench[:, :3], "F": wrench[:, 3:]} | own
 
     def forward_dynamics(self, q, v, tau=None, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
         """(vdot (nv,), wrench (n, 6)); one step of iterative refinement in the linear solve."""
@@ -265,7 +281,7 @@ class Oracle:
         v = np.array(v, dtype=float)
         twists = self.tip_twists(q, v)
         external = 0.0 if w_ext is None else float(np.sum(twists * np.reshape(w_ext, (self.n, 6))))
-        return float(v @ self._force(tau) - v @ (self.damping * v)) + external
+        return float(v @ self._force(tau) - v @ (self.D @ v + self.drives.friction(ca.DM(v)).full()[:, 0])) + external
 
     def momentum(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Linear momentum, and angular momentum about the inertial origin, of the whole arm; no armature."""
@@ -303,7 +319,8 @@ class Oracle:
 
     def frequencies(self, q=None, joints: str = "locked") -> np.ndarray:
         """Natural frequencies in Hz, ascending, at rest without gravity; joints 'locked' or 'free'."""
-        keep = slice(self.n_joint if joints == "locked" else 0, None)
+        held = self.drives.driven if joints == "locked" else []
+        keep = np.setdiff1d(np.arange(self.nv), held)
         M, K = self.mass_matrix(np.zeros(self.nv) if q is None else q), self.K
-        values = scipy.linalg.eigh(K[keep, keep], M[keep, keep], eigvals_only=True)
+        values = scipy.linalg.eigh(K[np.ix_(keep, keep)], M[np.ix_(keep, keep)], eigvals_only=True)
         return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)

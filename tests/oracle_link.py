@@ -43,6 +43,7 @@ class Link:
     armature: np.ndarray  # (m,)
     joint_damping: np.ndarray  # (m,)
     joint_stiffness: np.ndarray  # (m,)
+    drives: list[dict]  # of each axis, as the file states them
     base: list[Body]
     tip: list[Body]
     shapes: dict[str, Shapes]
@@ -213,6 +214,7 @@ def read_mounting(link: dict) -> dict:
         armature=per_axis("armature"),
         joint_damping=per_axis("damping"),
         joint_stiffness=per_axis("stiffness"),
+        drives=joint.get("drives", [{}] * len(axes)),
         base=[read_body(b) for b in bodies if b["at"] == "base"],
         tip=[read_body(b) for b in bodies if b["at"] == "tip"],
     )

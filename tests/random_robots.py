@@ -25,6 +25,7 @@ LIMITS = {
     "sliding": 0.0,  # of an axis: a slide or a screw
     "bodies": 0.5,  # of each of: a base body, a tip body
     "armature": 0.4,
+    "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
@@ -114,7 +115,36 @@ def random_joint(rng, limits: dict) -> dict:
     ):
         if count and chance(rng, probability):
             joint[key] = numbers(rng.uniform(0, high, count))
+    if count and limits["drives"] and chance(rng, limits["drives"]):
+        joint["drives"] = [random_drive(rng) for _ in range(count)]
+        if any("rotor_inertia" in drive for drive in joint["drives"]):
+            joint.pop("armature", None)
     return joint
+
+
+def random_drive(rng) -> dict:
+    """None, a rigid gear or an elastic one; the rotor at the joint is about as heavy as an armature."""
+    if chance(rng, 0.25):
+        return {}
+    ratio = log_uniform(rng, 1.0, 100.0)
+    drive = {"ratio": ratio, "rotor_inertia": log_uniform(rng, 0.01, 0.3) / ratio**2}
+    if chance(rng, 0.2):
+        drive = {"rotor_inertia": log_uniform(rng, 0.01, 0.3)}
+    if chance(rng, 0.7):
+        drive["stiffness"] = log_uniform(rng, 30.0, 3000.0)
+        if chance(rng, 0.6):
+            drive["damping"] = float(rng.uniform(0.1, 2.0))
+    if chance(rng, 0.5):
+        dry = {"coulomb": float(rng.uniform(0.0, 1.0)), "velocity": float(rng.uniform(0.05, 1.0))}
+        wet = {"viscous": float(rng.uniform(0.0, 0.1))}
+        drive["friction"] = [dry, wet, dry | wet][int(rng.integers(3))]
+    return drive
+
+
+def ratios(robot: dict) -> dict[int, float]:
+    """The ratio of every elastic drive, by its axis among all axes of the robot."""
+    drives = [d for link in robot["links"] for d in link["joint"].get("drives", [{}] * len(link["joint"]["axes"]))]
+    return {axis: drive.get("ratio", 1.0) for axis, drive in enumerate(drives) if "stiffness" in drive}
 
 
 def mixed(rng, axes: list, sliding: float) -> list:
@@ -208,9 +238,12 @@ def modal_scale(robot: dict) -> np.ndarray:
 def random_state(rng, robot: dict, angle: float = np.pi, rate: float = 2.0, modal: float = 1.0) -> dict:
     """q, v, tau, w_ext as lists: joint angles within ±angle, rates within ±rate, modal part times `modal`."""
     joints, scale, n = joint_count(robot), modal * modal_scale(robot), len(robot["links"])
+    q, eta = rng.uniform(-angle, angle, joints), scale * rng.uniform(-1, 1, len(scale))
+    v, etadot = rng.uniform(-rate, rate, joints), 10 * scale * rng.uniform(-1, 1, len(scale))
+    geared = lambda x: [ratio * x[axis] * (1 + 0.02 * rng.uniform(-1, 1)) for axis, ratio in ratios(robot).items()]  # noqa: E731
     return {
-        "q": numbers([*rng.uniform(-angle, angle, joints), *(scale * rng.uniform(-1, 1, len(scale)))]),
-        "v": numbers([*rng.uniform(-rate, rate, joints), *(10 * scale * rng.uniform(-1, 1, len(scale)))]),
+        "q": numbers([*q, *geared(q), *eta]),
+        "v": numbers([*v, *geared(v), *etadot]),
         "tau": numbers(rng.uniform(-20, 20, joints)),
         "w_ext": [numbers([*rng.uniform(-3, 3, 3), *rng.uniform(-10, 10, 3)]) for _ in range(n)],
     }
@@ -218,7 +251,7 @@ def random_state(rng, robot: dict, angle: float = np.pi, rate: float = 2.0, moda
 
 def rest_state(robot: dict) -> dict:
     """Everything exactly zero."""
-    size = joint_count(robot) + len(mode_order(robot))
+    size = joint_count(robot) + len(ratios(robot)) + len(mode_order(robot))
     zero_wrenches = [[0.0] * 6 for _ in robot["links"]]
     return {"q": [0.0] * size, "v": [0.0] * size, "tau": [0.0] * joint_count(robot), "w_ext": zero_wrenches}
 

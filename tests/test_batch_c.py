@@ -45,7 +45,9 @@ def test_lanes_of_every_width_step_bit_for_bit_as_the_scalar_code(width, name="e
         assert np.array_equal(path[:, -1], one_by_one(scalar(name), *given, method, 3)), method
 
 
-@pytest.mark.parametrize("name", ["rigid", "torsion, mount, body", "many modes", "welded", "tapered", "second order"])
+@pytest.mark.parametrize(
+    "name", ["rigid", "torsion, mount, body", "many modes", "welded", "tapered", "second order", "drives"]
+)
 def test_robots_of_every_kind_step_bit_for_bit(name):
     given = scenarios(name, 5)
     for method in ("rk4", "modal_midpoint"):

@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from dense_filter import DenseFilter
+from drive_robots import ELASTIC, RIGID
 from helpers import QUICK, G, arm, example, link, model_of
 from varying_robots import tapered_arm
 
@@ -19,7 +20,7 @@ FIBRE = 0.02
 def noise_of(model) -> Noise:
     """Forces that the model does not know of: on joints and bending; stiff directions are believed."""
     modes = [0.1 if d.startswith("bending") else 1e-6 for key in model.chain.keys for d, _ in key.directions]
-    density = np.r_[np.full(model.n_joints, 2.0), modes]
+    density = np.r_[np.full(model.chain.eta_v, 2.0), modes]
     return Noise(density, density_q=1e-12, encoder=1e-4, strain=2e-6, acceleration=0.2, fibre=FIBRE)
 
 
@@ -32,8 +33,13 @@ SKEW = arm(
     link("b", axes="y", modes=MODES, section=SOFT, joint=MOUNT, bodies=TIP),
 )
 
+GEARED = arm(
+    link("a", axes=["z", [1, 2, 3]], modes={"bending_y": 2}, section=SOFT, bodies=TIP, joint={"drives": [ELASTIC, {}]}),
+    link("b", axes="y", modes={"bending_z": 1}, section=SOFT, bodies=TIP, joint={"drives": [RIGID]}),
+)
+"""Elastic and rigid gears with friction: encoders are on the rotors."""
 
-ROBOTS = {"skew": SKEW, "tapered": tapered_arm(), "second order": SKEW | {"order": 2}}
+ROBOTS = {"skew": SKEW, "tapered": tapered_arm(), "second order": SKEW | {"order": 2}, "drives": GEARED}
 
 
 @cache
@@ -48,7 +54,7 @@ def compiled(name, single=False, binding="runtime"):
 
 def gauge_rows(model) -> np.ndarray:
     """Strain as rows over [q; v], from shapes by differences: psi = s^2 (a + b s + c s^2 + ...) near the base."""
-    rows, m = [], model.n_joints
+    rows, m = [], model.chain.eta_q
     s = 0.01 * np.arange(1, 9)
     for i, (part, key) in enumerate(zip(model.robot.links, model.chain.keys, strict=True)):
         for direction in ("bending_y", "bending_z"):
@@ -65,7 +71,7 @@ def gauge_rows(model) -> np.ndarray:
 def deviation_of(model) -> np.ndarray:
     """Standard deviations of q at the start."""
     stiff = [not d.startswith("bending") for key in model.chain.keys for d, _ in key.directions]
-    return np.r_[np.full(model.n_joints, 1e-2), np.where(stiff, 1e-7, 1e-3)]
+    return np.r_[np.full(model.chain.eta_q, 1e-2), np.where(stiff, 1e-7, 1e-3)]
 
 
 class Truth:
@@ -74,15 +80,16 @@ class Truth:
     def __init__(self, model, seed=0):
         self.model, self.rng = model, np.random.default_rng(seed)
         self.stepper = JointStepper(model, "modal_midpoint", model.parameter_values)
-        m, r = model.n_joints, model.nq - model.n_joints
-        self.q = np.r_[self.rng.uniform(-0.5, 0.5, m) + 0.3, np.zeros(r)]
+        joints = self.rng.uniform(-0.5, 0.5, model.n_joints) + 0.3
+        self.q = model.chain.filled(joints, model.parameter_values)
         self.v = np.zeros(model.nq)
         self.rows = gauge_rows(model)
 
     def torque(self):
-        m = self.model.n_joints
+        driven = self.model.chain.driven
         stiff = 40.0 if self.model.robot.name == "ella" else 1.0
-        return -stiff * self.q[:m] - stiff / 20 * self.v[:m] + self.rng.normal(size=m)
+        noise = self.rng.normal(size=len(driven))
+        return -stiff * self.q[driven] - stiff / 20 * self.v[driven] + noise
 
     def step(self, tau, w_ext, h):
         self.q, self.v = self.stepper.step(self.stepper.initial(self.q, self.v), tau, w_ext, h)
@@ -91,7 +98,7 @@ class Truth:
         """Encoders and strain."""
         strain, noise = self.rows[:, : self.model.nq] @ self.q, noise_of(self.model)
         return (
-            self.q[: self.model.n_joints] + noise.encoder * rng.normal(size=self.model.n_joints),
+            self.q[self.model.chain.driven] + noise.encoder * rng.normal(size=self.model.n_tau),
             strain + noise.strain * rng.normal(size=strain.size),
         )
 
@@ -101,7 +108,13 @@ class Truth:
 
 @pytest.mark.parametrize(
     ("name", "binding", "steps"),
-    [("ella", "runtime", 100), ("skew", "baked", 60), ("tapered", "runtime", 25), ("second order", "runtime", 60)],
+    [
+        ("ella", "runtime", 100),
+        ("skew", "baked", 60),
+        ("tapered", "runtime", 25),
+        ("second order", "runtime", 60),
+        ("drives", "runtime", 40),
+    ],
 )
 def test_equals_a_dense_filter(name, binding, steps):
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""

@@ -23,6 +23,9 @@ KEYS = {
     "damping": r"\ndamping = \[",
     "stiffness": r"stiffness = \[",
     "inertia": r"inertia = \[",
+    "ratio": r"\{ ratio = (?=9)",
+    "rotor inertia": "rotor_inertia = ",
+    "gear stiffness": r"\bstiffness = (?=1e4)",
     "position": r"xyz = \[",
     "turn": r"rpy = \[",
     "gravity": r"gravity = \[",
@@ -36,6 +39,9 @@ TUBE = "profile = { tube = { outer = 0.1, wall = 0.004 }, E = 2e11, density = 78
 TEXTS = {"frequency": MEASURED} | dict.fromkeys(("dimension", "nu"), GOOD.replace(f"section = {MATERIAL}", TUBE))
 SHEARED = GOOD.replace("EIz = 1e3, GJ", "EIz = 1e3, GAy = 1e5, GAz = 1e5, rhoIy = 1e-3, rhoIz = 1e-3, GJ")
 TEXTS |= dict.fromkeys(("GAy", "GAz", "rhoIy", "rhoIz"), SHEARED)
+DRIVE = "ratio = 9.0, rotor_inertia = 1e-4, stiffness = 1e4, friction = { coulomb = 1.0, velocity = 1.0 }"
+DRIVEN = GOOD.replace(FREE, f"{FREE}, drives = {{ {DRIVE} }}")
+TEXTS |= dict.fromkeys(("ratio", "rotor inertia", "gear stiffness", "coulomb", "velocity"), DRIVEN)
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

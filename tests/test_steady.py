@@ -8,7 +8,7 @@ from test_second_order import FLAP, SPEEDS, cantilever
 
 from screwgen import UsageError, natural_frequencies
 from screwgen.studies.convergence import convergence
-from screwgen.studies.modes import mode_shapes
+from screwgen.studies.modes import mode_shapes, movable
 from screwgen.studies.steady import oscillations
 
 
@@ -61,7 +61,7 @@ def test_eigenvalues_are_those_of_the_linear_model(order, loaded):
 def found_at(model, q, rates, loaded):
     from screwgen.studies.steady import steady
 
-    return steady(model, q, rates, loaded, np.array(model.parameter_values), model.n_joints)
+    return steady(model, q, rates, loaded, np.array(model.parameter_values), movable(model, "locked"))
 
 
 def test_without_rates_and_gravity_nothing_changes():

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
+from .drives import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
 from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
 from .scope import Scope
@@ -276,7 +277,7 @@ def joint_rows(s: Scope) -> None:
         "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
         "b_P": s.read("base.b"),
-        "tau": s.read("tau"),
+        "tau": joint_torque(s, qdot),
         "qdot": qdot,
         "q": q,
     }

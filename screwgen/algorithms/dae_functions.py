@@ -1,7 +1,8 @@
 """The functions of the DAE form: its state, its rates, its projection, and the assembled system.
 
-State ``x = [pose_1; ...; pose_n; eta; V_1; ...; V_n; etadot; q]`` with poses ``(w, x, y, z, px, py, pz)``,
-(109); unknowns ``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
+State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q]`` with poses
+``(w, x, y, z, px, py, pz)``, (109), and the angles of the rotors of elastic drives; unknowns
+``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from ..ir.program import Value
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
-from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, Functions
+from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
 from .schedule import Algorithm
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
@@ -20,8 +21,10 @@ TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 RATES = {
     "quaternion": "quaternion_rate",
     "position": "position_rate",
+    "theta": "thetadot",
     "eta": "etadot",
     "twist": "Vdot",
+    "thetadot": "thetaddot",
     "etadot": "etaddot",
     "q": "qdot",
 }
@@ -35,7 +38,7 @@ Entries = dict[tuple[int, int], Value]
 
 def state_size(chain: Chain) -> int:
     """The length of x."""
-    return 13 * chain.n + 2 * chain.n_modes + chain.n_joints
+    return 13 * chain.n + 2 * chain.n_inner + chain.n_joints
 
 
 def unknown_size(chain: Chain) -> int:
@@ -46,13 +49,14 @@ def unknown_size(chain: Chain) -> int:
 def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
     links, names = chain.names, coordinate_names(chain.robot)
-    modal = list(names.q[chain.eta_q :])
-    rates = list(names.v[chain.eta_v :])
+    inner = list(names.q[chain.eta_q - chain.n_motors :])
+    rates = list(names.v[chain.eta_v - chain.n_motors :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)
-    x = poses + modal + twists + rates + list(names.q[: chain.n_joints])
-    return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in rates]}
+    x = poses + inner + twists + rates + list(names.q[: chain.n_joints])
+    modal = rates[chain.n_motors :]
+    return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in modal]}
 
 
 def link_unknowns(chain: Chain, twist: Sequence[str]) -> list[str]:
@@ -68,16 +72,19 @@ class DaeFunctions(Functions):
 
     def unpack(self, x: Sequence[Value]) -> list[dict[str, list]]:
         """The state, split into one mapping per link."""
-        c, o = self.chain, self.chain.eta_offset
-        at_eta, at_twist = 7 * c.n, 7 * c.n + c.n_modes
-        at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_modes
+        c, o, t = self.chain, self.chain.eta_offset, self.chain.theta_offset
+        at_theta, at_twist = 7 * c.n, 7 * c.n + c.n_inner
+        at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_inner
+        at_eta, at_etadot = at_theta + c.n_motors, at_rate + c.n_motors
         return [
             {
                 "quaternion": list(x[7 * i : 7 * i + 4]),
                 "position": list(x[7 * i + 4 : 7 * i + 7]),
                 "eta": list(x[at_eta + o[i] : at_eta + o[i + 1]]),
                 "twist": list(x[at_twist + 6 * i : at_twist + 6 * i + 6]),
-                "etadot": list(x[at_rate + o[i] : at_rate + o[i + 1]]),
+                "etadot": list(x[at_etadot + o[i] : at_etadot + o[i + 1]]),
+                "theta": list(x[at_theta + t[i] : at_theta + t[i + 1]]),
+                "thetadot": list(x[at_rate + t[i] : at_rate + t[i + 1]]),
                 "q": list(x[at_q + c.q_offset[i] : at_q + c.q_offset[i + 1]]),
             }
             for i in range(c.n)
@@ -85,9 +92,11 @@ class DaeFunctions(Functions):
 
     def pack(self, links: Sequence[Mapping[str, list]], names: Mapping[str, str] | None = None) -> list:
         """The inverse of :meth:`unpack`; ``names`` says under which name a part is found."""
-        get = lambda link, part: list(link[(names or {}).get(part, part)])  # noqa: E731
+        named = lambda part: (names or {}).get(part, part)  # noqa: E731
+        get = lambda link, part: link.get(named(part), ()) if "theta" in part else link[named(part)]  # noqa: E731
         gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
-        return [*gather("quaternion", "position"), *gather("eta"), *gather("twist"), *gather("etadot"), *gather("q")]
+        inner, rates = gather("theta") + gather("eta"), gather("thetadot") + gather("etadot")
+        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *gather("q")]
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
         """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
@@ -124,9 +133,16 @@ class DaeFunctions(Functions):
         poses, _ = self._run(DAE_RATES, self.unpack(x))
         return self.pack([a | b for a, b in zip(links, poses, strict=True)], RATES)
 
-    def kinematic_rates(self, x: Sequence, z: Sequence) -> list:
-        """``xdot`` when the accelerations are given: the differential equations of the DAE."""
+    def kinematic_rates(self, x: Sequence, z: Sequence, tau: Sequence = ()) -> list:
+        """``xdot`` when the accelerations are given: the differential equations of the DAE.
+
+        ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns.
+        """
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
+        if self.chain.n_motors:
+            moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])
+            rotors, _ = self._run(ROTORS, moving, self._torques(tau))
+            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, rotors, strict=True)]
         n, o = self.chain.n, self.chain.eta_offset
         given = [
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}

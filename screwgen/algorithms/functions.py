@@ -6,11 +6,13 @@ from collections.abc import Mapping, Sequence
 
 from ..errors import SingularError
 from ..ir.program import Value
+from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from . import dae, loops, validity
 from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
+from .drives import friction, rotor_accelerations
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
@@ -27,6 +29,7 @@ MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
+ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
 DAE_RATES: Algorithm = (Phase(dae.pose_rates, OUTWARD),)
 PROJECTION: Algorithm = (Phase(dae.project, OUTWARD),)
 PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
@@ -92,7 +95,7 @@ class Functions:
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out = {}
         spans = self.chain.given(i)
-        below = spans.pop("below", None)
+        below, gear, _ = (spans.pop(part, None) for part in ("below", "gear", "dry"))
         for part, span in spans.items():
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
@@ -100,7 +103,35 @@ class Functions:
                 M, K, D = (self.constants[i][name] for name in COLUMNS[part])
                 pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
-        return out | ({} if below is None else self._coupled_terms(i, x, below, out["f_eta"]))
+        out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
+        return out if gear is None and not self.chain.keys[i].rubbed else self._drive_terms(i, x, gear, out)
+
+    def _drive_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
+        """What gears and dry friction add to the forces of joint and rotors, unless they are given."""
+        key, own = self.chain.keys[i], self.constants[i]
+        if self.given is not None:
+            return out | ({} if span is None else {"m_gear": list(self.given[0][span])})
+        if "f_q" not in out:
+            return out
+        out |= {part: list(out[part]) for part in ("f_q", "f_theta") if part in out}
+        if span is not None:
+            M, K, D = (own[name] for name in COLUMNS["gear"])
+            out["m_gear"] = list(M)
+            for n, axis in enumerate(key.motors):
+                out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]
+                out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
+        for (part, n), force in zip(dry_places(key), self.friction(i, x)["force"], strict=True):
+            out[f"f_{part}"][n] = out[f"f_{part}"][n] + force
+        return out
+
+    def friction(self, i: int, x: Mapping[str, list]) -> Mapping[str, list]:
+        """Dry friction of a link's axes at the rates of ``x``: ``force`` and ``slope``."""
+        key = self.chain.keys[i]
+        if not key.rubbed:
+            return {"force": [], "slope": []}
+        given = {name: self.constants[i][name] for name in COLUMNS["dry"]}
+        given["w"] = [x[f"{part}dot"][n] for part, n in dry_places(key)]
+        return self.apply(i, -1, friction(len(key.rubbed)), given)
 
     def _coupled_terms(self, i: int, x: Mapping[str, list], span: slice, force: Sequence) -> dict[str, list]:
         """The inertia of coupled modes; their forces are added to ``force`` unless they are given."""
@@ -256,14 +287,26 @@ def _moved(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
     """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
 
-    Entries below the diagonal, if modes are coupled, follow the diagonal's.
+    Entries below the diagonal, if modes or rotors are coupled, follow the diagonal's. ``coulomb`` and ``speed`` are of
+    the coordinates in ``chain.dry``, if there are any.
     """
     out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
+    out |= {name: [0.0] * len(chain.dry) for name in COLUMNS["dry"] if chain.dry}
     for i, link in enumerate(links):
         for part, span in chain.given(i).items():
-            for name, own in zip(out, COLUMNS[part], strict=True):
+            for name, own in zip(robot_columns(part), COLUMNS[part], strict=True):
                 out[name][span] = link[own]
     return out
+
+
+def robot_columns(part: str) -> tuple[str, ...]:
+    """The robot's columns that hold those of a part of every link."""
+    return COLUMNS["dry" if part == "dry" else "eta"]
+
+
+def dry_places(key: LinkClass) -> list[tuple[str, int]]:
+    """Where the dry friction of each axis acts: the part of the coordinates, ``q`` or ``theta``, and the place."""
+    return [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

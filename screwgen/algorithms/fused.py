@@ -282,12 +282,15 @@ def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[
 
 
 def kinematic_rates(chain: Chain, constants="parameters") -> Program:
-    """``(x, z) -> (ode)``: the differential equations of the DAE form, the accelerations given."""
+    """``(x, z[, tau]) -> (ode)``: the differential equations of the DAE form, the accelerations given.
+
+    ``tau`` is an input where drives are elastic.
+    """
 
     def body(f: DaeFunctions, x):
-        return {"ode": f.kinematic_rates(x["x"], x["z"])}
+        return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    sizes = {"x": state_size(chain), "z": unknown_size(chain)}
+    sizes = {"x": state_size(chain), "z": unknown_size(chain)} | ({"tau": chain.n_tau} if chain.n_motors else {})
     return fuse(chain, "kinematic_rates", sizes, body, constants, DaeFunctions)
 
 

@@ -37,7 +37,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
     free = identity(size) - N
-    if key.armature:
+    if key.weighted:
         J_m = b.parameter("armature", (m, 1))
         free = free + S_plus.T @ Diagonal(J_m) @ S_plus
     P_c = b.step("P_c", _whole(free, identity(3)))
@@ -75,8 +75,8 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
     total: Expression | None = None
     slides = not all(screw.turn for screw in key.screws)
     for present, name, state, display in (
-        (key.joint_damping, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
-        (key.stiffness, "joint_stiffness", "q", r"\mathbf{q}_i"),
+        (key.damped, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.braced, "joint_stiffness", "q", r"\mathbf{q}_i"),
     ):
         if present:
             column = b.parameter(

@@ -1,4 +1,4 @@
-"""What phases need of a joint: its rotation, its points, and the inertia and forces of its coordinates."""
+"""What phases need of a joint's place: its rotation and its points."""
 
 from __future__ import annotations
 
@@ -23,33 +23,3 @@ def joint_offset(s: Scope, q: Array) -> Array:
     if s.key.slides:
         return s.lower("posture", {"q": q}, "r_J")[0]
     return mx.array([s.constant(f"mount_xyz_{a}") for a in "xyz"]) if s.key.mount_xyz else mx.zeros(3)
-
-
-def _per_axis(s: Scope, present: bool, label: str) -> Array:
-    return mx.array([s.constant(f"{label}_{j + 1}") if present else 0.0 for j in range(s.key.joints)], (s.key.joints,))
-
-
-def armature(s: Scope) -> Array:
-    """The rotor inertias seen at the joint."""
-    return _per_axis(s, s.key.armature, "armature")
-
-
-def stiffness(s: Scope) -> Array:
-    return _per_axis(s, s.key.stiffness, "joint_stiffness")
-
-
-def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint."""
-    if s.key.free:
-        return mx.zeros(6)
-    return s.read("m_q") if s.key.sprung else armature(s)
-
-
-def own_force(s: Scope) -> Array:
-    """The generalised forces of the joint's damper and spring."""
-    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.freedoms)
-
-
-def drive(s: Scope) -> Array:
-    """The sum of the generalised forces of motor, damper and spring."""
-    return (mx.zeros(6) if s.key.free else s.read("tau")) - own_force(s)

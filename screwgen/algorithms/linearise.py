@@ -60,6 +60,9 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
             _own(f, i, link, out)
+    if f.chain.n_motors or f.chain.dry:
+        with section("drives: rotors, gears and dry friction"):
+            _drives(f, v, out)
     _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
     _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
     return out
@@ -67,7 +70,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
     key = chain.keys[i]
-    shapes = {name: STORE[name].size(key.joints, key.modes) for name in PAIRS}
+    shapes = {name: STORE[name].size_of(key) for name in PAIRS}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
 
@@ -100,12 +103,28 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
+def _drives(f: Functions, v, out: Slopes) -> None:
+    """The rows and columns of rotors, and the slopes of dry friction."""
+    chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
+    state, rotors, dry = chain.split(v, "qdot", "etadot"), enumerate(chain.geared, first), iter(chain.dry)
+    for i, key in enumerate(chain.keys):
+        own = f.constants[i]
+        for k in range(len(key.motors)):
+            rotor, joint = next(rotors)
+            for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
+                J[rotor, rotor] = own[f"{name}_theta"][k]
+                J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+        for slope in f.friction(i, state[i])["slope"]:
+            place = next(dry)
+            out.f_v[place, place] = out.f_v[place, place] + slope
+
+
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:
     """Inertia, stiffness and damping of the joint's own coordinates."""
     if key.sprung:
         return [constants[name] for name in COLUMNS["q"]]
     none = [0.0] * key.joints
-    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.armature else none, none, none]
+    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:

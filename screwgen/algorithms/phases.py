@@ -18,7 +18,8 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .joint_terms import armature, drive, joint_offset, joint_point, own_force, own_inertia, rotation, stiffness
+from .drives import accelerate_rotors, armature, condense, drive_energies, own_force, own_inertia, rotor_forces, spring
+from .joint_terms import joint_offset, joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
 from .validity import axial_motion
@@ -149,16 +150,20 @@ def eliminate(s: Scope) -> None:
 
 
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
-    """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given."""
+    """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
+
+    The rotors of elastic drives are eliminated before, see :mod:`.drives`.
+    """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
         U = s.name("U", mx.multiply(M, S))
-        inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own_inertia(s)))
+        own, driving = condense(s)
+        inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
-        w = mx.scale_rows(mx.forward(L, drive(s) - mx.multiply(S.T, h)), inverse)
+        w = mx.scale_rows(mx.forward(L, driving - mx.multiply(S.T, h)), inverse)
         s.keep("joint_L", L)
         s.keep("joint_W", W)
         s.keep("joint_w", w)
@@ -173,6 +178,8 @@ def accelerate(s: Scope) -> None:
         s.write("qddot", qddot[: s.key.joints])
         if s.key.free:
             s.write("Vdot", qddot)
+        if s.key.motors:
+            accelerate_rotors(s, qddot)
     with s.step("joint wrench (48)"):
         wrench = mx.zeros(6) if s.key.free else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
@@ -231,6 +238,8 @@ def inverse_inward(s: Scope) -> None:
     s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
     s.write("force", force[: s.key.joints])
+    if s.key.motors:
+        rotor_forces(s)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     if s.key.free:
         s.write("base_force", force)
@@ -306,9 +315,10 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    rotor = mx.dot(qdot, armature(s) * qdot)
+    spin, wound = drive_energies(s, q)
+    rotor = mx.dot(qdot, armature(s) * qdot) + spin
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
     R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
-    spring = mx.dot(q * stiffness(s), q)
-    s.write("potential", [stress.item() + 0.5 * spring - mx.dot(s.read("gravity"), moment)])
+    springs = mx.dot(q * spring(s), q) + wound
+    s.write("potential", [stress.item() + 0.5 * springs - mx.dot(s.read("gravity"), moment)])

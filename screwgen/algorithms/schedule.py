@@ -12,6 +12,7 @@ from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
+from .drives import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import Layout, Scope, derived
 
@@ -19,10 +20,21 @@ OUTWARD, INWARD = +1, -1
 COLUMNS = {
     "eta": ("M_eta", "K", "D"),
     "q": ("M_q", "K_q", "D_q"),
+    "theta": ("M_theta", "K_theta", "D_theta"),
+    "gear": ("M_gear", "K_gear", "D_gear"),
     "below": ("M_below", "K_below", "D_below"),
+    "dry": ("coulomb", "speed"),
 }
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
-and the entries below the diagonal where modes are coupled (``LinkClass.coupled``)."""
+of the rotors of elastic drives, the entries that couple these with their axes,
+and those below the diagonal where modes are coupled (``LinkClass.coupled``)."""
+OF_AXES = {
+    "q": ("armature", "joint_stiffness", "joint_damping"),
+    "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
+    "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
+    "dry": ("coulomb", "speed"),
+}
+"""The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
@@ -91,6 +103,9 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     scope = Scope(key, tracer, {})
     blocks = derived(key)
     for label in labels:
+        if key.drives and (own := labelled(scope, label)) is not None:
+            scope.write(label, [own])
+            continue
         owner = next((b for b in blocks.values() if any(s.name == label for s in b.bindings)), None)
         scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
     inputs = _parameters(scope, derived(key)["link"])
@@ -99,12 +114,11 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
             damped = key.damping or not name.startswith("D")
             values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
             scope.write(name, values)
-    if key.sprung:
-        stated = (key.armature, key.stiffness, key.joint_damping)
-        labels_of_axes = ("armature", "joint_stiffness", "joint_damping")
-        for name, present, label in zip(COLUMNS["q"], stated, labels_of_axes, strict=True):
-            axes = [f"p.{label}_{k + 1}" for k in range(key.joints)]
-            scope.write(name, [scope.read(axis, 1)[0] if present else 0.0 for axis in axes])
+    sprung = range(key.joints) if key.sprung else ()
+    for part, axes in (("q", sprung), ("theta", key.motors), ("gear", key.motors), ("dry", key.rubbed)):
+        for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
+            if axes:
+                scope.write(name, [constant(scope, label, axis) for axis in axes])
     return scope.program("prepare")
 
 

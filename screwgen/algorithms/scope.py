@@ -125,7 +125,7 @@ class Scope:
 
     def read(self, name: str, *shape: int) -> Array:
         """An input signal; ``shape`` is needed if it has no type in :mod:`.signals`."""
-        shape = shape or signal(name).size(self.key.joints, self.key.modes, len(self.key.coupled))
+        shape = shape or signal(name).size_of(self.key)
         size = int(np.prod(shape))
         if name not in self.inputs:
             self.inputs[name] = self.tracer.input(name, size)

@@ -1,9 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates and
-``r`` the number of modes of a link, ``b`` that of its coupled pairs of modes. Angular parts come first. Accelerations
-are those of material points in the inertial frame, less free fall.
+phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates of
+a link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes. Angular parts come
+first. Accelerations are those of material points in the inertial frame, less free fall.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ..ir.program import component
+from ..spec.link_class import LinkClass
 
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
 CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
@@ -28,9 +29,10 @@ class Signal(NamedTuple):
     at: str = ""
     """Where a call of the generated C has it, if that is not a member of its name; i is the link, e its first mode."""
 
-    def size(self, joints: int, modes: int, coupled: int = 0) -> tuple[int, ...]:
-        """The shape for given numbers of joint coordinates, modes and coupled pairs of modes."""
-        return tuple({"m": joints, "r": modes, "b": coupled}.get(n, n) for n in self.shape)
+    def size_of(self, key: LinkClass) -> tuple[int, ...]:
+        """The shape for a link class."""
+        counts = {"m": key.joints, "t": len(key.motors), "r": key.modes, "b": len(key.coupled)}
+        return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
         """The place of an entry of an array of ``shape``: letters along the axes of a frame, numbers elsewhere."""
@@ -110,6 +112,13 @@ CALL: dict[str, Signal] = {
     "f_q": Signal(("m",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
     "base_force": Signal((6,), WRENCH, F_I, "wrench on the floating base, at the origin of F_i"),
+    "theta": Signal(("t",), "rad", "-", "angles of the rotors"),
+    "thetadot": Signal(("t",), "rad/s", "-", "rates of the rotors"),
+    "thetaddot": Signal(("t",), "rad/s^2", "-", "accelerations of the rotors"),
+    "m_theta": Signal(("t",), "kg*m^2", "-", "inertia of the rotors"),
+    "f_theta": Signal(("t",), "N*m", "-", "force of gear and friction on the rotors"),
+    "m_gear": Signal(("t",), "kg*m^2", "-", "inertia that couples rotor and joint"),
+    "force_theta": Signal(("t",), "N*m", "-", "force of the rotors"),
     "eta": Signal(("r",), MODAL, "-", "modal coordinates"),
     "etadot": Signal(("r",), "m/s (torsion: rad/s)", "-", "modal rates"),
     "etaddot": Signal(("r",), "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
@@ -167,6 +176,8 @@ STORE = {
     "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor L of the joint's inertia"),
     "joint_W": Signal(("m", 6), "-, 1/m", F_I, "factor W in qddot = L^-T (w - W delta), delta of the parent"),
     "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
+    "rotor_W": Signal(("t",), "-", "-", "factor W in thetaddot = w - W qddot"),
+    "rotor_w": Signal(("t",), "rad/s^2", "-", "term w in thetaddot = w - W qddot"),
     "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and all that it carries"),
     "p_i": Signal((6,), WRENCH, F_I, "bias force of the link and all that it carries"),
     "M_V": Signal((6, 6), INERTIA, F_I, "inertia in the twist rows"),

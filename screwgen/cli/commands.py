@@ -146,13 +146,14 @@ def _casadi_joint(model: Model, s: State) -> Evaluation:
 
 def _casadi_dae(model: Model, s: State) -> Evaluation:
     from ..backends.casadi.functions import modal_functions
+    from ..backends.numpy.own_forces import OwnForces
 
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
-    M_eta, K, D = functions["modal_properties"](p)
-    own, rates = (x[len(x) - model.chain.n_given :] for x in (s.q, s.v))
-    force = model.chain.modal_product(K, own) + model.chain.modal_product(D, rates)
-    _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, M_eta, force, p)
+    own = OwnForces(model.chain, *(np.array(column)[:, 0] for column in functions["modal_properties"].call([p])))
+    own = own.rubbing(own.of(s.v))
+    force = own.force(own.of(s.q), own.of(s.v), 0.0)
+    _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, own.M, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T
 
 

@@ -6,6 +6,7 @@ from ..errors import UsageError
 from ..plugins import Plugin
 
 NO_TREE = "the Z-form is that of a chain on a fixed base; leave out parent, loops and base"
+NO_ROTORS = "the Z-form has no rotors; leave out the stiffness of drives"
 
 Z_FORM = """\
 The Z-form of the paper (arXiv:2601.16242v3), with `q` the joint coordinates alone as memory: `x_c` = [θ_1; r_1; θ_2;
@@ -38,6 +39,8 @@ def _names(model) -> list[str]:
 
     if not model.chain.serial:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
+    if model.chain.n_motors:
+        raise UsageError(f"{model.robot.name}: {NO_ROTORS}")
     return cauchy_names(model.chain)
 
 
@@ -56,7 +59,7 @@ def _common() -> dict:
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.serial else {}
+    return z_functions(chain) if chain.serial and not chain.n_motors else {}
 
 
 def _chapter(chain):

@@ -61,6 +61,10 @@ class PrintedModel:
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
         if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
+        if self.model.chain.n_motors or self.model.chain.dry:
+            raise UsageError(
+                f"{robot.name}: the paper has neither gears nor friction; leave out drives, or the formulation"
+            )
 
     def _reduced(self, robot: Robot) -> Robot:
         bare = {"bodies": ()} if "26" in self.as_printed else {}

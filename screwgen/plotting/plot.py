@@ -127,14 +127,17 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
     q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
-    goals, bounds = _goals(run, controller), _bounds(controller)
+    goals, bounds = _goals(run, controller, model), _bounds(run, controller, model)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
+    turning = np.array([".joint[" in name for name in run.q_names[: len(turns)]], bool)
+    rotors = any(".theta[" in name for name in run.q_names)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
         *_base(run),
-        Panel("Joint angles", "q", "rad", _with(q(".joint["), "goal", goals, turns)),
-        Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turns)),
-        Panel("Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
+        Panel("Joint angles", "q", "rad", _with(q(".joint["), "goal", goals, turning)),
+        Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turning)),
+        Panel("Rotor angles", "θ", "rad", q(".theta[")),
+        Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
         Panel("Bending in y", eta, "m", modes("bending_y")),
         Panel("Bending in z", eta, "m", modes("bending_z")),
@@ -224,18 +227,19 @@ def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.n
     return [line._replace(**{field: value}) for line, value in zip(lines, values[chosen], strict=True)]
 
 
-def _goals(run: Run, controller: Any) -> np.ndarray | None:
+def _goals(run: Run, controller: Any, model: Model | None) -> np.ndarray | None:
     """The set points (n_joints, N), rad and m, of a controller that states them."""
-    law = started(on_base(controller, bool(_base(run))), run.q[0])
+    law = started(on_base(controller, bool(_base(run))), run.q[0], model)
     if not hasattr(law, "reference"):
         return None
     times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
     return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
 
 
-def _bounds(controller: Any) -> np.ndarray | None:
-    """The limits of torques and forces (n_joints,), N·m and N, of a controller that states them."""
-    bounds = getattr(controller, "tau_max", None)
+def _bounds(run: Run, controller: Any, model: Model | None) -> np.ndarray | None:
+    """The limits of torques and forces (n_tau,), N·m and N, of a controller that states them."""
+    law = started(controller, run.q[0], model)
+    bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
     return None if bounds is None else np.array(bounds, float)
 
 

@@ -21,6 +21,7 @@ from .state import read_text, refusals, sized
 
 if TYPE_CHECKING:
     from ..model import Model
+    from ..topology.chain import Chain
 
 Controller = Callable[[float, np.ndarray, np.ndarray], Numbers]
 
@@ -35,7 +36,7 @@ KEYS = (*UNITS, "duration", "waypoints", "gravity")
 
 
 class Holding:
-    """The joint torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
+    """The torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
     They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
     are encoders.
@@ -45,14 +46,14 @@ class Holding:
 
     def __init__(self, model: Model, p: Numbers | None = None):
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
-        self.statics, self.count, self.nq = model.statics, model.n_joints, model.nq
+        self.statics, self.count, self.chain = model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))
 
     def __call__(self, q: Numbers) -> np.ndarray:
-        """The torques (n_joints,), N·m, at the joint angles `q` (n_joints,), rad."""
+        """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
         m = self.count
-        x = np.append(np.asarray(q, float)[:m], np.zeros(self.nq - m))
+        x = self.chain.filled(np.asarray(q, float)[:m], self.p)
         for _ in range(self.STEPS):
             _, force, K, *_ = self.statics(x, self.still, self.p)
             force, K = np.array(force)[:, 0], np.array(K)[m:, m:]
@@ -60,7 +61,7 @@ class Holding:
             x[m:] += step
             if np.abs(step).max(initial=0.0) <= self.TOLERANCE * np.abs(x[m:]).max(initial=0.0):
                 break
-        return force[:m]
+        return self.chain.at_rotors(force[:m], self.p)
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,9 @@ class PD:
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
     angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
     `floating`: whether the pose and the twist of a floating base precede the joints in `q` and `v`; a run sets it.
+
+    Gains, limits and angles are those of the joints. Of an elastic drive a run measures the rotor's angle over the
+    ratio in place of the joint's, and the torque acts on the rotor, less by the ratio (`through`).
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -88,6 +92,8 @@ class PD:
     waypoints: tuple[tuple[float, tuple[float, ...]], ...] = ()
     gravity: Callable[[np.ndarray], np.ndarray] | None = None
     floating: bool = False
+    driven: tuple[int, ...] | None = None
+    ratios: tuple[float, ...] | None = None
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -108,12 +114,31 @@ class PD:
 
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
-        return replace(self, q_start=tuple(float(x) for x in self._joints(q, POSE)))
+        return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float), POSE)))
 
-    def _joints(self, x: Numbers, before: Sequence[str]) -> np.ndarray:
-        """The joints' part of `q` or `v`."""
+    def through(self, chain: Chain, p: Numbers) -> PD:
+        """The same law through the elastic drives of a robot, at its parameters `p`."""
+        ratios = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p)
+        return replace(self, driven=tuple(chain.driven), ratios=tuple(ratios.tolist()))
+
+    @property
+    def _ratios(self) -> np.ndarray:
+        return np.ones(len(self.q_des)) if self.ratios is None else np.array(self.ratios)
+
+    def measured(self, x: np.ndarray, before: Sequence[str]) -> np.ndarray:
+        """The joints' part of `q` or `v` as the drives see it; behind the entries `before` of a floating base."""
         first = len(before) if self.floating else 0
-        return np.asarray(x, float)[first : first + len(self.q_des)]
+        return x[first : first + len(self.q_des)] if self.driven is None else x[list(self.driven)] / self._ratios
+
+    @property
+    def bounds(self) -> np.ndarray | None:
+        """The limits of the torques where they act; None without limits."""
+        return None if self.tau_max is None else np.array(self.tau_max) / self._ratios
+
+    def scaled(self, name: str, power: int) -> np.ndarray | None:
+        """Gains, angles or limits in terms of what the torques act on: times a power of the ratios."""
+        value = getattr(self, name)
+        return None if value is None else np.array(value, float) * self._ratios**power
 
     @property
     def plain(self) -> bool:
@@ -139,13 +164,13 @@ class PD:
         return start + place * (goal - start), rate * (goal - start)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The joint torques, N·m, of slides forces, N."""
-        q, v = self._joints(q, POSE), self._joints(v, TWIST)
-        q_ref, v_ref = self.reference(t)
-        tau = np.array(self.kp) * (q_ref - q) + np.array(self.kd) * (v_ref - v)
+        """The torques, N·m, of slides forces, N, where they act."""
+        (q_ref, v_ref), most = self.reference(t), self.bounds
+        there, rate = self.measured(q, POSE), self.measured(v, TWIST)
+        tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
         if self.gravity is not None:
-            tau = tau + self.gravity(q)
-        return tau if self.tau_max is None else np.clip(tau, -np.array(self.tau_max), np.array(self.tau_max))
+            tau = tau + self.gravity(there)
+        return tau if most is None else np.clip(tau, -most, most)
 
 
 def on_base(controller: Any, floating: bool) -> Any:

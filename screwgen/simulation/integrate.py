@@ -83,21 +83,19 @@ class Dynamics:
         self.evaluate = Evaluator(functions["modal_dynamics"])
         self.own = OwnForces(model.chain, *Evaluator(functions["modal_properties"])(self.p))
 
-    def force(self, q: np.ndarray, v: np.ndarray, h: float) -> np.ndarray:
-        """The force of modes and sprung joints `h` after `q`, `v` (nq, ...), without the accelerations' part."""
-        return self.own.force(self.own.of(q), self.own.of(v), h)
-
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
-        return self.own.M, self.force(q, v, 0.0)
+        own = self.own.rubbing(self.own.of(v))
+        return own.M, own.force(own.of(q), own.of(v), 0.0)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
         """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
-        return self.evaluate(*there, tau, w_ext, self.own.inertia(h), self.force(q, v, h), self.p)[0]
+        own = self.own.rubbing(self.own.of(there[1]))
+        return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 
 class Held(NamedTuple):

@@ -118,8 +118,8 @@ class Loop:
     def _take_law(self, law: PD) -> None:
         """Run a PD law in the C; the arrays must live as long as the run."""
         path = law.duration is not None and law.q_start is not None
-        arrays = (law.kp, law.kd, law.q_des, law.q_start if path else None, law.tau_max)
-        self._arrays = [None if a is None else np.array(a, float) for a in arrays]
+        powers = {"kp": -2, "kd": -2, "q_des": 1, "q_start": 1, "tau_max": -1}
+        self._arrays = [None if name == "q_start" and not path else law.scaled(name, k) for name, k in powers.items()]
         self._law = _PD(*(None if a is None else a.ctypes.data for a in self._arrays), law.duration if path else 0.0)
         self.plan.pd = ctypes.addressof(self._law)
 

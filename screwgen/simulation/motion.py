@@ -37,7 +37,7 @@ class Screws(NamedTuple):
 def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
-    n, r = model.n_links, model.chain.n_modes
+    n, r = model.n_links, model.chain.n_inner
     x = _mapped(model.casadi()["dae_state"], q, v, _values(model, p))
     poses = x[:, : 7 * n].reshape(-1, n, 7)
     twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)

@@ -87,9 +87,9 @@ def simulate(
         check_output(store, FORMATS)
     every = whole(every, "every", 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
-    q0, v0 = coordinates(q0, "q0", model), coordinates(v0, "v0", model)
+    q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
     check_loops(model, p, q0, v0)
-    law = started(on_base(controller, model.chain.floating), q0)
+    law = started(on_base(controller, model.chain.floating), q0, model, p)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     diverged = False
@@ -190,9 +190,13 @@ def time_grid(duration: float, step: float) -> np.ndarray:
     return np.append(step * np.arange(step_count(duration, step)), float(duration))
 
 
-def coordinates(values: Numbers | None, name: str, model: Model) -> np.ndarray:
-    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home."""
-    found = model.chain.complete(np.ravel(floats([] if values is None else values, name)), rates=name[0] == "v")
+def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
+    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home.
+
+    Gears are then without load, with the ratios in `p`.
+    """
+    given = np.ravel(floats([] if values is None else values, name))
+    found = model.chain.complete(given, model.parameter_values if p is None else p, rates=name[0] == "v")
     if isinstance(found, str):
         raise UsageError(f"{name} {found}")
     return found

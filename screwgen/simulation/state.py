@@ -67,10 +67,12 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
 
 
 def motion(value: Any, key: str, model: Model) -> np.ndarray:
-    """`q` (nq,) or `v` (nv,); an array of the joints alone leaves the modes at zero, an empty one everything."""
+    """`q` (nq,) or `v` (nv,); an array of the joints alone leaves the modes at zero and gears without load, an empty
+    one leaves everything at zero.
+    """
     entries = array(value, "an array of numbers", at=(key,))
     numbers = np.array([within(key)(x, at=(key, i)) for i, x in enumerate(entries)], float)
-    found = model.chain.complete(numbers, rates=key == "v")
+    found = model.chain.complete(numbers, model.parameter_values, rates=key == "v")
     if isinstance(found, str):
         raise refuse(found, (key,))
     return found

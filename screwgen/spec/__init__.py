@@ -1,5 +1,6 @@
 """Robots as validated descriptions: classes, files, parameters."""
 
+from .drive import Drive, Friction
 from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
 from .joint import Joint, Mount
@@ -14,7 +15,9 @@ __all__ = [
     "DIRECTIONS",
     "Body",
     "Damping",
+    "Drive",
     "Frequencies",
+    "Friction",
     "Joint",
     "Link",
     "Modes",

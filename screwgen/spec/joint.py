@@ -6,6 +6,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from .axes import axes, screw_of, written
+from .drive import Drive, check
 from .part import Part
 from .ranges import several
 from .screw import Screw, Vector
@@ -36,7 +37,7 @@ class Joint(Part):
     An axis is "x", "y", "z" or a vector, held as a unit vector, about which the link turns; or a `Screw`, in a file
     `{ slide = axis }` (q in m) or `{ screw = axis, pitch = m per rad }`. One number >= 0 per axis, if stated (one axis:
     without brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness`
-    (N·m/rad); of a slide kg, N·s/m and N/m.
+    (N·m/rad); of a slide kg, N·s/m and N/m. `drives`: one :class:`.Drive` per axis.
     """
 
     axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
@@ -51,14 +52,20 @@ class Joint(Part):
         None, description="spring of each axis, N·m/rad, relaxed at q = 0 (of a slide in N/m)"
     )
 
+    drives: tuple[Drive, ...] | None = Field(
+        None, description="the drive of each axis, an array of tables: gear, rotor, friction; {} is none"
+    )
+
     @model_validator(mode="before")
     @classmethod
     def _one_number_for_one_axis(cls, given: Any) -> Any:
-        """On one axis `damping = 2.0` says what `damping = [2.0]` does."""
+        """On one axis `damping = 2.0` says what `damping = [2.0]` does, and `drives = { … }` what `[{ … }]` does."""
         axes = given.get("axes") if isinstance(given, dict) else None
         if not (isinstance(axes, list | tuple) and len(axes) == 1):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
+        if isinstance(given.get("drives"), dict | Drive):
+            alone["drives"] = [given["drives"]]
         return given | alone
 
     @property
@@ -73,4 +80,6 @@ class Joint(Part):
             if values is not None and len(values) != len(self.axes):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
                 raise refuse(what, at=(name,))
+        if self.drives is not None:
+            check(self.drives, len(self.axes), self.armature)
         return self

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ..bases import Basis, shapes
 from ..reduction.invariants import Invariants
+from .drive import NO_FRICTION
 from .joint import Joint
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
@@ -28,6 +29,18 @@ class BodyClass:
     at: str
     com: bool
     inertia: bool
+
+
+@dataclass(frozen=True)
+class DriveClass:
+    """What the drive of an axis states."""
+
+    ratio: bool = False
+    rotor_inertia: bool = False
+    stiffness: bool = False
+    damping: bool = False
+    coulomb: bool = False
+    viscous: bool = False
 
 
 @dataclass(frozen=True)
@@ -73,6 +86,8 @@ class LinkClass:
     """Which segment, where the section varies; segments of a uniform link have equal bodies."""
     rotary: tuple[int, ...] = ()
     """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
+    drives: tuple[DriveClass, ...] = ()
+    """The drives of the axes; none where the robot file states none."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     free: bool = False
@@ -118,9 +133,34 @@ class LinkClass:
         return any(screw.slides for screw in self.screws)
 
     @property
+    def motors(self) -> tuple[int, ...]:
+        """The axes whose rotors have a coordinate of their own."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.stiffness)
+
+    @property
+    def rubbed(self) -> tuple[int, ...]:
+        """The axes with dry friction."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb)
+
+    @property
+    def weighted(self) -> bool:
+        """Whether the joint's coordinates have an inertia of their own."""
+        return self.armature or any(drive.rotor_inertia and not drive.stiffness for drive in self.drives)
+
+    @property
+    def braced(self) -> bool:
+        """Whether springs act on the joint's axes."""
+        return self.stiffness or bool(self.motors)
+
+    @property
+    def damped(self) -> bool:
+        """Whether viscous dampers act on the joint's axes."""
+        return self.joint_damping or any(d.damping if d.stiffness else d.viscous for d in self.drives)
+
+    @property
     def sprung(self) -> bool:
-        """Whether springs or dampers act on the joint's axes."""
-        return self.joint_damping or self.stiffness
+        """Whether springs, dampers or friction act on the joint's axes."""
+        return self.damped or self.braced or any(d.coulomb and not d.stiffness for d in self.drives)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
@@ -154,6 +194,17 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
+def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
+    """What the drives of a joint state, axis by axis; none where they state nothing."""
+    out = []
+    for drive in joint.drives or ():
+        friction = drive.friction or NO_FRICTION
+        stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
+        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
+        out.append(DriveClass(**stated))
+    return tuple(out) if any(drive != DriveClass() for drive in out) else ()
+
+
 def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0, free: bool = False) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
@@ -173,6 +224,7 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         armature=bool(joint.armature),
         joint_damping=bool(joint.damping),
         stiffness=bool(joint.stiffness),
+        drives=drive_classes(joint),
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,

@@ -6,6 +6,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from .base import POSE, POSE_UNITS, TWIST
+from .drive import NO_FRICTION, Drive
 from .joint import Joint
 from .reduced import of_link as directions
 from .robot import Body, Link, Robot
@@ -72,6 +73,15 @@ FIELDS = {
     "joint.armature": Field("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
     "joint.damping": Field("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
     "joint.stiffness": Field("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
+    "joint.drives.ratio": Field("joint.drives[{}].ratio", "1", "turns of the rotor per turn of the joint"),
+    "joint.drives.rotor_inertia": Field("joint.drives[{}].rotor_inertia", "kg·m²", "inertia of the rotor"),
+    "joint.drives.stiffness": Field("joint.drives[{}].stiffness", "N·m/rad", "stiffness of the gear at the joint"),
+    "joint.drives.damping": Field("joint.drives[{}].damping", "N·m·s/rad", "damping of the gear at the joint"),
+    "joint.drives.friction.coulomb": Field("joint.drives[{}].friction.coulomb", "N·m", "dry friction"),
+    "joint.drives.friction.viscous": Field("joint.drives[{}].friction.viscous", "N·m·s/rad", "viscous friction"),
+    "joint.drives.friction.velocity": Field(
+        "joint.drives[{}].friction.velocity", "rad/s", "rate over which dry friction changes its sign"
+    ),
     "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
     "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
@@ -88,8 +98,14 @@ SLIDING = {
     "joint.armature": ("kg", "drive's inertia seen along the joint axis"),
     "joint.damping": ("N·s/m", "viscous damping along the joint axis"),
     "joint.stiffness": ("N/m", "stiffness along the joint axis"),
+    "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the joint"),
+    "joint.drives.stiffness": ("N/m", "stiffness of the gear at the joint"),
+    "joint.drives.damping": ("N·s/m", "damping of the gear at the joint"),
+    "joint.drives.friction.coulomb": ("N", "dry friction"),
+    "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
+    "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
 }
-"""Unit and meaning of a slide's parameters, in place of those of a joint that turns."""
+"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
 
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
@@ -104,13 +120,32 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
-            if field in SLIDING and not link.joint.screws[parameter.index[0]].turn:
-                unit, description = SLIDING[field]
-                parameter = replace(parameter, unit=unit, description=description)
-            yield parameter
+            yield _sliding(parameter, link.joint)
+    for axis, drive in enumerate(link.joint.drives or ()):
+        for field, value in driven(drive):
+            for parameter in spread(field, value, i, link.name, (axis,)):
+                yield _sliding(parameter, link.joint)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])
+
+
+def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
+    """A parameter of a joint's axis with unit and meaning of a slide, if it is one."""
+    if parameter.field not in SLIDING or joint.screws[axis := parameter.index[0]].turn:
+        return parameter
+    if ".friction." in parameter.field and joint.drives and joint.drives[axis].elastic:
+        return parameter
+    unit, description = SLIDING[parameter.field]
+    return replace(parameter, unit=unit, description=description)
+
+
+def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
+    """The fields of a drive."""
+    for name in ("ratio", "rotor_inertia", "stiffness", "damping"):
+        yield f"joint.drives.{name}", getattr(drive, name)
+    for name in ("coulomb", "viscous", "velocity"):
+        yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
 
 
 def shape(link: Link) -> Iterator[tuple[str, Value]]:
@@ -179,17 +214,28 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     """The names (q, v, tau, wrench); no name occurs twice in all four, so they can head one table's columns.
 
     A floating base comes first: `base.x` … `base.qz` (m, unit quaternion), `base.omega_x` … `base.v_z` (rad/s, m/s).
-    q: `forearm.joint[0]` (rad) link by link, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
+    q: `forearm.joint[0]` (rad) link by link, then the rotors' angles `forearm.theta[0]` (rad), with the number of
+    the axis, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
-    slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N). wrench: `forearm.tau_x` (N·m) …
-    `forearm.F_z` (N).
+    slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
+    drive `cart.torque[0]` (N·m). wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
     return CoordinateNames(
-        q=(*per_base(robot, POSE), *per_axis(robot, "joint", "slide"), *per_mode(robot, "eta")),
-        v=(*per_base(robot, TWIST), *per_axis(robot, "joint_rate", "slide_rate"), *per_mode(robot, "eta_rate")),
-        tau=per_axis(robot, "torque", "force"),
+        q=(
+            *per_base(robot, POSE),
+            *per_axis(robot, "joint", "slide"),
+            *per_rotor(robot, "theta"),
+            *per_mode(robot, "eta"),
+        ),
+        v=(
+            *per_base(robot, TWIST),
+            *per_axis(robot, "joint_rate", "slide_rate"),
+            *per_rotor(robot, "theta_rate"),
+            *per_mode(robot, "eta_rate"),
+        ),
+        tau=tuple(f"{link.name}.{'torque' if turns else 'force'}[{j}]" for link, j, turns in _driven(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
@@ -197,7 +243,8 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    return [*POSE_UNITS * robot.floating, *("rad" if turns else "m" for turns in turning(robot)), *modal]
+    axes, rotors = ("rad" if turns else "m" for turns in turning(robot)), ["rad"] * len(per_rotor(robot, "theta"))
+    return [*POSE_UNITS * robot.floating, *axes, *rotors, *modal]
 
 
 def turning(robot: Robot) -> list[bool]:
@@ -206,8 +253,22 @@ def turning(robot: Robot) -> list[bool]:
 
 
 def force_units(robot: Robot) -> list[str]:
-    """The units of tau: N·m for axes that turn, N for axes that slide."""
-    return ["N·m" if turns else "N" for turns in turning(robot)]
+    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide."""
+    return ["N·m" if turns else "N" for _, _, turns in _driven(robot)]
+
+
+def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
+    """Link and number of every axis, and whether what its torque acts on turns: the axis, or its rotor."""
+    for link in robot.links:
+        elastic = [drive.elastic for drive in link.joint.drives or ()] or [False] * len(link.joint.axes)
+        for j, (screw, rotor) in enumerate(zip(link.joint.screws, elastic, strict=True)):
+            yield link, j, screw.turn or rotor
+
+
+def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:
+    """One name for each rotor with a coordinate of its own, link by link, with the number of its axis."""
+    drives = ((link.name, j, drive) for link in robot.links for j, drive in enumerate(link.joint.drives or ()))
+    return tuple(f"{name}.{quantity}[{j}]" for name, j, drive in drives if drive.elastic)
 
 
 def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .modes import STUDY, locked_from, posture, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
+from .modes import STUDY, movable, posture, relative, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
 from .steady import oscillations, steady
 
 if TYPE_CHECKING:
@@ -58,22 +58,25 @@ def convergence(
     deflection under loads is that of the present modes.
     """
     model.chain.needs_fixed_tree(*STUDY)
-    first = locked_from(model, joints)
-    if first == model.nq:
+    moving = movable(model, joints)
+    if not len(moving):
         return Convergence(np.zeros(0), {})
     rich = type(model)(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
-    q, here = posture(model, q), _space(model, rich, ())
+    own, free = np.array(list(names.values())), len(moving) == model.nv
+    q, here = posture(model, q, own), _space(model, rich, ())
     if loaded or rates is not None:
-        q = steady(model, q, rates, loaded, np.array(list(names.values())), first).q
-        about = steady(rich, here @ q, rates, loaded, np.array(values), first, settle=False)
-        M, G, K, rigid = about.M, about.G, about.K, None if first else about.rigid
+        q = steady(model, q, rates, loaded, own, moving).q
+        about = steady(rich, here @ q, rates, loaded, np.array(values), movable(rich, joints), settle=False)
+        M, G, K, rigid = about.M, about.G, about.K, about.rigid if free else None
         ritz = lambda b: oscillations(b.T @ M @ b, b.T @ G @ b, b.T @ K @ b, rigid).omega  # noqa: E731
     else:
-        M, K = rich.numpy(values).mass_matrix(here @ q), stiffness_matrix(rich, values)
+        T = relative(rich, values) if free else np.eye(rich.nv)
+        M, K = T.T @ rich.numpy(values).mass_matrix(here @ q) @ T, stiffness_matrix(rich, values, relative=free)
         ritz = lambda basis: _at_rest(model, basis, M, K)  # noqa: E731
-    frequencies = lambda directions: ritz(_space(model, rich, directions)[:, first:])  # noqa: E731
+    held = np.setdiff1d(np.arange(model.nv), moving)
+    frequencies = lambda directions: ritz(np.delete(_space(model, rich, directions), held, axis=1))  # noqa: E731
     now = frequencies(())
     more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
     change = lambda directions: _change(now, frequencies(directions))  # noqa: E731
@@ -127,7 +130,7 @@ def _more(link: Link, direction: str) -> bool:
 
 def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
     """The coordinates of the rich model, one column for each coordinate that stays: all modes of `directions`."""
-    blocks = [np.eye(model.n_joints)]
+    blocks = [np.eye(model.chain.eta_q)]
     for segment in model.chain.segments:
         few, many = (robot.links[segment.link] for robot in (model.robot, rich.robot))
         for d in DIRECTIONS:

@@ -13,9 +13,11 @@ from ..arguments import Given, Numbers, choice
 from ..errors import UsageError
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
+from ..spec.robot import Robot
 from .linear import checked
 from .modes import stiffness
 from .statics import Balance, NoEquilibriumError, Statics, search
+from .steady import wound
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -33,9 +35,9 @@ class Equilibrium:
     """An arm at rest. SI units, radians; n links, nq coordinates."""
 
     q: np.ndarray
-    """(nq,): joint coordinates, then modal ones."""
+    """(nq,): joint coordinates, those of rotors, then modal ones."""
     tau: np.ndarray
-    """(n_joints,): the joint torques, N·m, of slides forces, N; for held joints those that hold them."""
+    """(n_tau,): the torques where they act, N·m, of slides forces, N; for held joints those that hold them."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
     passive: tuple[str, ...]
@@ -88,7 +90,7 @@ def equilibrium(
 
     `hold`: the joints are held at `q` (n_joints,) and the torques follow. An axis with a spring, a stiffness > 0, is
     passive: nothing drives it, and it settles on its spring, from `q` on; "all" holds such axes too. Otherwise the
-    torques `tau` (n_joints,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
+    torques `tau` (n_tau,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
     down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
     hold the modes' start too (nq,).
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
@@ -105,27 +107,65 @@ def equilibrium(
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
-    start = checked(q, "q", m) if q is not None and np.size(q) == m != model.nq else checked(q, "q", model.nq)
-    start = np.append(start, np.zeros(model.nq - len(start)))
-    load = np.append(checked(tau, "tau", m), np.zeros(model.nq - m))
-    values = model.chain.parameters.vector(p)
-    held = np.arange(model.nq) < m if hold else np.zeros(model.nq, bool)
-    if hold != "all":
-        held &= stiffness(model, values) == 0
-    statics = Statics(model, values, load, model.chain.tip_wrenches(w_ext, "w_ext:"), np.flatnonzero(~held))
-    found = _report(statics, search(statics, start), held[:m], bool(hold))
+    alone = q is not None and np.size(q) == m != model.nq
+    start = model.chain.filled(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
+    values, torques = model.chain.parameters.vector(p), checked(tau, "tau", m)
+    held = np.full(m, bool(hold)) & ((stiffness(model, values)[:m] == 0) | (hold == "all"))
+    w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
+    balance = _rested if model.chain.n_motors else _balanced
+    statics, b = balance(model, values, torques, w_ext, held, start)
+    found = _report(statics, b, held, bool(hold))
     found.validity.warn()
     return found
 
 
+def _statics(model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
+    """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
+    load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
+    load[model.chain.driven], still[model.chain.driven] = tau, held
+    return Statics(model, p, load, w_ext, np.flatnonzero(~still))
+
+
+def _balanced(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+    """The equilibrium that the search from `start` (nq,) ends in."""
+    statics = _statics(model, p, tau, w_ext, held)
+    return statics, search(statics, start)
+
+
+def _rested(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+    """The same with elastic drives: at rest a gear passes on its torque, so the arm rests as one with rigid gears does.
+
+    The rotors are turned until their gears pass on the torques at the joints.
+    """
+    chain, stiff = model.chain, model.once("rigid gears", lambda: type(model)(rigid(model.robot)))
+    values = dict(zip(model.parameter_names, p, strict=True))
+    own, rotors = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
+    at_joints = tau / chain.at_rotors(np.ones(chain.n_tau), p)
+    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, rotors))
+    torques = np.where(held, b.force[: chain.n_tau], at_joints)
+    q = np.concatenate([chain.relaxed(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
+    statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held)
+    return statics, statics.at(wound(model, q, torques, p))
+
+
+def rigid(robot: Robot) -> Robot:
+    """The robot with rigid gears in place of elastic ones."""
+    links = []
+    for link in robot.links:
+        drives = [x.model_copy(update={"stiffness": None, "damping": None}) for x in link.joint.drives or ()]
+        joint = link.joint.model_copy(update={"drives": tuple(drives)} if drives else {})
+        links.append(link.model_copy(update={"joint": joint}))
+    return robot.model_copy(update={"links": tuple(links)})
+
+
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equilibrium:
-    model, m = statics.model, statics.model.n_joints
+    model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.driven
     straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,
-        tau=np.where(held, b.force[:m] + 0.0, statics.load[:m]),
+        tau=np.where(held, b.force[driven] + 0.0, statics.load[driven]),
         held=hold,
         passive=tuple(name for name, h in zip(model.q_names, held, strict=False) if hold and not h),
         residual=b.residual,

@@ -160,7 +160,7 @@ def linearise(
     chain.needs_fixed("linear model", "differentiate casadi()['step'], or fix the base")
     numbers = Numeric(chain, chain.parameters.vector(parameters))
     if np.size(q) == chain.n_joints != chain.nq:
-        q = np.append(checked(q, "q", chain.n_joints), np.zeros(chain.n_modes))
+        q = chain.filled(checked(q, "q", chain.n_joints), numbers.p)
     q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
     names = coordinate_names(chain.robot)
@@ -208,16 +208,19 @@ def input_groups(chain: Chain) -> Groups:
 
 def output_groups(chain: Chain) -> Groups:
     """The outputs in the order of y."""
-    names, m = coordinate_names(chain.robot), chain.n_joints
+    names, m, e = coordinate_names(chain.robot), chain.n_joints, chain.eta_q
     units = coordinate_units(chain.robot)
     q = dict(zip(names.q, units, strict=True))
     v = {name: f"{unit}/s" for name, unit in zip(names.v, units, strict=True)}
     parts = {
         "joint_angles": dict(list(q.items())[:m]),
-        "modes": dict(list(q.items())[m:]),
+        "rotor_angles": dict(list(q.items())[m:e]),
+        "modes": dict(list(q.items())[e:]),
         "joint_rates": dict(list(v.items())[:m]),
-        "mode_rates": dict(list(v.items())[m:]),
+        "rotor_rates": dict(list(v.items())[m:e]),
+        "mode_rates": dict(list(v.items())[e:]),
     }
+    parts = {name: own for name, own in parts.items() if own or not name.startswith("rotor")}
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
     gauged = {

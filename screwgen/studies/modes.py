@@ -32,8 +32,9 @@ def natural_frequencies(
 ) -> np.ndarray:
     """The natural frequencies in Hz, ascending, at rest at `q` (nq,) or the joints alone, without gravity or damping.
 
-    `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; "free"
-    lets the joints turn on their own springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
+    `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; where
+    drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
+    springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
     values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
@@ -83,52 +84,67 @@ def mode_shapes(
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     model.chain.needs_fixed_tree(*STUDY)
-    q, first = posture(model, q), locked_from(model, joints)
     p = model.chain.parameters.vector(p)
-    if first == model.nq:
+    q, moving = posture(model, q, p), movable(model, joints)
+    if not len(moving):
         nothing = Watch(model.chain.names).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
-        about = steady(model, q, rates, loaded, p, first)
-        M, G, K = (x[first:, first:] for x in (about.M, about.G, about.K))
-        omega, growth, columns, rigid = oscillations(M, G, K, None if first else about.rigid)
-        shapes = np.vstack([np.zeros((first, len(omega))), columns])
+        about = steady(model, q, rates, loaded, p, moving)
+        M, G, K = (x[np.ix_(moving, moving)] for x in (about.M, about.G, about.K))
+        omega, growth, columns, rigid = oscillations(M, G, K, about.rigid if len(moving) == model.nv else None)
+        shapes = np.zeros((model.nv, len(omega)))
+        shapes[moving] = columns
         return ModeShapes(omega / (2 * np.pi), shapes, rigid, about.validity(model), growth)
-    out, frequencies, rigid = _at_rest(model, q, p, first)
+    out, frequencies, rigid = _at_rest(model, q, p, moving)
     validity = model.validity_at_rest(q, parameters=p)
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, validity, np.zeros(len(frequencies)))
 
 
-def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, first: int) -> tuple[np.ndarray, np.ndarray, int]:
-    """Shapes (nq, count) and circular frequencies at rest without gravity, and the number of rigid motions."""
-    M, K = (x[first:, first:] for x in (model.numpy(p).mass_matrix(q), stiffness_matrix(model, p)))
+def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """Shapes (nq, count) and circular frequencies at rest without gravity, and the number of rigid motions.
+
+    Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
+    """
+    T, K = np.eye(model.nv), stiffness_matrix(model, p)
+    if len(moving) == model.nv and model.chain.n_motors:
+        T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
+    M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
     free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
-    out = np.zeros((model.nq, len(held)))
+    out = np.zeros((model.nv, len(held)))
     try:
         basis, k = uncoupled(K)
         M = basis.T @ ((M + M.T) / 2) @ basis
         rest, springs, rigid = without_rigid_motion(M, k)
         frequencies, vectors = vibrations(rest, springs)
-        out[first + held] = vectors
+        out[moving[held]] = vectors
         if len(free):
             coupling = M[np.ix_(free, held)] @ vectors
-            out[first + free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
-        out[first:] = basis @ out[first:]
+            out[moving[free]] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+        out[moving] = basis @ out[moving]
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
-    return out, frequencies, rigid
+    return T @ out, frequencies, rigid
 
 
-def posture(model: Model, q: Numbers | None) -> np.ndarray:
+def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or all zero."""
     if q is not None and np.size(q) == model.n_joints != model.nq:
-        q = np.append(checked(q, "q", model.n_joints), np.zeros(model.nq - model.n_joints))
+        q = model.chain.filled(checked(q, "q", model.n_joints), p)
     return checked(q, "q", model.nq)
 
 
-def locked_from(model: Model, joints: str) -> int:
-    """The first coordinate that may move."""
-    return model.n_joints if choice(joints, JOINTS, "joints: there is no") == "locked" else 0
+def movable(model: Model, joints: str) -> np.ndarray:
+    """The coordinates that may move: all, or those that no drive acts on."""
+    locked = choice(joints, JOINTS, "joints: there is no") == "locked"
+    return np.setdiff1d(np.arange(model.nv), model.chain.driven if locked else [])
+
+
+def relative(model: Model, p: Numbers) -> np.ndarray:
+    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
+    chain, T = model.chain, np.eye(model.nv)
+    T[chain.eta_v - chain.n_motors + np.arange(chain.n_motors), chain.geared] = chain.ratios(p)
+    return T
 
 
 def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -147,9 +163,19 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
 
 
-def stiffness_matrix(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The stiffness (nv, nv) of joint springs (N·m/rad) and modes (N/m, torsion: N·m/rad)."""
-    K = np.diag(stiffness(model, p))
+def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
+    """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
+
+    `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
+    """
+    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
+    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    ratios = model.chain.ratios(model.parameter_values if p is None else p)
+    for rotor, (joint, k, ratio) in enumerate(zip(model.chain.geared, gears, ratios, strict=True), first):
+        K[rotor, rotor] = k
+        if not relative:
+            K[joint, joint] += ratio**2 * k
+            K[rotor, joint] = K[joint, rotor] = -ratio * k
     for i, key in enumerate(model.chain.keys):
         first = model.chain.eta_v + model.chain.eta_offset[i]
         for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
@@ -172,7 +198,7 @@ def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The diagonal of the stiffness matrix (nv,): joint springs (N·m/rad), then modes (N/m, torsion: N·m/rad).
+    """The stiffness of joint springs (N·m/rad) and of modes (N/m, torsion: N·m/rad), (nv,); of rotors zero.
 
     A floating base, whose six entries come first, has none.
     """
@@ -183,7 +209,8 @@ def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
         for j in range(len(link.joint.axes))
     ]
     modal = (k for constants in model.numpy(p).constants for k in constants["K"])
-    return np.array([*[0.0] * model.chain.base_v, *springs, *modal], float)
+    chain = model.chain
+    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
 
 
 def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .modes import stiffness
+from .modes import stiffness, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -74,7 +74,7 @@ class Statics:
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
         self.springs = stiffness(model, p)
         self.turning = np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)
-        self.bending = ~(self.turning | (np.arange(model.nq) < model.n_joints))
+        self.bending = ~(self.turning | (np.arange(model.nq) < model.chain.eta_q))
 
     def at(self, q: np.ndarray) -> Balance:
         """The balance at `q`."""
@@ -106,7 +106,7 @@ class Statics:
 
     def bent(self, q: np.ndarray) -> float:
         """The largest modal coordinate over its link's length."""
-        return float(np.max(np.abs(q / self.reach)[self.model.n_joints :], initial=0.0))
+        return float(np.max(np.abs(q / self.reach)[self.model.chain.eta_q :], initial=0.0))
 
     @cached_property
     def reach(self) -> np.ndarray:
@@ -114,15 +114,17 @@ class Statics:
         links = self.model.robot.links
         deflections = [(reach(link) or 1.0) / size for link in links for size in link.pieces * sizes(link)]
         wound = np.abs(self.load) / np.where(self.springs > 0, self.springs, np.inf)
-        own = np.append(np.ones(self.model.n_joints), deflections)
+        own = np.append(np.ones(self.model.chain.eta_q), deflections)
         return np.where(self.bending, own, np.maximum(1.0, wound / (2 * np.pi)))
 
     @cached_property
     def units(self) -> np.ndarray:
         """(nq,): D, such that D q has stiffnesses about one: by springs, and by the weight at a joint."""
         weight = self.weights(self._functions(np.zeros(self.model.nq), self.w_ext)[3])
-        joint = np.arange(self.model.nq) < self.model.n_joints
-        own = self.springs + np.where(joint, weight, 0.0)
+        joint, gears = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
+        if self.model.chain.n_motors:
+            gears = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
+        own = self.springs + gears + np.where(joint, weight, 0.0)
         return np.sqrt(np.where(own > 0, own, 1.0))
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
@@ -243,7 +245,7 @@ def polished(statics: Statics, b: Balance) -> Balance:
 
 def overbent(statics: Statics, b: Balance) -> NoEquilibriumError:
     """The error that names the link which its load bends by its own length."""
-    m = statics.model.n_joints
+    m = statics.model.chain.eta_q
     k = m + int(np.argmax(np.abs(b.q / statics.reach)[m:]))
     return NoEquilibriumError(
         f"{statics.model.q_names[k]}: the search leaves what a model of small deflections can say, bending the link by "
@@ -255,7 +257,7 @@ def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibrium
     """The error that names the joint which turned and turned, or else has the largest unbalanced share."""
     away = statics.wandered(b.q - start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
-    joint = k < statics.model.n_joints
+    joint = k < statics.model.chain.eta_q
     kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
     what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""

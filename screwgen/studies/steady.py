@@ -42,11 +42,11 @@ class Steady(NamedTuple):
     G: np.ndarray
     K: np.ndarray
     tau: np.ndarray
-    """(n_joints,): what keeps the joints at their rates."""
+    """(n_tau,): what keeps the joints at their rates."""
     p: np.ndarray
     """The parameter values, gravity zero where it is left out."""
     rigid: np.ndarray
-    """(n_joints, r): orthonormal motions of the joints that neither a spring nor a load resists."""
+    """(m, r): orthonormal motions of joints and rotors, the first m coordinates, that nothing resists."""
 
     def validity(self, model: Model) -> Validity:
         """How far the motion is from the limits of the model."""
@@ -54,36 +54,42 @@ class Steady(NamedTuple):
 
 
 def steady(
-    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, first: int, settle: bool = True
+    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray, settle=True
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 
-    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them. The coordinates from `first`
-    on may move. Raises UsageError where there is no such deflection, and where the loads on them change as joints turn.
+    `loaded`: gravity acts. `settle`: the modes of `q` move to where the loads hold them, rotors to where their gears
+    carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where
+    the loads on them change as joints turn.
     """
-    v = np.zeros(model.nq)
-    v[: model.n_joints] = checked(rates, "rates", model.n_joints)
+    chain = model.chain
+    v = chain.filled(checked(rates, "rates", model.n_joints), p)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
     q = deflected(model, q, v, p) if settle else q
-    numeric, moving = model.numpy(p), slice(first, model.nq)
+    numeric, m = model.numpy(p), chain.eta_v
     M, K, C = numeric.slopes(q, v, None, None)
-    if np.linalg.eigvalsh(M[moving, moving])[0] <= 0:
+    if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    tau, columns = force[: model.n_joints], K[:, : model.n_joints]
-    loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, model.n_joints :] @ q[model.n_joints :]))
+    tau, columns = force[chain.driven], K[:, :m]
+    loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, m:] @ q[m:]))
     _, sizes, rows = np.linalg.svd(columns)
     rigid = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid)
 
 
 def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """`q` with the modal coordinates at which no mode accelerates, by Newton's method from those of `q`."""
-    numeric, modes, q = model.numpy(p), slice(model.n_joints, model.nq), q.copy()
+    """`q` with the modal coordinates at which no mode accelerates, by Newton's method from those of `q`.
+
+    The gears of elastic drives are wound by what holds their joints.
+    """
+    chain = model.chain
+    numeric, modes = model.numpy(p), slice(chain.eta_v, model.nv)
+    q = np.append(chain.relaxed(q[: model.n_joints], p), q[chain.eta_q :])
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]
@@ -91,13 +97,22 @@ def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.n
         if not np.isfinite(q).all():
             break
         if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[modes]), initial=0.0):
-            return q
+            return wound(model, q, numeric.inverse_dynamics(q, v, None, None), p)
     raise UsageError("the links find no steady deflection under these rates and loads")
 
 
-def _unchanged(here: np.ndarray, there: np.ndarray, scale: float, moving: slice) -> None:
+def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """`q`, whose gears are without load, with rotors turned until their gears pass on `force` (nq,) at the joints."""
+    chain, out = model.chain, q.copy()
+    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
+    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * np.array(chain.ratios(p), float))
+    return out
+
+
+def _unchanged(here: np.ndarray, there: np.ndarray, scale: float, moving: np.ndarray) -> None:
     """Raise UsageError if forces or masses of what may move differ at two places along the motion."""
-    places = (moving,) * here.ndim
+    places = np.ix_(*(moving,) * here.ndim)
     change = np.max(np.abs((there - here)[places]), initial=0.0)
     if change > SAME * max(scale, np.max(np.abs(here))):
         text = "the loads on what may move change as the joints turn, so there is no steady motion at these rates"

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
+from typing import Any
 
 import numpy as np
 
@@ -33,6 +34,8 @@ FREE: dict[str, dict[str, int]] = {
     "force": {"base_force": 6},
 }
 """The signals of a floating base that precede those of the joints, with their sizes."""
+ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
+"""The signal of a link's rotors by that of its joint."""
 
 
 class Chain:
@@ -47,10 +50,11 @@ class Chain:
         ]
         self.tree = Tree(_carriers(robot, self.segments))
         self.classes = list(dict.fromkeys(self.keys))
-        self.q_offset = list(accumulate((k.joints for k in self.keys), initial=0))
-        self.eta_offset = list(accumulate((k.modes for k in self.keys), initial=0))
         self.closures: tuple[Closure, ...] = closures(robot, self.segments)
-        self.below_offset = list(accumulate((len(k.coupled) for k in self.keys), initial=0))
+        offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
+        self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
+        self.theta_offset, self.dry_offset = offsets(lambda k: len(k.motors)), offsets(lambda k: len(k.rubbed))
+        self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
     def serial(self) -> bool:
@@ -101,9 +105,19 @@ class Chain:
         return self.eta_offset[-1]
 
     @property
+    def n_motors(self) -> int:
+        """The number of rotors with a coordinate of their own, those of elastic drives."""
+        return self.theta_offset[-1]
+
+    @property
+    def n_inner(self) -> int:
+        """The number of coordinates behind those of the joints: rotors and modes."""
+        return self.n_motors + self.n_modes
+
+    @property
     def nq(self) -> int:
-        """The number of coordinates: of a floating base, joints, modes."""
-        return self.base_q + self.n_joints + self.n_modes
+        """The number of coordinates: of a floating base, joints, rotors, modes."""
+        return self.base_q + self.n_joints + self.n_inner
 
     @property
     def nv(self) -> int:
@@ -120,18 +134,19 @@ class Chain:
         """The index of its rate in `v`."""
         return self.nv - self.n_modes
 
-    def complete(self, given: np.ndarray, rates: bool = False) -> np.ndarray | str:
+    def complete(self, given: np.ndarray, p: Any, rates: bool = False) -> np.ndarray | str:
         """All coordinates (nq,), or `rates` (nv,), from all of them, those of the joints alone, or none.
 
-        A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Returns
-        what is wrong with them as a text, "<what is wrong>; <what is allowed>".
+        A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Of the
+        joints alone gears are without load, with the ratios in the parameters `p`. Returns what is wrong with them as
+        a text, "<what is wrong>; <what is allowed>".
         """
         out = np.zeros(self.nv) if rates else np.array(self.home)
         if len(given) == len(out):
             out[:] = given
         elif len(given) in (0, self.n_joints):
-            first = self.base_v if rates else self.base_q
-            out[first : first + len(given)] = given
+            first, joints = self.base_v if rates else self.base_q, self.relaxed(given, p) if len(given) else given
+            out[first : first + len(joints)] = joints
         else:
             allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
             return f"has length {len(given)}; it must have {allowed}"
@@ -155,8 +170,48 @@ class Chain:
 
     @cached_property
     def sprung(self) -> bool:
-        """Whether springs or dampers act in any joint."""
+        """Whether springs, dampers or friction act in any joint."""
         return any(key.sprung for key in self.keys)
+
+    @cached_property
+    def geared(self) -> list[int]:
+        """The joint coordinate, as its number among those, that each rotor drives."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.motors]
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor."""
+        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_motors
+        for k, joint in enumerate(self.geared):
+            out[joint] = first + k
+        return out
+
+    def ratios(self, p: Any) -> list:
+        """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols."""
+        axes = [(self.parameter_labels[i], axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        places = [labels.get(f"drive_ratio_{axis + 1}") for labels, axis in axes]
+        return [1.0 if place is None else p[place] for place in places]
+
+    def relaxed(self, q: Any, p: Any) -> np.ndarray:
+        """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+        q = np.asarray(q, float)
+        shape = (self.n_motors, *(1 for _ in q.shape[1:]))
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
+
+    def filled(self, joints: Any, p: Any) -> np.ndarray:
+        """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
+        return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
+
+    def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
+        """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
+        out = np.array(tau, float)
+        out[self.geared] /= np.array(self.ratios(p))
+        return out
+
+    @cached_property
+    def dry(self) -> list[int]:
+        """The coordinates, as indices in `v`, with dry friction."""
+        return [self.driven[self.q_offset[i] + axis] for i, key in enumerate(self.keys) for axis in key.rubbed]
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
@@ -189,26 +244,34 @@ class Chain:
         return self.nv - self.base_v if self.sprung else self.n_modes
 
     def given(self, i: int) -> dict[str, slice]:
-        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` of a link.
+        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
 
-        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled.
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
+        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction.
         """
-        before = self.n_given - self.n_modes
-        parts = {"eta": slice(*(before + e for e in self.eta_offset[i : i + 2]))}
-        if self.keys[i].coupled:
-            parts["below"] = slice(*(self.n_given + e for e in self.below_offset[i : i + 2]))
-        return parts | ({"q": slice(*self.q_offset[i : i + 2])} if self.keys[i].sprung else {})
+        before, key = self.n_given - self.n_modes, self.keys[i]
+        part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
+        parts = {"eta": part(before, self.eta_offset)}
+        if key.coupled:
+            parts["below"] = part(self.n_given, self.below_offset)
+        if key.sprung:
+            parts["q"] = part(0, self.q_offset)
+        if key.motors:
+            parts["theta"] = part(before - self.n_motors, self.theta_offset)
+            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+        return parts | ({"dry": part(0, self.dry_offset)} if key.rubbed else {})
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
         first = [self.given(i)["eta"].start for i in range(self.n)]
-        return [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+        modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+        return modes + [(self.eta_v - self.n_motors + k, joint) for k, joint in enumerate(self.geared)]
 
     @property
     def n_inertia(self) -> int:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
-        return self.n_given + self.below_offset[-1]
+        return self.n_given + self.below_offset[-1] + self.n_motors
 
     def modal_product(self, A, x):
         """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
@@ -219,23 +282,27 @@ class Chain:
         return out
 
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
-        """``[joint coordinates; modal coordinates]`` as one mapping per link; the first has those of a floating base.
+        """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link.
 
-        ``joint`` and ``modal`` are the names of their signals, ``joint`` one of ``FREE``.
+        The first has those of a floating base. ``joint`` and ``modal`` are the names of their signals, ``joint`` one of
+        ``FREE``.
         """
         parts, count = {}, 0
         for name, size in FREE[joint].items() if self.floating else ():
             parts[name], count = list(q[count : count + size]), count + size
-        m, es = len(q) - self.n_modes, self.eta_offset
-        qs = [count + k for k in self.q_offset]
+        m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
+        qs, t = [count + k for k in self.q_offset], m - self.n_motors
         links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        for i, link in enumerate(links) if self.n_motors else ():
+            link[ROTOR[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
         links[0] |= parts
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
         free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
-        return free + [x for link in links for x in link[joint]] + [x for link in links for x in link[modal]]
+        parts = [joint, *([ROTOR[joint]] if self.n_motors else []), modal]
+        return free + [x for part in parts for link in links for x in link.get(part, ())]
 
     @cached_property
     def parameter_labels(self) -> list[dict[str, int]]:

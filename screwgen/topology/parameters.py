@@ -20,6 +20,8 @@ def label(parameter: Parameter) -> str:
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
+        case field if field.startswith("joint.drives."):
+            return f"drive_{field.rpartition('.')[2]}_{index[0] + 1}"
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":

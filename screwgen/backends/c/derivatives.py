@@ -64,5 +64,5 @@ def _triangle(k: int) -> tuple[int, int]:
 
 def _owners(chain: Chain) -> list[int]:
     """The link of every coordinate."""
-    joints = [i for i, key in enumerate(chain.keys) for _ in range(key.joints)]
-    return joints + [i for i, key in enumerate(chain.keys) for _ in range(key.modes)] or [0]
+    parts = (lambda key: key.joints, lambda key: len(key.motors), lambda key: key.modes)
+    return [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))] or [0]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from ...algorithms.functions import robot_columns
 from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal
@@ -43,13 +44,36 @@ def length(n: int | str) -> str:
     return {"NLINKS": "$$_NLINKS"}.get(n, f"$$_LENGTH($$_{n})") if isinstance(n, str) else str(n)
 
 
-def structs(coupled: bool, sliding: bool) -> dict[str, list[Field]]:
-    """The members of the structs that hold the robot's signals; without coupled modes NINERTIA is NGIVEN."""
-    named = lambda shape: tuple("NGIVEN" if n == "NINERTIA" and not coupled else n for n in shape)  # noqa: E731
-    return {
-        name: [Field(n, named(s.shape), joint_comment(s, sliding)) for n, s in own.items()]
-        for name, own in ROBOT.items()
-    }
+def structs(chain: Chain) -> dict[str, list[Field]]:
+    """The members of the structs that hold the robot's signals.
+
+    Without coupled coordinates NINERTIA is NGIVEN. In the DAE form the rotors of elastic drives stand before the modes.
+    """
+    inertia = "NINERTIA" if chain.coupled else "NGIVEN"
+    inner = "NINNER" if chain.n_motors else "NMODES"
+
+    def field(struct: str, name: str, s: Signal) -> Field:
+        sizes = {"NINERTIA": inertia} | ({"NMODES": inner} if struct.startswith("dae") else {})
+        comment = joint_comment(s, chain.sliding)
+        shape = tuple(sizes.get(n, n) for n in s.shape)
+        return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
+
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if drives(chain) else {})}
+    return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
+
+
+def drives(chain: Chain) -> bool:
+    """Whether the forces of gears or dry friction act in the robot."""
+    return bool(chain.n_motors or chain.dry)
+
+
+START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
+ROTORS = {
+    "eta": "rad, m: angles of the rotors, then modal coordinates",
+    "etadot": "rad/s, m/s: their rates",
+    "etaddot": "rad/s^2, m/s^2: their accelerations",
+}
+"""The comments of members that hold rotors as well."""
 
 
 def joint_comment(signal: Signal, sliding: bool) -> str:
@@ -105,7 +129,7 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     """
     out = ""
     for part, span in chain.given(i).items():
-        arguments = [text(own, name, span.start) for own, name in zip(COLUMNS[part], COLUMNS["eta"], strict=True)]
+        arguments = [text(own, name, span.start) for own, name in zip(COLUMNS[part], robot_columns(part), strict=True)]
         if span.stop > span.start:
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
     return out
@@ -115,16 +139,26 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     """Sizes and places of the coordinates whose inertia and force an integrator gives, for the templates.
 
     ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
-    the diagonal of the modes' matrices.
+    the diagonal of the modes' matrices; ``geared``: the joint coordinate of each rotor; ``dry``: the coordinates with
+    dry friction; ``inner``: the number of rotors and modes.
     """
     modes = zip(chain.eta_offset, chain.keys, strict=False)
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
+    parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.geared)) if there]
     return {
         "n_given": chain.n_given,
-        "inertia": "$$_NINERTIA" if coupled else "$$_NGIVEN",
+        "n_inertia": chain.n_inertia,
+        "inertia": "$$_NINERTIA" if parts else "$$_NGIVEN",
         "coupled": coupled,
-        "below": "; at the end the entries below the diagonal, of coupled modes" if coupled else "",
+        "below": f"; at the end the entries below the diagonal, {' and '.join(parts)}" if parts else "",
         "below_offset": chain.below_offset[:-1],
+        "n_motors": chain.n_motors,
+        "inner": "$$_NINNER" if chain.n_motors else "$$_NMODES",
+        "geared": chain.geared,
+        "driven": chain.driven,
+        "dry": chain.dry,
+        "drives": drives(chain),
+        "theta_offset": chain.theta_offset[:-1],
     }
 
 
@@ -179,9 +213,9 @@ def scratch(
     `states`: those that a step keeps; `kept`: the numbers that programs of loops hand on, None without loops.
     """
     sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
-    sizes["NINERTIA"] = c.n_inertia
+    sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
-    own = {name: total(fields) for name, fields in structs(bool(c.coupled), c.sliding).items()}
+    own = {name: total(fields) for name, fields in structs(c).items()}
     chain = (c.n + 1) * total(node) + c.n * total(store)
     loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
     work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * modular + loops

@@ -51,14 +51,14 @@ RUNS: dict[str, Run] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot Vdot etaddot wrench motion tip.R tip.r",
+        "qddot Vdot thetaddot etaddot wrench motion tip.R tip.r",
         apart=True,
         skipped={"poses": "call->tip_pose"},
     ),
     "dae_dynamics": _run(
         alg.DAE_FORWARD,
         "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
-        "qdot qddot etaddot wrench Vdot",
+        "qdot qddot thetaddot etaddot wrench Vdot",
         apart=True,
         parts_if_sprung=(("dae_motion", 1), ("dae_solution", 3)),
     ),
@@ -73,14 +73,16 @@ RUNS: dict[str, Run] = {
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
     "inverse": _run(
-        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force base_force force_eta wrench"
+        alg.INVERSE,
+        "Joint form: inverse dynamics, with joint wrenches.",
+        "force base_force force_theta force_eta wrench",
     ),
     "inertia": Run(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
-        frozenset({"force", "base_force", "force_eta"}),
+        frozenset({"force", "base_force", "force_theta", "force_eta"}),
         False,
-        zero=frozenset("qdot twist etadot w_ext f_q f_eta gravity".split()),
+        zero=frozenset("qdot twist etadot w_ext f_q f_theta f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
     "motion_of": _run(
@@ -254,7 +256,7 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "BELOW_OFFSET", "BASE"}
+        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE"}
         return signals | tables | {"c", "link", "base", "tip", "place", "M"}
 
     def arguments(self) -> tuple[list[str], list[str]]:
@@ -295,6 +297,8 @@ class Places:
                 place = f"call->{member} + q"
             case ("r",):
                 place = f"call->{member} + e"
+            case ("t",):
+                place = f"call->{member} + t"
             case ("b",):
                 place = f"call->{member} + BELOW_OFFSET[i]"
             case shape:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from ...algorithms.functions import robot_columns
 from ...algorithms.schedule import COLUMNS
 from ...ir.program import Program
 from ...ir.split import KEPT, split
@@ -42,7 +43,7 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
         for part, names in COLUMNS.items():
             if what in names:
                 start = chain.given(int(owner))[part].start
-                return f"c->{COLUMNS['eta'][names.index(what)]}[{start + k}]"
+                return f"c->{robot_columns(part)[names.index(what)]}[{start + k}]"
         return own[signal](k) if signal in own else place(signal, k)
 
     return placed

@@ -105,7 +105,9 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     q, v = x[:nq], x[nq:]
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext, p)
-    implicit = ca.vertcat(xdot[:nq] - v, force - ca.vertcat(tau, ca.SX(nq - chain.n_joints, 1)))
+    driven = ca.SX(nq, 1)
+    driven[chain.driven] = tau
+    implicit = ca.vertcat(xdot[:nq] - v, force - driven)
     return {
         "x": x,
         "xdot": xdot,

@@ -157,7 +157,7 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     u = ca.SX.sym("u", chain.n_tau + 6 * chain.n)
     tau, w_ext = u[: chain.n_tau], ca.reshape(u[chain.n_tau :], 6, chain.n)
     M, H, W = assemble(given["x"], tau, w_ext, given["p"])
-    ode = expressions(fused.kinematic_rates(chain), given)["ode"]
+    ode = expressions(fused.kinematic_rates(chain), given | {"tau": tau})["ode"]
     return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
 
 

@@ -8,6 +8,7 @@ from functools import partial
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
@@ -42,20 +43,27 @@ class Held:
     def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
         self.chain = chain
         self.program, self.given = fused.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
-        self.inertia, self.stiffness, self.damping = expressions(fused.modal_properties(chain), {"p": p}).values()
+        self.properties = expressions(fused.modal_properties(chain), {"p": p})
 
     def explicit(self, q: ca.SX, v: ca.SX) -> ca.SX:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own, rates = (x[x.numel() - self.chain.n_given :, 0] for x in (q, v))
-        K, D, times = self.stiffness, self.damping, self.chain.modal_product
-        felt = {
-            "m_eta": self.inertia + h * D + h**2 * K,
-            "f_eta": times(K, own + h * rates) + times(D, rates),
-        }
+        own = slice(q.numel() - self.chain.n_given, None)
+        M, K, D = (self.properties[name] for name in COLUMNS["eta"])
+        D, times = D + self._friction(v_there), self.chain.modal_product
+        x, rate = q[own, 0], v[v.numel() - self.chain.n_given :, 0]
+        felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+
+    def _friction(self, v: ca.SX) -> ca.SX:
+        """What dry friction adds to the damping at the rates."""
+        out = ca.SX(self.chain.n_inertia, 1)
+        if self.chain.dry:
+            rates, places = v[v.numel() - self.chain.n_given :], self.chain.dry
+            out[places] = self.properties["coulomb"] / ca.sqrt(rates[places] ** 2 + self.properties["speed"])
+        return out
 
 
 class Curved:
@@ -112,7 +120,7 @@ def scaling(chain: Chain) -> ca.Function:
 
     Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
     bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad or
-    slide by 1 m.  E is 1 J where there are no joints.
+    slide by 1 m, and rotors with them.  E is 1 J where there are no joints.
     """
     given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
     inputs = symbols(chain, "q v vdot w_ext") | given
@@ -121,6 +129,9 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
-    elastic = stiffness[chain.n_given - chain.n_modes : chain.n_given]
-    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ca.sqrt(twice / elastic))
-    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=twice * ca.SX.ones(m))
+    modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
+    ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
+    for ratio, joint in zip(chain.ratios(given["p"]), chain.geared, strict=True):
+        tau[joint] /= ratio
+    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ratios, modes)
+    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=tau)

@@ -7,7 +7,7 @@ from typing import Any
 
 import casadi as ca
 
-from ...spec.parameters import coordinate_names
+from ...spec.parameters import coordinate_names, per_rotor
 from ...spec.robot import Robot
 from ...spec.segments import segments
 
@@ -44,11 +44,13 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     A row holds the name of the part of the right-hand side and the nonzeros of its Jacobian, column by column.
     """
     names = coordinate_names(robot)
-    n, m, r = len(segments(robot)), len(names.tau), len(names.q) - len(names.tau)
+    n, m, t = len(segments(robot)), len(names.tau), len(per_rotor(robot, "theta"))
+    r = len(names.q) - m - t
     forces = {"u": _stacked({"`tau`": m, "`w_ext`": 6 * n})}
-    state = {"x": _stacked({"`q`": m + r, "`v`": m + r})}
-    ode_rows = {"ode": _stacked({"dq/dt": m + r, "dv/dt": m + r})}
-    pose = {"poses": 7 * n, "`eta`": r, "twists": 6 * n, "dη/dt": r, "`q`": m}
+    state = {"x": _stacked({"`q`": m + t + r, "`v`": m + t + r})}
+    ode_rows = {"ode": _stacked({"dq/dt": m + t + r, "dv/dt": m + t + r})}
+    inner, rates_of_inner = {"rotors' angles": t, "`eta`": r}, {"rotors' rates": t, "dη/dt": r}
+    pose = {"poses": 7 * n, **inner, "twists": 6 * n, **rates_of_inner, "`q`": m}
     dae_state = {"x": _stacked(pose), "z": _by_link(n, r, ("wrenches", "twists' rates", "d²η/dt²"))}
     rates = _stacked({f"rate of {name}": size for name, size in pose.items()})
     dae_rows = {"ode": rates, "alg": _by_link(n, r, ("rows of joints", "rows of links", "rows of modes"))}

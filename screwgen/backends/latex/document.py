@@ -26,7 +26,7 @@ from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .symbols import SLIDING, entries
+from .symbols import DRIVEN, SLIDING, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
@@ -96,7 +96,7 @@ def _run(program: str, folder: str) -> None:
 def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     """The document of a robot, independent of the output format."""
     chain = Chain(robot)
-    plugins = [p for p in plugins if p.trees or chain.serial]
+    plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_motors)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
     views = {key: class_views(key, blocks[key]) for key in chain.classes}
@@ -107,7 +107,12 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
-    named = [*(SLIDING if chain.slides else ()), *(symbol for chapter in chapters for symbol in chapter.symbols)]
+    driven = DRIVEN if any(key.drives for key in chain.keys) else ()
+    named = [
+        *(SLIDING if chain.slides else ()),
+        *driven,
+        *(symbol for chapter in chapters for symbol in chapter.symbols),
+    ]
     sections += [
         Section("Symbols", [tables.symbols(entries(known, named))]),
         Section("Parameters", [tables.parameters(parameters(robot))]),
@@ -139,6 +144,7 @@ def _robot(robot: Robot, chain: Chain) -> Section:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     links += f" of {chain.n} segments" if chain.n > len(robot.links) else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
+    joints += f", {chain.n_motors} of rotors" if chain.n_motors else ""
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
@@ -162,6 +168,7 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         tree=not chain.tree.is_chain,
         loops=bool(chain.closures),
         floating=chain.floating,
+        drives=any(key.drives for key in chain.keys),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

@@ -58,6 +58,18 @@ SLIDING: tuple[Named, ...] = (
 )
 """Symbols of robots whose joints slide, in place of those above."""
 
+DRIVEN: tuple[Named, ...] = (
+    (r"\vartheta", "angle of the rotor of an elastic drive", "rad", "1", "-", STATE),
+    (r"\tau_J", "torque that the gear passes on, of slides a force", "N*m", "1", "-", STATE),
+    (r"N", "ratio of the gear, of slides in rad/m", "-", "1", "-", PARAMETER),
+    (r"J_r", "inertia of the rotor", "kg*m^2", "1", "-", PARAMETER),
+    (r"k, d", "stiffness and damping of the gear at the joint", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),
+    (r"b, c", "viscous and dry friction", "N*m*s/rad, N*m", "1", "-", PARAMETER),
+    (r"v_f", "rate over which dry friction changes its sign", "rad/s", "1", "-", PARAMETER),
+    (r"\tau_f", "friction at the rate w of what the torque acts on", "N*m", "1", "-", STATE),
+)
+"""Symbols of robots with drives."""
+
 TIMES = r"\times"
 
 

@@ -88,6 +88,9 @@ def _remarks(link: Link, key: LinkClass) -> str:
     stated = {
         "mount": key.mount_xyz or key.mount_rpy,
         "armature": key.armature,
+        "elastic drives": key.motors,
+        "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
+        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,

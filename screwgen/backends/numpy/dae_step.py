@@ -33,15 +33,14 @@ Function = Callable[..., Sequence]
 class DaeDynamics:
     """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints.
 
-    `properties`: inertia, stiffness and damping (n_given,) of the coordinates that have them. `solve (x, tau, w_ext,
-    inertia, force) -> (xdot, vdot, wrench)`; `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read
-    where joints are sprung.
+    `properties`: those of :class:`.OwnForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
+    `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung.
     """
 
     def __init__(
         self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
     ):
-        n, r = chain.n, chain.n_modes
+        n, r = chain.n, chain.n_inner
         self.forces = OwnForces(chain, *properties)
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
@@ -54,11 +53,13 @@ class DaeDynamics:
 
     def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> Sequence[np.ndarray]:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
-        own, rate = self.own(x if start is None else start)
-        return self.solve(x, tau, w_ext, self.forces.inertia(h), self.forces.force(own, rate, h))
+        here = self.own(x)
+        own, rate = here if start is None or start is x else self.own(start)
+        forces = self.forces.rubbing(here[1])
+        return self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The coordinates with stiffness and damping (modes, sprung joints), and their rates."""
+        """The coordinates with stiffness and damping (sprung joints, rotors, modes), and their rates."""
         eta, etadot = x[self.eta], x[self.etadot]
         if not self.sprung:
             return eta, etadot

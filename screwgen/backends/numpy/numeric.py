@@ -33,7 +33,7 @@ from ...topology.chain import Chain
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)
-SPRINGS = ("K", "K_q", "K_below")
+SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
 
 _COMPILED: dict[int, tuple] = {}
@@ -137,7 +137,7 @@ class Numeric:
         self.chain.needs_fixed_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
-        given = np.eye(self.chain.nv)[:, : self.chain.n_tau]
+        given = np.eye(self.chain.nv)[:, self.chain.driven]
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

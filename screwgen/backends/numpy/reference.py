@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -64,8 +65,8 @@ def _rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]
         functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
         vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
         inverse = functions.loads(given["q"], given["v"], given["vdot"], given["w_ext"])[1]
-    m = chain.n_joints
-    parts = [(vdot[:m], case["vdot"][:m]), (vdot[m:], case["vdot"][m:])]
+    ends = (0, chain.eta_v - chain.n_motors, chain.eta_v, chain.nv)
+    parts = [(vdot[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
     of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
     parts.append((of(wrench, 0), of(case["wrench"], 0)))
@@ -111,10 +112,15 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     K = [float(k) for c in functions.constants for k in c["K"]]
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
     pose = _unit(draw(chain.base_q, 7, 0.9))
+    q, v, tau, p = draw(m, 1, 1.2), draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
+    wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
+    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
+    for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
+        tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     return {
-        "q": nearly_closed(chain, pose + draw(m, 1, 1.2) + eta),
-        "v": draw(chain.base_v, 8, 0.8) + draw(m, 3, 0.8) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
-        "tau": draw(m, 5, 20.0),
+        "q": nearly_closed(chain, pose + q + turned(q) + eta),
+        "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
+        "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
 

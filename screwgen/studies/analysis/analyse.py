@@ -139,8 +139,9 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
     most = np.where(turning(model.robot), 1.0, 1 / np.pi)
     out = {}
     for k in range(count):
-        q = np.append(most * rng.uniform(-np.pi, np.pi, m), deflection * rng.uniform(-1, 1, len(deflection)))
-        v = np.append(rng.uniform(-1, 1, m), rate * rng.uniform(-1, 1, len(rate)))
+        whole = lambda x: model.chain.relaxed(x, model.parameter_values)  # noqa: E731
+        q = np.append(whole(most * rng.uniform(-np.pi, np.pi, m)), deflection * rng.uniform(-1, 1, len(deflection)))
+        v = np.append(whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate)))
         out[f"sample {k + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out
 
@@ -171,7 +172,8 @@ def _own_mass(values: dict[str, float], link: Link) -> float:
 
 
 def holding(model: Model, q: np.ndarray) -> np.ndarray:
-    """Joint torques (n_joints,) that carry the weight of the arm with undeformed links."""
+    """Torques (n_tau,) where they act that carry the weight of the arm with undeformed links."""
     still = np.zeros(model.nq)
-    straight = np.append(q[: model.n_joints], still[model.n_joints :])
-    return model.numpy().bias(straight, still, np.zeros((model.n_links, 6)))[: model.n_joints]
+    straight = model.chain.filled(q[: model.n_joints], model.parameter_values)
+    force = model.numpy().bias(straight, still, np.zeros((model.n_links, 6)))[: model.n_joints]
+    return model.chain.at_rotors(force, model.parameter_values)

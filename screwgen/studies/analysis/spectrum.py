@@ -120,15 +120,16 @@ class Linearised:
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
         self.model, self.p = model, model.chain.parameters.vector(p)
-        self.q, self.v = coordinates(q, "q", model), coordinates(v, "v", model)
-        law = tau if controller is None else started(controller, self.q)
+        self.q, self.v = coordinates(q, "q", model, self.p), coordinates(v, "v", model, self.p)
+        law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given = Inputs(model, law, w_ext)
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        self.own = self.dynamics.own.rubbing(self.dynamics.own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nq), 2)
-        self.gains = np.zeros((model.n_joints, 2 * model.nq)) if controller is None else self._gains()
+        self.gains = np.zeros((model.n_tau, 2 * model.nq)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
         self._known: dict[float, Slopes] = {}
 
@@ -164,10 +165,19 @@ class Linearised:
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
         """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
-        a, d = self.slopes(h), self.dynamics
-        force = d.force(q, v, h)
+        a, own = self.slopes(h), self.own
         at_q, at_v = there or (q, v)
+        force = own.force(own.of(q), own.of(v), h)
+        if self.model.chain.dry:
+            force = force + own.softened(own.of(self.v), own.of(self._felt(h)), own.of(at_v))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+
+    def _felt(self, h: float) -> np.ndarray:
+        """The rates (nv,) that dry friction resists: those `h` later, as the accelerations lead to them."""
+        if h == 0 or self.trim is not None:
+            return self.v
+        here = (self.q, self.v)
+        return self.v + h * self.dynamics.implicit(*here, self.tau, self.w_ext, h, here)
 
     def slopes(self, h: float) -> Slopes:
         """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
@@ -178,26 +188,28 @@ class Linearised:
 
     def _heavier(self, h: float) -> Slopes:
         """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
-        d, M = self.dynamics, self.mass_matrix
+        M = self.mass_matrix
         n = self.model.chain.n_given
         added, own = np.zeros_like(M), slice(self.model.nq - n, None)
-        added[own, own] = self.model.chain.modal_product(d.own.added(h)[:, None], np.eye(n))
+        added[own, own] = self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
         factor = np.linalg.solve(M + added, M)
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
     def _derivatives(self, h: float) -> Slopes:
         if not self.model.nq:
             return Slopes(*4 * [np.zeros((0, 0))])
-        d, (nq, m, n) = self.dynamics, (self.model.nq, self.model.n_joints, self.model.n_links)
-        force, torque = d.force(self.q, self.v, h), self.tau
-        if self.trim is not None:
+        own, (nq, m, n) = self.own, (self.model.nq, self.model.n_tau, self.model.n_links)
+        force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
+        if self.trim is not None and self.model.chain.n_motors:
+            force = force + self.trim
+        elif self.trim is not None:
             modes = np.append(np.zeros(self.model.chain.n_given - nq + m), self.trim[m:])
             force, torque = force + modes, torque - self.trim[:m]
         parts = np.cumsum([nq, nq, m, self.model.chain.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
         still = [np.zeros((parts[-1], k)) for k in (6 * n, self.model.chain.n_inertia, len(self.p))]
         results = (np.zeros(nq), np.zeros((n, 6)))
-        place = (self.q, self.v, torque, self.w_ext, d.own.inertia(h), force, self.p)
+        place = (self.q, self.v, torque, self.w_ext, own.inertia(h), force, self.p)
         q, v, tau, f = seeds
         columns = self.directional(*place, *results, q, v, tau, still[0], still[1], f, still[2])[0]
         if not np.isfinite(columns).all():
@@ -210,13 +222,13 @@ class Linearised:
         x = np.append(self.q, self.v)
         torque = lambda x: self.given(0.0, *np.split(x, 2))[0]  # noqa: E731
         sides = [(torque(x + e) - torque(x - e)) / (2 * e.max()) for e in np.diag(DIFFERENCE * np.maximum(1, abs(x)))]
-        return np.array(sides).reshape(-1, self.model.n_joints).T
+        return np.array(sides).reshape(-1, self.model.n_tau).T
 
 
 def _directional(model: Model) -> Evaluator:
     """The derivatives of `modal_dynamics` in nq + nq + n_joints + n_given directions at once."""
     function, chain = model.modal_functions["modal_dynamics"], model.chain
-    primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nq + chain.n_joints + chain.n_given
+    primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nq + chain.n_tau + chain.n_given
     return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
 
 

@@ -1,0 +1,195 @@
+"""Drives: the constants of a joint's axes and rotors, and the elimination of a rotor's acceleration.
+
+The rotor of an elastic drive has the angle ``theta``, inertia ``J_r`` and ratio ``N``; its gear has stiffness ``k`` and
+damping ``d`` at the joint. With ``tau_J = k (theta/N - q) + d (thetadot/N - qdot)`` the equations are
+``J_r thetaddot = tau - tau_J/N - friction`` for the rotor, whose energy is that of its own spin alone, and ``tau_J``
+takes the place of the torque in the joint's rows. The gear is a symmetric coupling of both coordinates, ``-k/N`` and
+``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from ..ir.program import Array, Program, Tracer, Value
+from ..spec.link_class import DriveClass, LinkClass
+from . import matrices as mx
+from .scope import Scope
+
+NONE = DriveClass()
+PREPARED = (
+    "armature joint_damping joint_stiffness spring "
+    "rotor_inertia rotor_damping rotor_stiffness gear_damping gear_stiffness"
+).split()
+"""The constants of an axis that follow from its drive."""
+
+
+def drive_of(key: LinkClass, axis: int) -> DriveClass:
+    """What the drive of an axis states."""
+    return key.drives[axis] if key.drives else NONE
+
+
+def constant(s: Scope, name: str, axis: int) -> Value:
+    """One of the ``PREPARED`` constants of an axis, recorded from the parameters; 0 where the axis has none."""
+    drive = drive_of(s.key, axis)
+    read = lambda label: s.read(f"p.{label}_{axis + 1}", 1)[0]  # noqa: E731
+    stated = lambda what: read(f"drive_{what}") if getattr(drive, what) else 0.0  # noqa: E731
+    ratio, inertia, k, d = read("drive_ratio") if drive.ratio else 1.0, *map(stated, PARTS)
+    match name:
+        case "armature":
+            own = read(name) if s.key.armature else 0.0
+            return own if drive.stiffness else own + ratio * ratio * inertia
+        case "joint_damping":
+            own = read(name) if s.key.joint_damping else 0.0
+            return own + (d if drive.stiffness else stated("viscous"))
+        case "joint_stiffness":
+            return (read(name) if s.key.stiffness else 0.0) + k
+        case "spring":
+            return read("joint_stiffness") if s.key.stiffness else 0.0
+        case "rotor_inertia":
+            return inertia
+        case "coulomb":
+            return read("drive_coulomb")
+        case "speed":
+            return read("drive_velocity") * read("drive_velocity")
+        case "gear_inertia":
+            return 0.0
+        case "rotor_damping":
+            return d / (ratio * ratio) + stated("viscous")
+        case "rotor_stiffness":
+            return k / (ratio * ratio)
+        case "gear_damping":
+            return -(d / ratio)
+        case "gear_stiffness":
+            return -(k / ratio)
+    raise KeyError(name)
+
+
+PARTS = ("rotor_inertia", "stiffness", "damping")
+
+
+def labelled(s: Scope, label: str) -> Value | None:
+    """The constant with the label of an axis, such as ``armature_1``; None if it is no such constant."""
+    name, _, number = label.rpartition("_")
+    return constant(s, name, int(number) - 1) if name in PREPARED else None
+
+
+@cache
+def friction(count: int) -> Program:
+    """``(w, coulomb, speed) -> (force, slope)``: dry friction at rates ``w``, and its derivative; speeds are squared.
+
+    ``coulomb w / sqrt(w^2 + speed)``, whose secant ``coulomb / sqrt(w^2 + speed)`` implicit methods take as a damping.
+    """
+    tracer = Tracer()
+    w, coulomb, speed = (tracer.input(name, count) for name in ("w", "coulomb", "speed"))
+    force: list[Value] = []
+    slope: list[Value] = []
+    for rate, dry, square in zip(w, coulomb, speed, strict=True):
+        whole = rate * rate + square
+        secant = dry / tracer.call("sqrt", whole)
+        force.append(secant * rate)
+        slope.append(secant * square / whole)
+    return tracer.program("friction", {"w": count, "coulomb": count, "speed": count}, {"force": force, "slope": slope})
+
+
+# ------------------------------------------------------------------------------------------ elimination
+
+
+def armature(s: Scope) -> Array:
+    """The rotor inertias seen at the joint."""
+    return mx.array([s.constant(f"armature_{j + 1}") if s.key.weighted else 0.0 for j in range(s.key.joints)])
+
+
+def own_inertia(s: Scope) -> Array:
+    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint; a free one has none."""
+    if s.key.free:
+        return mx.zeros(6)
+    return s.read("m_q") if s.key.sprung else armature(s)
+
+
+def own_force(s: Scope) -> Array:
+    """The generalised forces of the joint's damper and spring."""
+    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.freedoms)
+
+
+def condense(s: Scope) -> tuple[Array, Array]:
+    """Eliminate the rotors' accelerations from the joint's rows: the inertia that remains, and the driving force.
+
+    The driving force of an axis without a rotor is ``tau - f_q``; that of an elastic one is
+    ``-f_q - m_gear / m_theta (tau - f_theta)``, and the inertia ``m_q - m_gear^2 / m_theta``.
+    """
+    inertia, force = own_inertia(s).copy(), own_force(s)
+    tau = mx.zeros(6) if s.key.free else s.read("tau")
+    if not s.key.motors:
+        return inertia, tau - force
+    m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")
+    follows, alone = mx.zeros(len(m)), mx.zeros(len(m))
+    driving = np.where([axis in s.key.motors for axis in range(s.key.joints)], -force, tau - force)
+    for k, axis in enumerate(s.key.motors):
+        inverse = 1.0 / m[k]
+        follows[k] = coupling[k] * inverse
+        alone[k] = (tau[axis] - f[k]) * inverse
+        inertia[axis] = inertia[axis] - coupling[k] * follows[k]
+        driving[axis] = driving[axis] - coupling[k] * alone[k]
+    s.keep("rotor_W", follows)
+    s.keep("rotor_w", alone)
+    return inertia, driving
+
+
+def accelerate_rotors(s: Scope, qddot: Array) -> None:
+    """The rotors' accelerations from those of the joint."""
+    W, w = s.kept("rotor_W"), s.kept("rotor_w")
+    s.write("thetaddot", [w[k] - W[k] * qddot[axis] for k, axis in enumerate(s.key.motors)])
+
+
+def rotor_forces(s: Scope) -> None:
+    """Inverse dynamics of the rotors; gears act through the forces alone."""
+    s.write("force_theta", s.read("m_theta") * s.read("thetaddot") + s.read("f_theta"))
+
+
+def rotor_accelerations(s: Scope) -> None:
+    """The rotors' accelerations by themselves: where no coupling is implicit they need no others."""
+    if not s.key.motors:
+        return
+    tau = s.read("tau")
+    torque = mx.array([tau[axis] for axis in s.key.motors])
+    s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
+
+
+def joint_torque(s: Scope, qdot: Array) -> Array:
+    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction is included.
+
+    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause.
+    """
+    tau = s.read("tau").copy()
+    of = lambda name, axis: s.constant(f"{name}_{axis + 1}")  # noqa: E731
+    for k, axis in enumerate(s.key.motors):
+        tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
+        if drive_of(s.key, axis).damping:
+            tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]
+    for axis in (axis for axis in s.key.rubbed if axis not in s.key.motors):
+        speed = of("drive_velocity", axis)
+        size = s.tracer.call("sqrt", qdot[axis] * qdot[axis] + speed * speed)
+        tau[axis] = tau[axis] - of("drive_coulomb", axis) / size * qdot[axis]
+    return tau
+
+
+def spring(s: Scope) -> Array:
+    """The stiffness of the joint's own springs, without those of gears."""
+    label = "spring" if s.key.drives else "joint_stiffness"
+    return mx.array([s.constant(f"{label}_{j + 1}") if s.key.stiffness else 0.0 for j in range(s.key.joints)])
+
+
+def drive_energies(s: Scope, q: Array) -> tuple[Value, Value]:
+    """Twice the kinetic energy of the rotors' spin, and twice the potential of the gears."""
+    kinetic: Value = 0.0
+    potential: Value = 0.0
+    for k, axis in enumerate(s.key.motors):
+        theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]
+        ratio = s.constant(f"drive_ratio_{axis + 1}") if drive_of(s.key, axis).ratio else 1.0
+        wound = theta - ratio * q[axis]
+        kinetic = kinetic + s.constant(f"rotor_inertia_{axis + 1}") * thetadot * thetadot
+        potential = potential + s.constant(f"rotor_stiffness_{axis + 1}") * wound * wound
+    return kinetic, potential

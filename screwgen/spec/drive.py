@@ -1,0 +1,90 @@
+"""The drive of a joint axis: gear, rotor, elasticity and friction."""
+
+from collections.abc import Sequence
+from typing import Annotated, Self
+
+from pydantic import Field, PlainValidator, model_validator
+
+from .part import Part
+from .ranges import within
+from .values import refuse, shown
+
+
+class Friction(Part):
+    """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
+
+    It acts on the coordinate that the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, else
+    on the joint (of a slide N, N·s/m, m/s).
+    """
+
+    coulomb: Annotated[float, PlainValidator(within("coulomb"))] | None = Field(
+        None, description="dry friction, N·m (of a slide with a rigid gear N)"
+    )
+    viscous: Annotated[float, PlainValidator(within("damping"))] | None = Field(
+        None, description="viscous friction, N·m·s/rad (of a slide with a rigid gear N·s/m)"
+    )
+    velocity: Annotated[float, PlainValidator(within("velocity"))] | None = Field(
+        None, description="the rate over which dry friction changes its sign, rad/s (m/s), > 0"
+    )
+
+    @model_validator(mode="after")
+    def _dry_over_a_velocity(self) -> Self:
+        if self.coulomb is None and self.viscous is None:
+            raise refuse("states no friction; give { coulomb = …, velocity = … }, viscous, or both")
+        if self.coulomb is not None and self.velocity is None:
+            raise refuse("is missing; dry friction needs the rate over which it changes its sign", at=("velocity",))
+        if self.coulomb is None and self.velocity is not None:
+            raise refuse("is stated without coulomb, whose sign it smooths; leave it out", at=("velocity",))
+        return self
+
+
+NO_FRICTION = Friction.model_construct()
+
+
+class Drive(Part):
+    """The drive of one axis. Without `stiffness` its gear is rigid: the rotor adds `ratio² rotor_inertia` to the axis.
+
+    With `stiffness` the rotor's angle is a coordinate of its own and the torque acts on the rotor; `stiffness` and
+    `damping` are those of the gear as seen at the joint. An empty table is no drive.
+    """
+
+    ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
+        None, description="turns of the rotor per turn of the joint (of a slide rad/m), > 0; 1 if it is left out"
+    )
+    rotor_inertia: Annotated[float, PlainValidator(within("rotor inertia"))] | None = Field(
+        None, description="inertia of the rotor about its own axis, kg·m², > 0"
+    )
+    stiffness: Annotated[float, PlainValidator(within("gear stiffness"))] | None = Field(
+        None, description="stiffness of the gear at the joint, N·m/rad (of a slide N/m), > 0; without it it is rigid"
+    )
+    damping: Annotated[float, PlainValidator(within("damping"))] | None = Field(
+        None, description="damping of the gear at the joint, N·m·s/rad (of a slide N·s/m)"
+    )
+    friction: Friction | None = Field(None, description="as { coulomb = …, viscous = …, velocity = … }")
+
+    @property
+    def elastic(self) -> bool:
+        """Whether the rotor has a coordinate of its own."""
+        return self.stiffness is not None
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.elastic and self.rotor_inertia is None:
+            raise refuse("is missing; the rotor of an elastic drive needs its inertia, kg·m²", at=("rotor_inertia",))
+        if self.ratio is not None and self.rotor_inertia is None:
+            raise refuse("is stated without rotor_inertia, which it acts on; state both, or none", at=("ratio",))
+        if self.damping is not None and not self.elastic:
+            what = "is stated without stiffness, and a rigid gear has none"
+            raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
+        return self
+
+
+def check(drives: Sequence[Drive], axes: int, armature: Sequence[float] | None) -> None:
+    """Refuse another number of drives than of axes, and rotors whose inertia at the joint is stated twice."""
+    if len(drives) != axes:
+        what = f"has length {len(drives)}; it must hold one table per axis, {axes}; an empty one is no drive"
+        raise refuse(what, at=("drives",))
+    for k, (drive, inertia) in enumerate(zip(drives, armature or (), strict=False)):
+        if drive.rotor_inertia is not None and not drive.elastic and inertia:
+            what = f"is stated beside armature[{k}] = {shown(inertia)}, which means the same"
+            raise refuse(f"{what}; leave one of them out", at=("drives", k, "rotor_inertia"))

@@ -12,6 +12,7 @@ import random_robots as rr
 from oracle import Oracle, part_error
 
 from screwgen import Model, Robot, load
+from screwgen.runtime.batch import CompiledBatch
 from screwgen.runtime.compiled import Compiled
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -88,6 +89,11 @@ def case_of(robot: dict, state: dict) -> Case:
 def quick(model: Model, **options) -> Compiled:
     """The generated C, compiled without optimisation; the same C is compiled once, whichever tests need it."""
     return Compiled(model, flags=QUICK, cache=True, **options)
+
+
+def quick_batch(model: Model, single=False) -> None:
+    """Compile the batch of a model without optimisation before its first rollout."""
+    model.once(("batch", single), lambda: CompiledBatch(model, single, flags=QUICK))
 
 
 def casadi_forward(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

@@ -33,7 +33,8 @@ SKEW = arm(
 )
 
 
-ROBOTS = {"skew": SKEW, "tapered": tapered_arm(), "second order": SKEW | {"order": 2}}
+TAPERED = tapered_arm()
+ROBOTS = {"skew": SKEW, "tapered": TAPERED | {"links": TAPERED["links"][1:]}, "second order": SKEW | {"order": 2}}
 
 
 @cache

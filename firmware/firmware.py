@@ -88,24 +88,26 @@ def measure(variant: Variant, sources: Sources, model: screwgen.Model, reference
 
 
 def measure_all(wanted: Sequence[Variant], robot: screwgen.Robot, workers: int) -> list[Row]:
-    """One row per variant; says each as it is done."""
+    """One row per variant; says each as it is done. One model is generated while those before it are measured."""
     shutil.rmtree(WORK, ignore_errors=True)
-    models, sources, references = {}, {}, {}
-    for order in sorted({v.order for v in wanted}):
-        models[order] = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
-        sources[order] = generate(models[order], WORK / f"source{order}")
-        host = host_program(sources[order]["fused", "runtime"], WORK / f"host{order}")
-        references[order] = read_findings(run(host))
-    counter = Counter(WORK / "counter")
+    counter, rows = Counter(WORK / "counter"), {}
 
-    def one(variant: Variant) -> Row:
-        k, own = variant.order, sources[variant.order][variant.layout, variant.parameters]
-        row = measure(variant, own, models[k], references[k], counter)
+    def one(variant: Variant, model: screwgen.Model, sources: Sources, reference: Findings) -> Row:
+        row = measure(variant, sources, model, reference, counter)
         print(f"{variant.name}: {row.check}", file=sys.stderr, flush=True)
         return row
 
     with ThreadPoolExecutor(workers) as pool:
-        return list(pool.map(one, wanted))
+        for order in sorted({v.order for v in wanted}):
+            model = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
+            sources = generate(model, WORK / f"source{order}")
+            reference = read_findings(run(host_program(sources["fused", "runtime"], WORK / f"host{order}")))
+            for v in (v for v in wanted if v.order == order):
+                rows[v.name] = pool.submit(one, v, model, sources[v.layout, v.parameters], reference)
+        try:
+            return [rows[v.name].result() for v in wanted]
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 # ------------------------------------------------------------------------------------------- command

@@ -10,7 +10,8 @@ BENCH = .venv-bench
 MINIMA = .venv-minima
 WORKERS ?= 2
 QUIET = -q -p no:cacheprovider
-# Compiled Python is kept, but not beside its sources.
+# Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
+unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPYCACHEPREFIX = $(CURDIR)/$(VENV)/pycache
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
 export OMP_NUM_THREADS = 1

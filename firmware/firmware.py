@@ -96,25 +96,30 @@ def measure(variant: Variant, sources: Sources, model: screwgen.Model, reference
 
 
 def measure_all(wanted: Sequence[Variant], folder: Path, workers: int) -> list[Row]:
-    """One row per variant, whose robot's file lies in the folder; says each as it is done."""
-    shutil.rmtree(WORK, ignore_errors=True)
-    models, sources, references = {}, {}, {}
-    for arm, order in dict.fromkeys((v.arm, v.order) for v in wanted):
-        key, robot = (arm, order), screwgen.load(folder / f"{arm}.toml")
-        models[key] = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
-        sources[key] = generate(models[key], WORK / f"source_{arm}_{order}")
-        host = host_program(sources[key]["fused", "runtime"], WORK / f"host_{arm}_{order}")
-        references[key] = read_findings(run(host))
-    counter = Counter(WORK / "counter")
+    """One row per variant, whose robot's file lies in the folder; says each as it is done.
 
-    def one(variant: Variant) -> Row:
-        key = variant.arm, variant.order
-        row = measure(variant, sources[key][variant.layout, variant.parameters], models[key], references[key], counter)
+    One model is generated while those before it are measured.
+    """
+    shutil.rmtree(WORK, ignore_errors=True)
+    counter, rows = Counter(WORK / "counter"), {}
+
+    def one(variant: Variant, model: screwgen.Model, sources: Sources, reference: Findings) -> Row:
+        row = measure(variant, sources, model, reference, counter)
         print(f"{variant.name}: {row.check}", file=sys.stderr, flush=True)
         return row
 
     with ThreadPoolExecutor(workers) as pool:
-        return list(pool.map(one, wanted))
+        for arm, order in dict.fromkeys((v.arm, v.order) for v in wanted):
+            robot = screwgen.load(folder / f"{arm}.toml")
+            model = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
+            sources = generate(model, WORK / f"source_{arm}_{order}")
+            reference = read_findings(run(host_program(sources["fused", "runtime"], WORK / f"host_{arm}_{order}")))
+            for v in (v for v in wanted if (v.arm, v.order) == (arm, order)):
+                rows[v.name] = pool.submit(one, v, model, sources[v.layout, v.parameters], reference)
+        try:
+            return [rows[v.name].result() for v in wanted]
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 # ------------------------------------------------------------------------------------------- command

@@ -28,10 +28,10 @@ ROBOTS = {
     ),
     "many modes": arm(link("rod", axes="yz", modes={"bending_y": 5, "bending_z": 5}, section=SOFT)),
     "welded": arm(link("rod", axes=(), modes={"bending_y": 2, "axial": 1}, section=SOFT)),
-    "tapered": tapered_arm(),
+    "tapered": tapered_arm() | {"links": tapered_arm()["links"][:1]},
     "second order": arm(
-        link("one", axes="z", modes={"axial": 1, "bending_y": 2, "bending_z": 1}, section=SOFT, joint=STIFF),
-        link("two", axes="y", modes={"bending_y": 1, "bending_z": 2, "torsion": 1}, section=SOFT, bodies=[BODY]),
+        link("one", axes="z", modes={"axial": 1, "bending_y": 1}, section=SOFT, joint=STIFF),
+        link("two", axes="y", modes={"bending_z": 2, "torsion": 1}, section=SOFT, bodies=[BODY]),
         order=2,
     ),
     "rods": arm(*(link(n, axes=a) | {"section": {"rhoA": 1.0}} for n, a in (("rod", "x"), ("blade", "z")))),

@@ -13,6 +13,7 @@ from helpers import example_file
 
 from screwgen import Robot, load
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.content import Document
 from screwgen.backends.latex.steps import BlockView
 from screwgen.ir.block import Block
 from screwgen.plugins import plugins
@@ -86,13 +87,18 @@ def robot(name: str) -> Robot:
 
 
 @cache
+def content(name: str) -> Document:
+    return latex.content(robot(name), PLUGINS)
+
+
+@cache
 def tex(name: str) -> str:
-    return latex.document(robot(name), PLUGINS)
+    return latex.tex(content(name))
 
 
 @cache
 def page(name: str) -> str:
-    return latex.html(robot(name), PLUGINS)
+    return latex.page(content(name))
 
 
 @cache

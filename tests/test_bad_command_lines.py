@@ -43,7 +43,7 @@ LINES = {
     "simulate ella.toml --duration 1 --step nan -o run.npz": "the step is nan s",
     "simulate ella.toml --duration 1e6 --step 1e-3 -o run.npz": "over 1e+08 steps",
     "simulate ella.toml --duration 1e300 --step 1e-300 -o run.npz": "over 1e+08 steps",
-    "simulate ella.toml --duration 1e5 --step 1e-3 -o run.npz": "GB",
+    "simulate rigid.toml --duration 1e5 --step 1e-3 -o run.npz": "GB",
     "simulate ella.toml --duration 1 --step 1e-3 -o run.txt": "run.txt: has an unknown suffix",
     "simulate ella.toml --duration 1 --step 1e-3 -o run": "it must end in .npz or .csv",
     "simulate ella.toml --duration 1 --step 1e-3 -o none/run.npz": "its folder does not exist",

@@ -4,25 +4,26 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers import model_of
 from test_simulate import soft_dict
 
-from screwgen import Robot, UsageError, derive
+from screwgen import UsageError
 from screwgen.simulation.controllers import PD, Holding
 from screwgen.simulation.simulate import simulate
 from screwgen.studies.equilibrium import equilibrium
 
 
-def floating() -> Robot:
+def floating() -> dict:
     robot = soft_dict() | {"gravity": [0.0, 0.0, 0.0]}
     for link in robot["links"]:
         link["damping"] = {"ratio": 0.05}
-    return Robot.model_validate(robot)
+    return robot
 
 
 def test_pd_brings_the_arm_to_its_set_point():
     goal = (0.3, -0.2, 0.4)
     law = PD((40.0, 40.0, 20.0), (15.0, 15.0, 4.0), goal, duration=1.0, tau_max=(9.0, 9.0, 9.0))
-    run = simulate(derive(floating()), 4.0, 1e-3, controller=law)
+    run = simulate(model_of(floating()), 4.0, 1e-3, controller=law)
     assert np.abs(run.q[-1, :3] - goal).max() < 0.02
     assert np.abs(run.tau).max() <= 9.0
     assert np.abs(run.tau[0]).max() == 0.0  # a minimum-jerk start asks for nothing
@@ -56,7 +57,7 @@ def test_torques_that_hold_are_those_of_the_equilibrium():
     """Also beside joint springs; one computation goes down the potential energy, the other solves for the modes."""
     robot = soft_dict()
     robot["links"][1]["joint"]["stiffness"] = [3.0] * len(robot["links"][1]["joint"]["axes"])
-    model = derive(Robot.model_validate(robot))
+    model = model_of(robot)
     for q in ([0.0] * 3, [0.3, -0.5, 1.1]):
         assert Holding(model)(q) == pytest.approx(equilibrium(model, q, hold="all").tau, rel=1e-9, abs=1e-9)
 
@@ -67,7 +68,7 @@ def test_gravity_compensation_leaves_no_error_at_rest(backend):
     robot = soft_dict("polynomial")
     for link in robot["links"]:
         link["damping"] = {"ratio": 0.1}
-    model, goal = derive(Robot.model_validate(robot)), (0.3, -0.2, 0.4)
+    model, goal = model_of(robot), (0.3, -0.2, 0.4)
     rest = equilibrium(model, goal, hold=True)
     law = PD((40.0, 40.0, 20.0), (15.0, 15.0, 4.0), goal)
     sag, held = (

@@ -39,7 +39,9 @@ GEARED = arm(
 )
 """Elastic and rigid gears with friction: encoders are on the rotors."""
 
-ROBOTS = {"skew": SKEW, "tapered": tapered_arm(), "second order": SKEW | {"order": 2}, "drives": GEARED}
+TAPERED = tapered_arm()
+SHORT = TAPERED | {"links": TAPERED["links"][1:]}
+ROBOTS = {"skew": SKEW, "tapered": SHORT, "second order": SKEW | {"order": 2}, "drives": GEARED}
 
 
 @cache

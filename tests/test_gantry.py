@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from helpers import QUICK, example, quick
+from helpers import QUICK, example, quick, quick_batch
 
 from screwgen import PD, NoEquilibriumError, equilibrium, rollout, simulate
 from screwgen.cli.main import main
@@ -119,6 +119,8 @@ def test_both_forms_the_batch_and_float_make_the_same_motion(model):
     x0 = np.zeros((3, 2 * model.nq))
     x0[:, :4] = np.random.default_rng(3).uniform(-0.3, 0.3, (3, 4))
     tau = np.tile([30.0, -20.0, -WEIGHT, 1.0], (3, 25, 1))
+    quick_batch(model)
+    quick_batch(model, single=True)
     batch = rollout(model, x0, tau, step=2e-3)
     held = dict(q0=x0[1, : model.nq], controller=lambda t, q, v: tau[0, 0])
     joint, dae = (simulate(model, 0.05, 2e-3, form=form, **held) for form in ("joint", "dae"))

@@ -4,6 +4,7 @@ import ast
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ PACKAGE = Path(__file__).resolve().parents[1] / "screwgen"
 MODULES = sorted(p.relative_to(PACKAGE) for p in PACKAGE.rglob("*.py"))
 
 
+@cache
 def imports(path: Path) -> set[tuple[str, ...]]:
     """All that a file imports, as dotted names from the top; relative imports are resolved."""
     found = set()

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from conftest import swept
 from helpers import arm, link
-from latex_documents import NAMES, PLUGINS, every_robot, page, robot, tex, views
+from latex_documents import NAMES, PLUGINS, content, every_robot, page, robot, tex, views
 
 from screwgen import Robot
 from screwgen.algebra.notation import latex as formula
@@ -118,7 +118,7 @@ def test_the_table_has_no_symbol_twice(name):
 
 @every_robot
 def test_the_table_says_shape_frame_and_origin_of_every_symbol(name):
-    (table,) = next(s.items for s in latex.content(robot(name), PLUGINS).sections if s.title == "Symbols")
+    (table,) = next(s.items for s in content(name).sections if s.title == "Symbols")
     assert all(cell for row in table.rows for cell in row)
     rows = {row[0]: row[1:] for row in table.rows}
     assert rows[r"$\mathbf{M}_i$"][2:] == (r"$\mathcal{F}_i$", r"$(6 + r_i) \times (6 + r_i)$", "state")

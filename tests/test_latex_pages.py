@@ -96,9 +96,10 @@ def test_random_robots_compile(tmp_path):
 
 
 def test_the_pdf_is_the_same_every_time():
-    """The document of a pendulum: of the same parts as every other, and short."""
+    """The head, the contents and the first section of a pendulum's document."""
     require_tool("pdflatex")
     text = latex.document(Robot.model_validate(arm(link("rod", axes="y"))))
+    text = r"\section{".join(text.split(r"\section{")[:3]) + r"\end{document}"
     first, second = latex.pdf(text), latex.pdf(text)
     assert first == second and first.startswith(b"%PDF")
 

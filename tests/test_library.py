@@ -68,7 +68,7 @@ def test_two_processes_at_once_both_succeed(tmp_path):
     code = f"""
 import sys
 from screwgen import Robot, derive
-model = derive(Robot.model_validate({arm(link("a", modes={"bending_y": 1}), link("b", axes="y"))!r}))
+model = derive(Robot.model_validate({arm(link("a", axes="z"), link("b", axes="yz"))!r}))
 print("ready", flush=True)
 sys.stdin.readline()
 print(model.compile(flags=("-O0",)).forward_dynamics([0.1] * 3, [0.0] * 3)[0].tolist())

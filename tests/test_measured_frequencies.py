@@ -118,11 +118,13 @@ def test_32_modes_in_a_direction(direction):
     assert np.allclose(bare_frequencies(frequencies), flat(frequencies), rtol=1e-12, atol=0)
 
 
-def test_32_modes_in_all_back_ends():
+@pytest.mark.parametrize("count", swept([12, 32], 12))
+def test_many_modes_in_all_back_ends(count):
     """Parameters beyond the ninth find their places."""
-    frequencies = {"bending_y": [float(f) for f in 20 * np.cumprod(np.random.default_rng(2).uniform(1.05, 1.3, 32))]}
+    ratio = np.random.default_rng(2).uniform(1.05, 1.3, count)
+    frequencies = {"bending_y": [float(f) for f in 20 * np.cumprod(ratio)]}
     model, rng = model_of(rod(frequencies)), np.random.default_rng(3)
-    q, v = (size * rng.normal(size=32) / np.arange(1, 33) ** 2 for size in (1e-4, 1e-3))
+    q, v = (size * rng.normal(size=count) / np.arange(1, count + 1) ** 2 for size in (1e-4, 1e-3))
     expected = 1.2 * 0.8 * (2 * np.pi * np.array(frequencies["bending_y"])) ** 2
     assert np.allclose(model.numpy().constants[0]["K"], expected, rtol=1e-14, atol=0)
     state = (q, v, [], np.zeros((1, 6)))

@@ -4,9 +4,10 @@ import os
 
 import numpy as np
 import pytest
+from helpers import model_of
 from test_simulate import START, soft, soft_dict
 
-from screwgen import Robot, ScrewgenError, derive
+from screwgen import ScrewgenError
 from screwgen.plotting import plot
 from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
@@ -95,9 +96,9 @@ def test_long_rigid_and_welded_arms_are_drawn():
         {"name": f"link_{i}", "length": 0.2, "section": {"rhoA": 1.0, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}}
         for i in range(12)
     ]
-    chain = derive(Robot.model_validate({"name": "chain", "gravity": [0.0, 0.0, -9.81], "links": links}))
+    chain = model_of({"name": "chain", "gravity": [0.0, 0.0, -9.81], "links": links})
     figure = plot.figure(simulate(chain, 0.02, 1e-3))
     assert "link, from base to tip" in [axes.get_ylabel() for axes in figure.axes]
     beam = soft_dict()
     beam["links"] = [beam["links"][0] | {"joint": {"axes": []}}]
-    assert plot.png(simulate(derive(Robot.model_validate(beam)), 0.02, 1e-3))
+    assert plot.png(simulate(model_of(beam), 0.02, 1e-3))

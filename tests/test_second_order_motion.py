@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import model_of
+from helpers import QUICK, model_of
 from oracle import Oracle
 from scipy.integrate import solve_ivp
 
@@ -59,7 +59,7 @@ def motion(kind: str, seed: int):
     robot = free_chain(rng) if kind == "free" else undamped(rng, 2 + seed % 2)
     model = model_of(robot)
     state = rr.random_state(rng, robot, angle=0.5, rate=1.0, modal=0.2)
-    compiled, free = Compiled(model, flags=("-O1",)), (np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
+    compiled, free = Compiled(model, flags=QUICK), (np.zeros(model.n_joints), np.zeros((model.n_links, 6)))
     slope = lambda _, x: np.append(x[model.nq :], compiled.forward_dynamics(*np.split(x, 2), *free)[0])  # noqa: E731
     start = np.append(state["q"], state["v"])
     times = np.linspace(0, DURATION, SAMPLES)

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import quick
+from helpers import example, model_of, quick
 from scipy.integrate import solve_ivp
 
-from screwgen import Robot, SingularError, UsageError, derive, load
+from screwgen import SingularError, UsageError
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.simulation.integrate import DivergedError
@@ -21,7 +21,7 @@ EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
 
 @cache
 def ella():
-    return derive(load(os.path.join(EXAMPLES, "ella_paper.toml")))
+    return example("ella")
 
 
 def soft_dict(basis="clamped_free") -> dict:
@@ -37,7 +37,7 @@ def soft_dict(basis="clamped_free") -> dict:
 
 @cache
 def soft():
-    return derive(Robot.model_validate(soft_dict()))
+    return model_of(soft_dict())
 
 
 START = {"q0": [0.3, -0.4, 0.5, 0.01, -0.02, 0.005, 0.01], "v0": [0.5, 0.2, -0.6, 0.0, 0.1, 0.0, 0.0]}
@@ -73,7 +73,7 @@ def test_explicit_methods_say_that_axial_modes_are_too_fast(integrator):
 @pytest.mark.parametrize("seed", swept([1, 5], 1))
 def test_motion_equals_an_accurate_solution_of_the_oracles_dynamics(seed):
     robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), 2, limit=1e5, soft=1.0, max_modes=1)
-    model, nq = derive(Robot.model_validate(robot)), len(state["q"])
+    model, nq = model_of(robot), len(state["q"])
 
     def rate(_, x):
         return np.append(x[nq:], oracle.forward_dynamics(x[:nq], x[nq:], state["tau"], state["w_ext"])[0])
@@ -154,7 +154,7 @@ def test_wrenches_may_be_a_function_or_a_constant():
 def test_parameters_by_name_equal_another_file():
     heavy = soft_dict()
     heavy["links"][1]["bodies"][0]["mass"] = 2.5
-    expected = simulate(derive(Robot.model_validate(heavy)), 0.05, 1e-3, backend="numpy", **START)
+    expected = simulate(model_of(heavy), 0.05, 1e-3, backend="numpy", **START)
     found = simulate(soft(), 0.05, 1e-3, parameters={"fore.bodies[0].mass": 2.5}, **START)
     assert np.allclose(found.q, expected.q, rtol=1e-12) and np.allclose(found.energy, expected.energy, rtol=1e-12)
 
@@ -193,7 +193,7 @@ def test_arguments_without_sense_are_refused(case):
 
 def test_singular_start_names_the_link():
     link = {"name": "wrist", "length": 0.5, "section": {"rhoA": 1.0, "rhoIp": 0.01}, "joint": {"axes": ["x", "z", "x"]}}
-    model = derive(Robot.model_validate({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [link]}))
+    model = model_of({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [link]})
     with pytest.raises(SingularError, match=r"t = 0 s: .*wrist"):
         simulate(model, 0.01, 1e-3, backend="numpy")
 

@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import require_tool
+from helpers import model_of
 from test_simulate import END, START, soft, soft_dict
 
-from screwgen import PD, Robot, SingularError, UsageError, derive
+from screwgen import PD, SingularError, UsageError
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation import loop
@@ -73,7 +74,7 @@ def test_every_integrator_is_the_same(integrator):
 @pytest.mark.parametrize("seed", [3])
 def test_random_robots_move_the_same(seed):
     robot, state, _ = rr.draw_regular(np.random.default_rng(seed), 1, limit=1e5, soft=1.0, max_modes=2)
-    model = derive(Robot.model_validate(robot))
+    model = model_of(robot)
     given = {name: state[name] for name in ("q", "v", "tau", "w_ext")}
     a, b = (simulate(model, 0.02, 1e-3, *given.values(), backend=x) for x in ("c", "numpy"))
     assert_same(a, b, 1e-7)
@@ -111,7 +112,7 @@ def test_c_is_taken_where_it_can_be(monkeypatch):
     simulate(soft(), 0.01, 1e-3, backend="numpy")
     simulate(soft(), 0.01, 1e-3, form="dae")
     monkeypatch.setenv("CC", "no-such-compiler")
-    fallen_back = simulate(derive(Robot.model_validate(soft_dict())), 0.01, 1e-3)
+    fallen_back = simulate(model_of(soft_dict()), 0.01, 1e-3)
     assert calls == [1] and len(fallen_back.t) == 11
     for arguments, message in (
         ({"backend": "c", "form": "dae"}, "'c' steps the joint form, not 'dae'"),
@@ -124,7 +125,7 @@ def test_c_is_taken_where_it_can_be(monkeypatch):
 
 
 def test_a_compiler_that_fails_is_said_once_and_done_without(monkeypatch):
-    model = derive(Robot.model_validate(soft_dict()))
+    model = model_of(soft_dict())
     for CC, message in (("false", "false failed"), ("cc 'x", r"is no command \(No closing quotation\); mend")):
         monkeypatch.setenv("CC", CC)
         with pytest.warns(UserWarning, match=f"goes on in NumPy: .*{message}"):
@@ -137,9 +138,7 @@ def test_a_compiler_that_fails_is_said_once_and_done_without(monkeypatch):
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_what_goes_wrong_is_said_alike(backend):
-    stiff = derive(
-        Robot.model_validate(soft_dict() | {"links": [dict(soft_dict()["links"][0], modes={"bending_z": 4})]})
-    )
+    stiff = model_of(soft_dict() | {"links": [dict(soft_dict()["links"][0], modes={"bending_z": 4})]})
     with pytest.raises(DivergedError, match=r"^t = 0\.\d+ s: the integrator 'euler' diverged; .*modal_midpoint$"):
         simulate(stiff, 1.0, 1e-3, integrator="euler", backend=backend)
     with pytest.raises(
@@ -161,7 +160,7 @@ def test_a_singular_posture_on_the_way_names_the_link():
         "section": {"rhoA": 1.0, "rhoIp": 0.01},
         "joint": {"axes": ["x", "z", "x"]},
     }
-    model = derive(Robot.model_validate({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [wrist]}))
+    model = model_of({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [wrist]})
     for backend in ("c", "numpy"):
         with pytest.raises(SingularError, match=r"^t = 0 s: the joint of link 'wrist' is singular"):
             simulate(model, 0.01, 1e-3, backend=backend)
@@ -318,7 +317,7 @@ def test_runs_in_threads_keep_apart():
 
 
 def test_no_warning_and_no_second_compilation(monkeypatch):
-    model = derive(Robot.model_validate(soft_dict()))
+    model = model_of(soft_dict())
     simulate(model, 0.005, 1e-3)
     monkeypatch.setattr(Compiled, "__init__", lambda *a, **k: pytest.fail("compiled again"))
     with warnings.catch_warnings():

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import Case, casadi_forward, drawn, model_of, quick
+from helpers import Case, casadi_forward, drawn, model_of, quick, quick_batch
 from matplotlib.text import Text
 
 from screwgen import Robot, UsageError, derive, equilibrium, rollout, simulate
@@ -185,6 +185,7 @@ def test_a_tree_survives_its_file(forked):
 def test_both_forms_and_the_batch_make_the_same_motion(forked):
     x0 = np.zeros((2, 2 * forked.nq))
     x0[1, :3] = (0.2, -0.3, 0.1)
+    quick_batch(forked)
     batch = rollout(forked, x0, np.zeros((2, 20, 3)), step=1e-3)
     joint, dae = (simulate(forked, 0.02, 1e-3, q0=x0[1, : forked.nq], form=form) for form in ("joint", "dae"))
     assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11 * abs(joint.q).max())

@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from helpers import model_of
 
 import screwgen
 from docs.tools import limits
@@ -36,7 +37,7 @@ def mixed() -> screwgen.Model:
     ]
     links[2]["section"] = {"rhoA": 1.5, "rhoIp": 1e-3}
     robot = {"name": "mixed", "gravity": [0.5, 0.0, -9.81], "links": links}
-    return screwgen.derive(screwgen.Robot.model_validate(robot))
+    return model_of(robot)
 
 
 def state(model: screwgen.Model, seed: int = 3) -> tuple[np.ndarray, ...]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, partial
+from math import prod
 
 import numpy as np
 
@@ -126,10 +127,12 @@ class Scope:
     def read(self, name: str, *shape: int) -> Array:
         """An input signal; ``shape`` is needed if it has no type in :mod:`.signals`."""
         shape = shape or signal(name).size_of(self.key)
-        size = int(np.prod(shape))
+        return np.array(self._entries(name, prod(shape)), dtype=object).reshape(shape)
+
+    def _entries(self, name: str, size: int) -> list[Value]:
         if name not in self.inputs:
             self.inputs[name] = self.tracer.input(name, size)
-        return np.array([*self.inputs[name]], dtype=object).reshape(shape)
+        return self.inputs[name]
 
     def modal_inertia(self) -> Array:
         """The (r, r) inertia of the link's modes, as given."""
@@ -155,7 +158,7 @@ class Scope:
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
         sign, label = repeated(self.key).get(label, (1.0, label))
-        value = self.read(f"c.{label}", 1).item()
+        (value,) = self._entries(f"c.{label}", 1)
         return value if sign > 0 else -value
 
     def lower(self, block: str | Block, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:

@@ -12,7 +12,6 @@ from collections import Counter
 from collections.abc import Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from operator import attrgetter
 from typing import NamedTuple
 
 import mpmath
@@ -324,13 +323,11 @@ def give_label(value: Value, label: Label) -> None:
 
 def live(values: Iterable[Value]) -> list[Node]:
     """The nodes that ``values`` depend on, in the order in which they were recorded."""
-    found: set[Node] = set()
-    stack = [v for v in values if isinstance(v, Node)]
+    found = {v.id: v for v in values if isinstance(v, Node)}
+    stack = [*found.values()]
     while stack:
-        node = stack.pop()
-        if node not in found:
-            found.add(node)
-            for a in node.args:
-                if isinstance(a, Node):
-                    stack.append(a)
-    return sorted(found, key=attrgetter("id"))
+        for a in stack.pop().args:
+            if isinstance(a, Node) and a.id not in found:
+                found[a.id] = a
+                stack.append(a)
+    return [found[number] for number in sorted(found)]

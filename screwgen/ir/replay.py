@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from .program import Node, Program, Tracer, Value, give_label
 
-BINARY: dict[str, Callable] = {
-    "add": lambda a, b: a + b,
-    "sub": lambda a, b: a - b,
-    "mul": lambda a, b: a * b,
-    "div": lambda a, b: a / b,
-}
+BINARY: dict[str, Callable] = {"add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv}
 
 
 def run(
@@ -30,16 +26,15 @@ def run(
     values: dict[int, object] = {}
     pick = lambda v: values[v.id] if isinstance(v, Node) else literal(v)  # noqa: E731
     for node in program.nodes:
-        args = node.args
-        if node.op == "input":
+        op, args = node.op, node.args
+        if op in BINARY:
+            a, b = args
+            first = values[a.id] if isinstance(a, Node) else literal(a)
+            values[node.id] = BINARY[op](first, values[b.id] if isinstance(b, Node) else literal(b))
+        elif op == "input":
             values[node.id] = inputs[args[0]][args[1]]
-        elif node.op == "epsilon":
-            values[node.id] = epsilon
-        elif len(args) == 1:
-            values[node.id] = unary(node.op, pick(args[0]))
         else:
-            a, b = map(pick, args)
-            values[node.id] = BINARY[node.op](a, b)
+            values[node.id] = epsilon if op == "epsilon" else unary(op, pick(args[0]))
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 

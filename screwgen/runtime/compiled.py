@@ -12,6 +12,7 @@ import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
 from ..arguments import Given, array, choice, seconds, whole
+from ..backends.c.columns import rendered
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError, UsageError
@@ -52,10 +53,13 @@ def known(method: str | Method, project: CProject) -> Method:
 
 
 class LeanProject(CProject):
-    """The C without the reference values of its self-check, which take as long as all the rest."""
+    """The library alone, without the self-check, whose reference values take as long as all the rest."""
 
-    reference = ()
-    check = {"tolerance": {"double": "", "single": ""}, "inverse": {}, "lost": ""}  # noqa: RUF012
+    _cases = ()
+
+    def files(self) -> dict[str, str]:
+        used = {file: template for file, template in self.library.items() if template != "reference.h"}
+        return {file: rendered(template, **self.context) for file, template in used.items()}
 
 
 class Compiled(Memory):

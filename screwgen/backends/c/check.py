@@ -45,7 +45,9 @@ def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
 
 
 def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str, object]:
-    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step."""
+    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases."""
+    if not cases:
+        return {}
     found = reference_sums.sums(chain, cases[-1], methods)._asdict()
     found |= {"haste": reference_sums.HASTE, "defect": reference_sums.DEFECT}
     return {name: _literals(value) for name, value in found.items()}
@@ -57,7 +59,7 @@ def _literals(value: Any) -> Any:
 
 def _needed(precision: str, errors: list[tuple[float, float]], kind: int) -> float:
     """The usual tolerance, or a multiple of the rounding error of the cases at that precision if it is larger."""
-    return max(USUAL[precision][0], MARGIN * max(error[kind] for error in errors))
+    return max(USUAL[precision][0], MARGIN * max((error[kind] for error in errors), default=0.0))
 
 
 def percent(part: float) -> str:

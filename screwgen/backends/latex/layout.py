@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache, lru_cache
 
 Row = tuple[str, ...]
 Formula = tuple[Row, ...]
@@ -56,6 +57,7 @@ NOTHING = {
 FRACTIONS = {r"\frac", r"\tfrac", r"\dfrac"}
 
 
+@lru_cache(maxsize=20000)
 def width(tex: str) -> float:
     """About how wide a formula is, in em."""
     return _Measure(tex).row()
@@ -111,6 +113,7 @@ class _Measure:
         return sum(columns) + max(len(columns) - 1, 0) + 1.0
 
 
+@cache
 def _character(token: str) -> float:
     if token.startswith("\\"):
         return 0.65

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -27,6 +28,7 @@ def entry(signal: Signal, index: tuple[int, int]) -> str:
     return subscripted(symbol(signal.display), place)
 
 
+@lru_cache(maxsize=20000)
 def subscripted(display: str, place: str) -> str:
     """The letter of ``display`` with ``place`` among its subscripts; a power stays inside a bracket."""
     bold = re.search(r"\\(?:mathbf|boldsymbol)", display)
@@ -112,7 +114,7 @@ class Scalars:
 
     def _factor(self, f: sp.Expr) -> str:
         if f.is_Symbol:
-            return self.names.get(f, str(f))
+            return self.names[f] if f in self.names else str(f)
         if f.is_Number or f.is_NumberSymbol:
             return number(f)
         if f.is_Pow:

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p: Given = None) -> np.ndarray:
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
-    `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, and gears are
-    without load. `p`: parameter values. Raises UsageError, and OpenLoopError where the search ends with an open loop,
-    which it says.
+    `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, and gears
+    are without load. `p`: parameter values. Raises UsageError, and OpenLoopError where the search ends with an open
+    loop, which it says.
     """
     if not model.chain.closures:
         raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")

@@ -281,9 +281,8 @@ ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *sta
     ella_work *work, ella_output *output);
 
 /* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
- * and
- * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
- * frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
+ * and centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the
+ * lowest frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
  */
 enum {
     ELLA_DEFLECTION, /* transverse deflection of the tip over the length */
@@ -321,9 +320,8 @@ ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *sta
  * force are the torques that hold the arm; rest is the posture and may be state. The modes are found in
  * ELLA_ROUNDS iterations from those of state, each of which moves a mode by its unbalanced force over its stiffness
  * and reduces that force to a small fraction. The modal entries of force are the unbalanced forces that remain, N.
- * Check
- * them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero, or from
- * the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
+ * Check them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero,
+ * or from the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
  */
 ella_status ella_gravity(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_chain *chain, ella_real force[], ella_state *rest);
@@ -347,8 +345,7 @@ ella_status ella_mass_matrix(const ella_constants *c, const ella_state *state, e
  * rk4: classical Runge-Kutta, four forward dynamics, order 4.
  * Elastic forces are the modes' stress and damping.
  * All methods treat joint rotation, gravity and input explicitly. A joint should turn by no more than about 0.02 rad
- * per
- * step, and stiff control laws need short steps.
+ * per step, and stiff control laws need short steps.
  */
 ella_status ella_step_euler(const ella_constants *c, ella_state *state, const ella_input *input, ella_real dt,
     ella_work *work);

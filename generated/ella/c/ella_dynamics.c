@@ -1993,7 +1993,7 @@ ella_status ella_inverse_dynamics(const ella_constants *c, const ella_state *sta
         return ELLA_BAD_ARGUMENT;
     }
     for (k = 0; k < ELLA_NGIVEN; ++k) {
-        f_eta[k] = c->K[k] * state->q[ELLA_NQ - ELLA_NGIVEN + k] + c->D[k] * state->v[ELLA_NQ - ELLA_NGIVEN + k];
+        f_eta[k] = c->K[k] * state->q[ELLA_NQ - ELLA_NGIVEN + k] + c->D[k] * state->v[ELLA_NV - ELLA_NGIVEN + k];
     }
     call = call_at(c, state, c->M_eta, f_eta);
     call.w_ext = &input->w_ext[0][0];

@@ -106,11 +106,9 @@ static const ella_case ella_cases[ELLA_CASES] = {
 };
 
 /* Of the last case: poses of links and tips, measures of validity and their bounds; then a step of each integrator over
- * a time,
- * with the rates multiplied by haste, all stiffness by softness squared and all damping by softness,
+ * a time, with the rates multiplied by haste, all stiffness by softness squared and all damping by softness,
  * and in the DAE form with defect added to poses and twists. These are sums of all numbers of a kind with the weights
- * of
- * check.c.
+ * of check.c.
  */
 static const ella_real ella_pose_sums[4] = { ELLA_REAL(5.906606972236223), ELLA_REAL(2.1188062756535846),
     ELLA_REAL(5.903419175210051), ELLA_REAL(5.746783021013289) };

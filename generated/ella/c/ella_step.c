@@ -6,7 +6,7 @@
  */
 static const ella_real *modal_terms(const ella_constants *c, const ella_state *s, ella_real dt, ella_work *work)
 {
-    const ella_real *eta = s->q + (ELLA_NQ - ELLA_NGIVEN), *etadot = s->v + (ELLA_NQ - ELLA_NGIVEN);
+    const ella_real *eta = s->q + (ELLA_NQ - ELLA_NGIVEN), *etadot = s->v + (ELLA_NV - ELLA_NGIVEN);
     int k;
     if (!(dt > 0)) {
         for (k = 0; k < ELLA_NGIVEN; ++k) {

@@ -1,8 +1,7 @@
 /* check.c: compares the compiled model with recorded reference values; exit status 0 if all agree.
  *
  * It checks both forms, a step of every integrator in each, inverse dynamics, mass matrix, kinematics, rest and
- * measures
- * of validity, and the refusal of bad arguments, non-finite input and non-finite results.
+ * measures of validity, and the refusal of bad arguments, non-finite input and non-finite results.
  */
 #include <stdio.h>
 #include <string.h>

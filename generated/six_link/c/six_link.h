@@ -328,9 +328,8 @@ six_link_status six_link_forward_dynamics(const six_link_constants *c, const six
     six_link_work *work, six_link_output *output);
 
 /* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
- * and
- * centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the lowest
- * frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
+ * and centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the
+ * lowest frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
  */
 enum {
     SIX_LINK_DEFLECTION, /* transverse deflection of the tip over the length */
@@ -372,9 +371,8 @@ six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six
  * force are the torques that hold the arm; rest is the posture and may be state. The modes are found in
  * SIX_LINK_ROUNDS iterations from those of state, each of which moves a mode by its unbalanced force over its stiffness
  * and reduces that force to a small fraction. The modal entries of force are the unbalanced forces that remain, N.
- * Check
- * them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero, or from
- * the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
+ * Check them if a link sags by a tenth of its length, since the iteration may then fail to converge. Start from zero,
+ * or from the result of the period before. Rates of state and tau are not read. Costs 5 inverse dynamics.
  */
 six_link_status six_link_gravity(const six_link_constants *c, const six_link_state *state, const six_link_input *input,
     six_link_chain *chain, six_link_real force[], six_link_state *rest);
@@ -399,8 +397,7 @@ six_link_status six_link_mass_matrix(const six_link_constants *c, const six_link
  * rk4: classical Runge-Kutta, four forward dynamics, order 4.
  * Elastic forces are the modes' stress and damping, and the springs and dampers of the joints.
  * All methods treat joint rotation, gravity and input explicitly. A joint should turn by no more than about 0.02 rad
- * per
- * step, and stiff control laws need short steps.
+ * per step, and stiff control laws need short steps.
  */
 six_link_status six_link_step_euler(const six_link_constants *c, six_link_state *state, const six_link_input *input,
     six_link_real dt, six_link_work *work);

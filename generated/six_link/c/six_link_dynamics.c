@@ -3296,7 +3296,7 @@ six_link_status six_link_inverse_dynamics(const six_link_constants *c, const six
     }
     for (k = 0; k < SIX_LINK_NGIVEN; ++k) {
         f_eta[k] = c->K[k] * state->q[SIX_LINK_NQ - SIX_LINK_NGIVEN + k]
-            + c->D[k] * state->v[SIX_LINK_NQ - SIX_LINK_NGIVEN + k];
+            + c->D[k] * state->v[SIX_LINK_NV - SIX_LINK_NGIVEN + k];
     }
     call = call_at(c, state, c->M_eta, f_eta);
     call.w_ext = &input->w_ext[0][0];

@@ -687,7 +687,7 @@ SIX_LINK_PART six_link_status dae_kinematics_flange(const six_link_link_constant
 /* eliminate, links like shoulder: 112 operations */
 SIX_LINK_PART six_link_status eliminate_shoulder(const six_link_link_constants *restrict c,
     six_link_link_store *restrict link, const six_link_node *restrict tip, const six_link_real w_ext[restrict 6],
-    const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
+    const six_link_real m_q[restrict 1], const six_link_real f_q[restrict 1], const six_link_real tau[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[2] * link->omega[2];
@@ -768,7 +768,7 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
     const six_link_real eta[restrict 5], const six_link_real etadot[restrict 5], const six_link_real w_ext[restrict 6],
     const six_link_real m_eta[restrict 5], const six_link_real f_eta[restrict 5], const six_link_real m_q[restrict 1],
-    const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
+    const six_link_real f_q[restrict 1], const six_link_real tau[restrict 1])
 {
     /* S: first moment */
     const six_link_real S_y = eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -1471,7 +1471,7 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
     const six_link_real eta[restrict 4], const six_link_real etadot[restrict 4], const six_link_real w_ext[restrict 6],
     const six_link_real m_eta[restrict 4], const six_link_real f_eta[restrict 4], const six_link_real m_q[restrict 1],
-    const six_link_real tau[restrict 1], const six_link_real f_q[restrict 1])
+    const six_link_real f_q[restrict 1], const six_link_real tau[restrict 1])
 {
     /* S: first moment */
     const six_link_real S_y = c->S_B_y + eta[0] * c->sigma_y1 + eta[1] * c->sigma_y2;
@@ -2094,8 +2094,8 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
 /* eliminate, links like wrist_roll: 397 operations */
 SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants *restrict c,
     six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
-    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real f_q[restrict 1],
+    const six_link_real tau[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -2305,8 +2305,8 @@ SIX_LINK_PART six_link_status eliminate_wrist_roll(const six_link_link_constants
 /* eliminate, links like wrist_pitch: 239 operations */
 SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constants *restrict c,
     six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
-    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real f_q[restrict 1],
+    const six_link_real tau[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -2494,8 +2494,8 @@ SIX_LINK_PART six_link_status eliminate_wrist_pitch(const six_link_link_constant
 /* eliminate, links like flange: 297 operations */
 SIX_LINK_PART six_link_status eliminate_flange(const six_link_link_constants *restrict c,
     six_link_link_store *restrict link, six_link_node *restrict base, const six_link_node *restrict tip,
-    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real tau[restrict 1],
-    const six_link_real f_q[restrict 1])
+    const six_link_real w_ext[restrict 6], const six_link_real m_q[restrict 1], const six_link_real f_q[restrict 1],
+    const six_link_real tau[restrict 1])
 {
     /* Omega: acceleration of a place by the link's turning */
     const six_link_real minus_Omega_xx = link->omega[1] * link->omega[1] + link->omega[2] * link->omega[2];
@@ -10862,24 +10862,24 @@ static SIX_LINK_TARGETS six_link_status dae_dynamics_eliminate(const six_link_co
     switch (CLASS[i]) {
     case 0:
         return eliminate_shoulder(&c->links[i], &chain->links[i], &chain->nodes[i + 1], call->w_ext + 6 * i,
-            call->m_q + q, call->tau + q, call->f_q + q);
+            call->m_q + q, call->f_q + q, call->tau + q);
     case 1:
         return eliminate_upper_arm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
             call->eta + e, call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q,
-            call->tau + q, call->f_q + q);
+            call->f_q + q, call->tau + q);
     case 2:
         return eliminate_forearm(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1], call->eta + e,
-            call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->tau + q,
-            call->f_q + q);
+            call->etadot + e, call->w_ext + 6 * i, call->m_eta + e, call->f_eta + e, call->m_q + q, call->f_q + q,
+            call->tau + q);
     case 3:
         return eliminate_wrist_roll(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+            call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->tau + q);
     case 4:
         return eliminate_wrist_pitch(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+            call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->tau + q);
     default:
         return eliminate_flange(&c->links[i], &chain->links[i], &chain->nodes[i], &chain->nodes[i + 1],
-            call->w_ext + 6 * i, call->m_q + q, call->tau + q, call->f_q + q);
+            call->w_ext + 6 * i, call->m_q + q, call->f_q + q, call->tau + q);
     }
 }
 

@@ -175,11 +175,9 @@ static const six_link_case six_link_cases[SIX_LINK_CASES] = {
 };
 
 /* Of the last case: poses of links and tips, measures of validity and their bounds; then a step of each integrator over
- * a time,
- * with the rates multiplied by haste, all stiffness by softness squared and all damping by softness,
+ * a time, with the rates multiplied by haste, all stiffness by softness squared and all damping by softness,
  * and in the DAE form with defect added to poses and twists. These are sums of all numbers of a kind with the weights
- * of
- * check.c.
+ * of check.c.
  */
 static const six_link_real six_link_pose_sums[4] = { SIX_LINK_REAL(2.0415822000312507),
     SIX_LINK_REAL(-4.150921661666467), SIX_LINK_REAL(2.0423139141952302), SIX_LINK_REAL(-7.006501021675153) };

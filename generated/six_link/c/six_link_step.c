@@ -8,7 +8,7 @@
 static const six_link_real *modal_terms(const six_link_constants *c, const six_link_state *s, six_link_real dt,
     six_link_work *work)
 {
-    const six_link_real *eta = s->q + (SIX_LINK_NQ - SIX_LINK_NGIVEN), *etadot = s->v + (SIX_LINK_NQ - SIX_LINK_NGIVEN);
+    const six_link_real *eta = s->q + (SIX_LINK_NQ - SIX_LINK_NGIVEN), *etadot = s->v + (SIX_LINK_NV - SIX_LINK_NGIVEN);
     int k;
     if (!(dt > 0)) {
         for (k = 0; k < SIX_LINK_NGIVEN; ++k) {

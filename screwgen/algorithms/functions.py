@@ -173,7 +173,8 @@ class Functions:
         shut = self._shut(q, v)
         free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
         wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
-        return shut.wrenches(self._row_forces(q, shut, wanted)[0][0])
+        inertia = self.given[0] if self.given else self._inertia()
+        return shut.wrenches(self._row_forces(q, shut, inertia, wanted)[0][0])
 
     def close(self, q, v) -> tuple[list, list]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
@@ -185,7 +186,7 @@ class Functions:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
         shut = self._shut(q, v)
         wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
-        forces, answers = self._row_forces(q, shut, *wanted)
+        forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
         return _moved(q, forces[0], answers), _moved(v, forces[1], answers)
 
     def gaps(self, q, v) -> tuple[list, list]:
@@ -193,14 +194,15 @@ class Functions:
         found = self._shut(q, v).conditions
         return [c.gap for c in found], [c.rate for c in found]
 
-    def _row_forces(self, q, shut: loops.Shut, *wanted: Sequence[Value]) -> tuple[list[list], list[list]]:
+    def _row_forces(
+        self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
+    ) -> tuple[list[list], list[list]]:
         """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
-        The robot is at rest, without weight, springs and dampers, and has the given inertia.
+        The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
         """
-        M = self.given[0] if self.given else columns(self.chain, self.constants)["M_eta"]
         still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
-        still.given = (M, [0.0] * self.chain.n_given)
+        still.given = (inertia, [0.0] * self.chain.n_given)
         rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
         found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
         answers = [shut.accelerations(places) for _, places in found]
@@ -215,6 +217,10 @@ class Functions:
                 f"the loops of '{self.chain.robot.name}' are singular in this posture; {remedy}"
             ) from None
         return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
+
+    def _inertia(self) -> list:
+        """The inertia of the coordinates that integrators give theirs."""
+        return columns(self.chain, self.constants)["M_eta"]
 
     def _shut(self, q, v) -> loops.Shut:
         """The loops in a state."""

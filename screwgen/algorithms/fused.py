@@ -192,14 +192,12 @@ def loop_wrenches(chain: Chain, constants="parameters") -> Program:
 
 
 def correction(chain: Chain, constants="parameters") -> Program:
-    """``(q, v, m_eta) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
+    """``(q, v) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
 
     def body(f: Functions, x):
-        f.given = (x["m_eta"], [0.0] * chain.n_given)
         return dict(zip(("new_q", "new_v"), f.correct(x["q"], x["v"]), strict=True))
 
-    sizes = {"q": chain.nq, "v": chain.nv, "m_eta": chain.n_inertia}
-    return fuse(chain, "correction", sizes, body, constants)
+    return fuse(chain, "correction", {"q": chain.nq, "v": chain.nv}, body, constants)
 
 
 def inverse_dynamics(chain: Chain, constants="parameters") -> Program:

@@ -37,7 +37,7 @@ def folded(text: str) -> str:
             out += _code(line)
         else:
             *whole, rest = _comment(line)
-            goes_on = inside and rest[-1] not in ".:;" and (ahead := CONTINUED.match(lines[number + 1]))
+            goes_on = inside and rest[-1] not in ".:" and (ahead := CONTINUED.match(lines[number + 1]))
             if goes_on:
                 lines[number + 1] = f"{rest} {lines[number + 1][ahead.end() :]}"
             out += whole if goes_on else [*whole, rest]

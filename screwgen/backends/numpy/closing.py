@@ -82,11 +82,12 @@ def _newton(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarr
 
 
 def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
-    """A posture near `q` with loops that are closed to six digits, so that its numbers do not depend on the machine."""
-    if not chain.closures:
-        return q
+    """A posture near `q`, with the same modes, whose loops are closed to six digits, or nearly so where none is found.
+
+    Its numbers are rounded, so that they do not depend on the machine.
+    """
     try:
-        near = closed(Numeric(chain), q)
+        near = closed(Numeric(chain), q, _modes(chain))
     except OpenLoopError as error:
         near = error.nearest
     return [float(f"{x:.6e}") for x in near]
@@ -105,16 +106,20 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     straight links with closed loops, by the one that allows the most rows; where none is found, where the search ended.
     """
     numeric, rng = Numeric(chain), np.random.default_rng(0)
-    modes = np.arange(chain.nv) >= chain.eta_v
     shut, open_ = [], []
     for seed in range(SEEDS):
         start = np.zeros(chain.nq)
         start[: chain.eta_q] = SPREAD * (seed > 0) * rng.standard_normal(chain.eta_q)
         try:
-            shut.append(_independent(jacobian(numeric, closed(numeric, start, modes))))
+            shut.append(_independent(jacobian(numeric, closed(numeric, start, _modes(chain)))))
         except OpenLoopError as error:
             open_.append(_independent(jacobian(numeric, error.nearest)))
     return tuple(chain.closures[k] for k in max(shut or open_, key=len))
+
+
+def _modes(chain: Chain) -> np.ndarray:
+    """Which coordinates are modes."""
+    return np.arange(chain.nv) >= chain.eta_v
 
 
 def _independent(G: np.ndarray) -> list[int]:

@@ -117,8 +117,11 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / ratio:.6e}")
+    if chain.closures:
+        near = nearly_closed(chain, q + turned(q) + eta)
+        q, eta = near[:m], near[chain.eta_q :]
     return {
-        "q": nearly_closed(chain, pose + q + turned(q) + eta),
+        "q": pose + q + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),

@@ -50,6 +50,7 @@ class FlexibleLink:
     base: list
     tip: list
     damping: np.ndarray
+    drives: list[dict]
     a: float = 0.0
 
     @property

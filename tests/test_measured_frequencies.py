@@ -62,7 +62,7 @@ def replace_stiffness(oracle: Oracle, robot: dict) -> Oracle:
             for f in table.get("modes", {}).get("frequencies", {}).get(d, [None] * table.get("modes", {}).get(d, 0)):
                 if f is not None:
                     oracle.K[k, k] = inertia * (2 * np.pi * f) ** 2
-                    oracle.damping[k] = 2 * ratio * inertia * 2 * np.pi * f
+                    oracle.D[k, k] = 2 * ratio * inertia * 2 * np.pi * f
                 k += 1
         assert k == part.stop
     return oracle

@@ -42,6 +42,9 @@ TEXTS |= dict.fromkeys(("GAy", "GAz", "rhoIy", "rhoIz"), SHEARED)
 DRIVE = "ratio = 9.0, rotor_inertia = 1e-4, stiffness = 1e4, friction = { coulomb = 1.0, velocity = 1.0 }"
 DRIVEN = GOOD.replace(FREE, f"{FREE}, drives = {{ {DRIVE} }}")
 TEXTS |= dict.fromkeys(("ratio", "rotor inertia", "gear stiffness", "coulomb", "velocity"), DRIVEN)
+TEXTS["stabilisation"] = (
+    f'{GOOD}\n[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = {{ axes = [] }}\nstabilisation = 9.0\n'
+)
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

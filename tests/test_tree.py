@@ -222,7 +222,7 @@ def test_the_header_and_the_document_of_a_tree_name_its_parents(forked, tmp_path
 
 def test_what_is_of_chains_alone_is_refused_on_trees(forked):
     assert "assemble_z" not in forked.casadi()
-    with pytest.raises(UsageError, match="the Z-form is that of a chain; leave out parent"):
+    with pytest.raises(UsageError, match="the Z-form is that of a chain on a fixed base"):
         _ = forked.cauchy_names
     with pytest.raises(UsageError, match="the paper's arm is a chain; leave out parent, or the formulation"):
         derive(forked.robot, formulation="printed")

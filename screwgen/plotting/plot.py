@@ -129,7 +129,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
     goals, bounds = _goals(run, controller, model), _bounds(run, controller, model)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
-    turning = np.array([".joint[" in name for name in run.q_names[: len(turns)]], bool)
+    turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [

@@ -71,8 +71,9 @@ def motion(value: Any, key: str, model: Model) -> np.ndarray:
     one leaves everything at zero.
     """
     entries = array(value, "an array of numbers", at=(key,))
-    numbers = np.array([within(key)(x, at=(key, i)) for i, x in enumerate(entries)], float)
-    found = model.chain.complete(numbers, model.parameter_values, rates=key == "v")
+    right = len(entries) in (0, model.n_joints, model.nv if key == "v" else model.nq)
+    numbers = [within(key)(x, at=(key, i)) for i, x in enumerate(entries)] if right else [0.0] * len(entries)
+    found = model.chain.complete(np.array(numbers, float), model.parameter_values, rates=key == "v")
     if isinstance(found, str):
         raise refuse(found, (key,))
     return found

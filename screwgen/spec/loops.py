@@ -42,7 +42,7 @@ class Loop(Part):
     )
     joint: Joint = Field(description='the motions that the loop leaves free, as { axes = ["y"] }; [] welds the tips')
     stabilisation: Annotated[float, PlainValidator(within("stabilisation"))] = Field(
-        STABILISATION, description="the rate at which a gap closes, 1/s"
+        STABILISATION, description="the rate at which an open gap closes, rad/s"
     )
 
 

@@ -27,6 +27,7 @@ from screwgen import (
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.spec.loops import STABILISATION
+from screwgen.studies.assemble import redundant
 
 JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
 
@@ -182,7 +183,12 @@ def lagrangian(crank: float, rate: float) -> float:
 
 
 def test_a_hinge_in_a_planar_linkage_has_two_rows_that_matter(four_bar):
-    assert len(four_bar.chain.closures) == 2
+    assert [row.text for row in four_bar.chain.closures] == [f"loop[0], distance along {axis}" for axis in "xz"]
+    assert redundant(four_bar) == [
+        "loop[0], distance along y",
+        "loop[0], angle between x and y",
+        "loop[0], angle between z and y",
+    ]
 
 
 def test_a_four_bar_linkage_is_assembled_as_by_the_cosine_rule(four_bar):

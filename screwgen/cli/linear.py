@@ -127,11 +127,13 @@ def run_equilibrium(
 
 def run_assemble(robot: str, q: str | None, hold: list[str]) -> None:
     """Print a posture with closed loops as the JSON of a state."""
-    from ..studies.assemble import assemble
+    from ..studies.assemble import assemble, redundant
 
     model = derive(load_robot(robot))
     start = None if q is None else numbers("q", q, model.n_joints, "joint coordinates")
     print(json_format.dumps({"q": assemble(model, start, hold).tolist()}))
+    for row in redundant(model):
+        print(f"screwgen: note: {row}: follows from the other rows and is left out", file=sys.stderr)
 
 
 def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:

@@ -10,10 +10,17 @@ import numpy as np
 from ..arguments import Given, Numbers, choice
 from ..backends.numpy.closing import closed
 from ..errors import UsageError
+from ..topology.loops import closures
 from .modes import posture
 
 if TYPE_CHECKING:
     from ..model import Model
+
+
+def redundant(model: Model) -> list[str]:
+    """The rows of the loops, in words, that follow from the other rows and are left out."""
+    stated = closures(model.robot, model.chain.segments)
+    return [row.text for row in stated if row not in model.chain.closures]
 
 
 def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p: Given = None) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..joints.constraints import Row, rows
+from ..joints.constraints import Distance, Row, rows
 from ..spec.robot import Robot
 from ..spec.segments import Segment
 
@@ -24,6 +24,18 @@ class Closure:
     @property
     def name(self) -> str:
         return f"loop[{self.loop}]"
+
+    @property
+    def text(self) -> str:
+        """The row in words, with directions in the axes of the tips."""
+        if isinstance(self.row, Distance):
+            return f"{self.name}, distance along {_shown(self.row.normal)}"
+        return f"{self.name}, angle between {_shown(self.row.first)} and {_shown(self.row.second)}"
+
+
+def _shown(direction: Sequence[float]) -> str:
+    letter = next((x for k, x in enumerate("xyz") if direction[k] == 1.0), None)
+    return letter or f"[{', '.join(f'{x:g}' for x in direction)}]"
 
 
 def closures(robot: Robot, segments: Sequence[Segment]) -> tuple[Closure, ...]:

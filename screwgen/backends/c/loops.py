@@ -25,4 +25,5 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     pointers, constants = ("c", "state", "input", "m_eta", "f_eta", "work"), "baked" if baked else "constants"
     programs = {"wrenches": fused.loop_wrenches(chain, constants), "correction": fused.correction(chain, constants)}
     made = {name: pieces(program, placed, pointers, fail=singular) for name, program in programs.items()}
-    return made | {"kept": max(part["kept"] for part in made.values()), "rounds": ROUNDS}
+    kept = max(part["kept"] for part in made.values())
+    return made | {"rows": [closure.text for closure in chain.closures], "kept": kept, "rounds": ROUNDS}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 
 from ..errors import SingularError
 from ..ir.program import Value
@@ -68,6 +69,9 @@ class Functions:
     """
 
     given: tuple[Sequence, Sequence] | None = None
+
+    section: Callable[[str], AbstractContextManager] = nullcontext
+    """Opens a titled section of the program that is being recorded, if one is."""
 
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
@@ -172,9 +176,12 @@ class Functions:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
         shut = self._shut(q, v)
         free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
-        wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
         inertia = self.given[0] if self.given else self._inertia()
-        return shut.wrenches(self._row_forces(q, shut, inertia, wanted)[0][0])
+        with self.section("loops: accelerations of the gaps that the rows' forces must give"):
+            wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
+        forces = self._row_forces(q, shut, inertia, wanted)[0][0]
+        with self.section("loops: their wrenches on the tips"):
+            return shut.wrenches(forces)
 
     def close(self, q, v) -> tuple[list, list]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
@@ -206,7 +213,8 @@ class Functions:
         rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
         found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
         answers = [shut.accelerations(places) for _, places in found]
-        A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
+        with self.section("loops: accelerations of the gaps by unit forces of the rows"):
+            A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
         solve = loops.solver(len(answers))
         apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
@@ -227,7 +235,8 @@ class Functions:
         links, places = self._run(MOTION, self._state(q, v))
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
-        return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
+        with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
+            return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
 
     def measures(self, q, wrench, motion) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""

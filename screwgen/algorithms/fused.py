@@ -35,7 +35,9 @@ def fuse(
     links, gravity = _sources(chain, tracer, constants, read)
     names = chain.identifiers
     apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
-    outputs = body(kind(chain, links, gravity, apply), values)
+    functions = kind(chain, links, gravity, apply)
+    functions.section = tracer.section
+    outputs = body(functions, values)
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
 
 

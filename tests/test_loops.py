@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from bad_robot_files import GOOD, refusal
-from conftest import require_tool
+from conftest import require_tool, swept
 from helpers import arm, casadi_forward, example, link, model_of, quick
 from oracle import Oracle
 
@@ -108,7 +108,7 @@ DRAWS = (901, 902, 903, 903, 901, 903, 902)
 """Draws of trees that can follow all that their loops forbid, most of them with drives."""
 
 
-@pytest.mark.parametrize("seed", range(len(JOINTS)))
+@pytest.mark.parametrize("seed", swept(range(len(JOINTS)), 0, 2, 3, 5))
 def test_random_trees_with_a_loop(seed):
     """Closed or open: where a loop is open both have the same stabilisation."""
     rng, opened = np.random.default_rng([DRAWS[seed], seed]), 0.02 * (seed % 2)

@@ -19,7 +19,7 @@ CLOSED = 1e-12
 ATTEMPTS = 4
 RANK = 1e-7
 """A row counts as dependent where less than this part of it is new."""
-SEEDS = 8
+SEEDS = 3
 SPREAD = 0.6
 """rad or m: how far the random postures spread from which the search for a closed one begins."""
 

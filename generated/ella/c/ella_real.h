@@ -61,8 +61,7 @@
 
 /* With GCC and glibc on x86-64, functions so marked are compiled twice if optimised, the second time for processors
  * with AVX, whose instructions have three operands and need fewer copies. The version is chosen when the program is
- * loaded;
- * the results are the same to the bit. -DELLA_ONE_TARGET switches this off.
+ * loaded; the results are the same to the bit. -DELLA_ONE_TARGET switches this off.
  */
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) \
     && !defined(__AVX__) && !defined(__SANITIZE_THREAD__) && !defined(ELLA_ONE_TARGET)

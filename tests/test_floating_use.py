@@ -69,7 +69,7 @@ def test_the_space_arm_of_the_examples_moves_by_its_law_and_keeps_its_momentum_a
     model = example("space_arm")
     law = replace(read_pd(example_file("space_arm").with_name("space_arm_law.toml"), model), waypoints=())
     law = replace(law, duration=0.4)
-    assert law.floating and (model.nq, model.n_tau) == (31, 6)
+    assert law.through(model.chain, model.parameter_values).ahead == 1 and (model.nq, model.n_tau) == (31, 6)
     form = partial(CompiledStepper, quick(model))
     run = simulate(model, 0.4, 1e-3, controller=law, form=form, integrator="rk4")
     M, v = model.numpy().mass_matrix(run.q[-1]), run.v[-1]

@@ -89,11 +89,6 @@ def twist_rates(s: Scope) -> None:
 def pose_rates(s: Scope) -> None:
     """``d/dt`` of the pose: quaternion ``Q omega / 2`` and position ``R v``."""
     Q, twist = s.read("quaternion"), s.read("twist")
-    if s.key.free:
-        given = {"quaternion": Q, "omega": twist[:3], "v": twist[3:]}
-        for name in ("quaternion_rate", "position_rate"):
-            s.write(name, s.lower("joint", given, name)[0])
-        return
     s.write("quaternion_rate", 0.5 * quaternion_product(Q, np.concatenate([mx.zeros(1), twist[:3]])))
     s.write("position_rate", mx.multiply(quaternion_matrix(Q), twist[3:]))
 

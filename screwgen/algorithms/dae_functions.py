@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..ir.program import Value
+from ..spec.base import TWIST
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
 from .schedule import Algorithm
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
-TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 
 RATES = {
     "quaternion": "quaternion_rate",
@@ -114,7 +114,8 @@ class DaeFunctions(Functions):
         return self.pack(links, PLACED)
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
-        w_ext = self._with_loops(x, tau, w_ext)
+        if self.chain.closures:
+            w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
@@ -156,13 +157,6 @@ class DaeFunctions(Functions):
         projected = self.pack(links, PLACED | {"q": "new_q"})
         return self.place(*self.close(*self.coordinates(projected))) if self.chain.closures else projected
 
-    def _with_loops(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> Sequence:
-        """The wrenches on the tips, those of the loops included."""
-        if not self.chain.closures:
-            return w_ext
-        added = self.loop_wrenches(*self.coordinates(x), tau, w_ext)
-        return [a + b for a, b in zip(w_ext, added, strict=True)]
-
     def coordinates(self, x: Sequence) -> tuple[list, list]:
         """``q`` and ``v`` of a state."""
         links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
@@ -174,7 +168,8 @@ class DaeFunctions(Functions):
 
         The wrenches of loops on the tips are part of ``W_sys``.
         """
-        w_ext = self._with_loops(x, tau, w_ext)
+        if self.chain.closures:
+            w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._with_terms(self.unpack(x), "eta")
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)

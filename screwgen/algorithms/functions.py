@@ -161,9 +161,7 @@ class Functions:
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
-        if self.chain.closures:
-            w_ext = [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
-        links, _ = self._forward(q, v, tau, w_ext)
+        links, _ = self._forward(q, v, tau, self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 
@@ -182,6 +180,12 @@ class Functions:
         forces = self._row_forces(q, shut, inertia, wanted)[0][0]
         with self.section("loops: their wrenches on the tips"):
             return shut.wrenches(forces)
+
+    def with_loops(self, q, v, tau, w_ext) -> Sequence:
+        """The wrenches on the tips, those of the loops included."""
+        if not self.chain.closures:
+            return w_ext
+        return [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
 
     def close(self, q, v) -> tuple[list, list]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""

@@ -187,8 +187,7 @@ def loop_wrenches(chain: Chain, constants="parameters") -> Program:
 
     def body(f: Functions, x):
         f.given = (x["m_eta"], x["f_eta"])
-        added = f.loop_wrenches(x["q"], x["v"], x["tau"], x["w_ext"])
-        return {"closed": [a + b for a, b in zip(x["w_ext"], added, strict=True)]}
+        return {"closed": f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])}
 
     return fuse(chain, "loop_wrenches", _dynamics_inputs(chain, True), body, constants)
 

@@ -14,7 +14,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
-from ..simulation.controllers import on_base
 from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
@@ -127,7 +126,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
     q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
-    goals, bounds = _goals(run, controller, model), _bounds(run, controller, model)
+    law = started(controller, run.q[0] if model else run.q[0, len(_place_names(run)) :], model)
+    goals, bounds = _goals(run, law), _bounds(law)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
@@ -153,9 +153,14 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     ]
 
 
+def _place_names(run: Run) -> list[str]:
+    """The names of a floating base's coordinates; none of a fixed one."""
+    return [name for name in run.q_names if name.removeprefix("base.") in POSE]
+
+
 def _base(run: Run) -> list[Panel]:
     """Where a floating base is, and how it has turned since the start: rotation vectors in inertial axes."""
-    if run.q_names[: len(POSE)] != tuple(f"base.{name}" for name in POSE):
+    if not _place_names(run):
         return []
     turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
     turned = (turns * turns[0].inv()).as_rotvec()
@@ -227,18 +232,16 @@ def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.n
     return [line._replace(**{field: value}) for line, value in zip(lines, values[chosen], strict=True)]
 
 
-def _goals(run: Run, controller: Any, model: Model | None) -> np.ndarray | None:
+def _goals(run: Run, law: Any) -> np.ndarray | None:
     """The set points (n_joints, N), rad and m, of a controller that states them."""
-    law = started(on_base(controller, bool(_base(run))), run.q[0], model)
     if not hasattr(law, "reference"):
         return None
     times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
     return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
 
 
-def _bounds(run: Run, controller: Any, model: Model | None) -> np.ndarray | None:
+def _bounds(law: Any) -> np.ndarray | None:
     """The limits of torques and forces (n_tau,), N·m and N, of a controller that states them."""
-    law = started(controller, run.q[0], model)
     bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
     return None if bounds is None else np.array(bounds, float)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,6 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..errors import UsageError
-from ..spec.base import POSE, TWIST
 from ..spec.load import DEEP_KEY, one_line, syntax_error
 from ..spec.messages import unknown
 from ..spec.ranges import within
@@ -76,10 +75,10 @@ class PD:
     `waypoints`: pairs of a time (s), ascending, and joint angles (rad), which the reference reaches at rest one after
     the other on such paths; `q_des` is the last and `duration` its time. `gravity`: a function from the measured joint
     angles (n_joints,) to the torques that hold the arm there, such as `Holding(model)`; without, nothing is added.
-    `floating`: whether the pose and the twist of a floating base precede the joints in `q` and `v`; a run sets it.
 
-    Gains, limits and angles are those of the joints. Of an elastic drive a run measures the rotor's angle over the
-    ratio in place of the joint's, and the torque acts on the rotor, less by the ratio (`through`).
+    Gains, limits and angles are those of the joints. Where these stand in the `q` and `v` of a robot a run says by
+    `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
+    the joint's, and its torque acts on the rotor, less by the ratio.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -91,8 +90,8 @@ class PD:
     q_start: tuple[float, ...] | None = None
     waypoints: tuple[tuple[float, tuple[float, ...]], ...] = ()
     gravity: Callable[[np.ndarray], np.ndarray] | None = None
-    floating: bool = False
     driven: tuple[int, ...] | None = None
+    ahead: int = 0
     ratios: tuple[float, ...] | None = None
 
     def __post_init__(self) -> None:
@@ -114,21 +113,20 @@ class PD:
 
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
-        return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float), POSE)))
+        return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float), self.ahead)))
 
     def through(self, chain: Chain, p: Numbers) -> PD:
-        """The same law through the elastic drives of a robot, at its parameters `p`."""
-        ratios = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p)
-        return replace(self, driven=tuple(chain.driven), ratios=tuple(ratios.tolist()))
+        """The same law for a robot's coordinates and through its elastic drives, at its parameters `p`."""
+        ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
+        return replace(self, driven=tuple(chain.driven), ahead=ahead, ratios=tuple(ratios.tolist()))
 
     @property
     def _ratios(self) -> np.ndarray:
         return np.ones(len(self.q_des)) if self.ratios is None else np.array(self.ratios)
 
-    def measured(self, x: np.ndarray, before: Sequence[str]) -> np.ndarray:
-        """The joints' part of `q` or `v` as the drives see it; behind the entries `before` of a floating base."""
-        first = len(before) if self.floating else 0
-        return x[first : first + len(self.q_des)] if self.driven is None else x[list(self.driven)] / self._ratios
+    def measured(self, x: np.ndarray, ahead: int = 0) -> np.ndarray:
+        """The joints' part of `v` as the drives see it, or that of `q`, whose entries are so many places further on."""
+        return x[: len(self.q_des)] if self.driven is None else x[np.add(self.driven, ahead)] / self._ratios
 
     @property
     def bounds(self) -> np.ndarray | None:
@@ -166,16 +164,11 @@ class PD:
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The torques, N·m, of slides forces, N, where they act."""
         (q_ref, v_ref), most = self.reference(t), self.bounds
-        there, rate = self.measured(q, POSE), self.measured(v, TWIST)
+        there, rate = self.measured(q, self.ahead), self.measured(v)
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
         if self.gravity is not None:
             tau = tau + self.gravity(there)
         return tau if most is None else np.clip(tau, -most, most)
-
-
-def on_base(controller: Any, floating: bool) -> Any:
-    """The controller for a robot whose base floats or not: a `PD` law is told."""
-    return replace(controller, floating=floating) if isinstance(controller, PD) else controller
 
 
 def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
@@ -200,7 +193,6 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
         law |= {"waypoints": given.get("waypoints", ()), "gravity": _gravity(given, model)}
         return PD(
             **law,
-            floating=model.chain.floating,
             duration=within("duration")(given["duration"], at=("duration",)) if "duration" in given else None,
         )
 

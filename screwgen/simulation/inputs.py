@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 def started(controller: Any, q0: np.ndarray, model: Model | None = None, p: Any = None) -> Any:
     """The controller at the start of a run: the result of its `starting_at(q)` if it has that method.
 
-    One that has `through(chain, p)` learns before of the gears that it works through, if drives are elastic.
+    One that has `through(chain, p)` learns before where the joints stand and of the gears that it works through.
     """
-    if model is not None and model.chain.n_motors and hasattr(controller, "through"):
+    if model is not None and hasattr(controller, "through"):
         controller = controller.through(model.chain, model.parameter_values if p is None else p)
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
 

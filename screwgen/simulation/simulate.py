@@ -15,7 +15,7 @@ from ..errors import DivergedError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from . import loop
-from .controllers import Controller, on_base
+from .controllers import Controller
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
@@ -89,7 +89,7 @@ def simulate(
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
     check_loops(model, p, q0, v0)
-    law = started(on_base(controller, model.chain.floating), q0, model, p)
+    law = started(controller, q0, model, p)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     diverged = False

@@ -13,7 +13,7 @@ from ...topology.chain import Chain
 from ...topology.loops import Closure
 from .numeric import Numeric
 
-ROUNDS = 60
+TOLERANCES = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-15)
 CLOSED = 1e-12
 """Gap, in m or as a cosine, below which a loop counts as closed."""
 ATTEMPTS = 4
@@ -46,7 +46,7 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     rng, ends = np.random.default_rng(0), []
     for attempt in range(ATTEMPTS):
         start = q + free * (np.arange(len(q)) < numeric.chain.eta_q) * rng.normal(scale=0.1 * attempt, size=len(q))
-        found, gap = _newton(numeric, start, free)
+        found, gap = _nearest(numeric, start, free)
         if np.max(np.abs(gap), initial=0.0) < CLOSED:
             return found
         ends.append((float(np.max(np.abs(gap))), found, gap))
@@ -58,27 +58,19 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     raise OpenLoopError(f"{closure.name} stays open by {size:.3g} {unit}; {remedy}", found)
 
 
-def _newton(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where Newton's method ends, and the gaps there: the smallest changes of the coordinates that are free to move.
+def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where least squares end, and the gaps there; coordinates that are not free stay."""
+    from scipy.optimize import least_squares
 
-    A step is halved until the gaps shrink.
-    """
-    gap = numeric.gaps(q, None)[0]
-    for _ in range(ROUNDS):
-        if np.max(np.abs(gap), initial=0.0) < CLOSED:
-            break
-        step = np.zeros(len(q))
-        step[free] = -np.linalg.lstsq(jacobian(numeric, q)[:, free], gap, rcond=1e-10)[0]
-        part = min(1.0, 0.5 / max(np.max(np.abs(step)), 1e-300))
-        while part > 1e-6:
-            found = numeric.gaps(q + part * step, None)[0]
-            if np.linalg.norm(found) < np.linalg.norm(gap):
-                break
-            part /= 2
-        else:
-            break
-        q, gap = q + part * step, found
-    return q, gap
+    def at(x: np.ndarray) -> np.ndarray:
+        out = q.copy()
+        out[free] = x
+        return out
+
+    gap = lambda x: numeric.gaps(at(x), None)[0]  # noqa: E731
+    slopes = lambda x: jacobian(numeric, at(x))[:, free]  # noqa: E731
+    found = least_squares(gap, q[free], slopes, **TOLERANCES).x
+    return at(found), gap(found)
 
 
 def nearly_closed(chain: Chain, q: list[float]) -> list[float]:

@@ -83,12 +83,14 @@ class Numeric:
         return outputs
 
     @property
-    def _forward(self) -> tuple[Algorithm, ...]:
-        return (FORWARD, MOTION) if self.chain.closures else (FORWARD,)
+    def _closing(self) -> tuple[Algorithm, ...]:
+        """The algorithms that loops need besides."""
+        return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nv,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        vdot, wrench = self._functions(*self._forward).forward_dynamics(*self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
+        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        vdot, wrench = self._functions(FORWARD, *self._closing).forward_dynamics(*given)
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def loop_wrenches(self, q, v, tau, w_ext) -> np.ndarray:
@@ -103,7 +105,7 @@ class Numeric:
 
     def validity(self, q, v, tau, w_ext) -> np.ndarray:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
-        functions = self._functions(*self._forward, MEASURING)
+        functions = self._functions(FORWARD, MEASURING, *self._closing)
         q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
         _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
         return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
@@ -169,8 +171,7 @@ class Numeric:
     @property
     def dae_functions(self) -> DaeFunctions:
         """The functions of the DAE form's rates."""
-        joint_form = self._forward if self.chain.closures else ()
-        return self._functions(DAE_FORWARD, DAE_RATES, *joint_form)
+        return self._functions(DAE_FORWARD, DAE_RATES, *self._closing)
 
     def dae_state(self, q, v) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
@@ -183,13 +184,11 @@ class Numeric:
 
     def project(self, x) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        closing = (*self._forward, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
-        return np.array(self._functions(PROJECTION, *closing).project(*self._rows(x=x)))
+        return np.array(self._functions(PROJECTION, *self._closing).project(*self._rows(x=x)))
 
     def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        closing = (*self._forward, DAE_FORWARD) if self.chain.closures else ()
-        entries, H, W = self._functions(ASSEMBLY, *closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        entries, H, W = self._functions(ASSEMBLY, *self._closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         for place, value in entries.items():
             M[place] = value

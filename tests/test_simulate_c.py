@@ -150,6 +150,8 @@ def test_what_goes_wrong_is_said_alike(backend):
             soft(), 0.01, 1e-3, controller=lambda t, q, v: [0.0, 0.0, 0.0 / (t < 0.0045) if t < 0.0045 else np.nan]
         )
     with pytest.raises(UsageError, match=r"^t = 0 s: the controller gives an array of shape \(2,\)"):
+        simulate(soft(), 0.01, 1e-3, controller=lambda t, q, v: [0.0, 0.0], backend=backend)
+    with pytest.raises(UsageError, match=r"^PD: q_des has length 2; the robot has 3 joint coordinates$"):
         simulate(soft(), 0.01, 1e-3, controller=PD((1.0,) * 2, (1.0,) * 2, (0.0,) * 2), backend=backend)
 
 

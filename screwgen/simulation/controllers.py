@@ -116,7 +116,12 @@ class PD:
         return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float), self.ahead)))
 
     def through(self, chain: Chain, p: Numbers) -> PD:
-        """The same law for a robot's coordinates and through its elastic drives, at its parameters `p`."""
+        """The same law for a robot's coordinates and through its elastic drives, at its parameters `p`.
+
+        Raises UsageError where the law has another number of joints than the robot.
+        """
+        if len(self.q_des) != chain.n_tau:
+            raise UsageError(f"PD: q_des has length {len(self.q_des)}; the robot has {chain.n_tau} joint coordinates")
         ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
         return replace(self, driven=tuple(chain.driven), ahead=ahead, ratios=tuple(ratios.tolist()))
 

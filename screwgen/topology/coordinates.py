@@ -1,0 +1,247 @@
+"""The coordinates of a robot: of a floating base, joints, rotors and modes, their places, and states made complete."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+
+from ..spec.base import HOME, POSE, TWIST
+from ..spec.link_class import LinkClass
+
+SLACK = 1e-3
+"""How far the length of a stated quaternion may be from one."""
+
+FREE: dict[str, dict[str, int]] = {
+    "q": {"position": 3, "quaternion": 4},
+    "qdot": {"twist": 6},
+    "qddot": {"Vdot": 6},
+    "force": {"base_force": 6},
+}
+"""The signals of a floating base that precede those of the joints, with their sizes."""
+ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
+"""The signal of a link's rotors by that of its joint."""
+
+
+class Coordinates:
+    """The coordinates of links of given classes, `q` (nq) and `v` (nv), and their offsets by link.
+
+    ``parameter_labels``: for every link, the label of each of its parameters and its place in the parameter vector.
+    """
+
+    def __init__(self, keys: Sequence[LinkClass], parameter_labels: Sequence[Mapping[str, int]]):
+        self.keys, self.parameter_labels = list(keys), list(parameter_labels)
+        offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
+        self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
+        self.theta_offset, self.dry_offset = offsets(lambda k: len(k.motors)), offsets(lambda k: len(k.rubbed))
+        self.below_offset = offsets(lambda k: len(k.coupled))
+
+    @property
+    def n(self) -> int:
+        return len(self.keys)
+
+    @property
+    def n_joints(self) -> int:
+        """The number of joint coordinates, the first of `q`, or those behind the pose of a floating base."""
+        return self.q_offset[-1]
+
+    @property
+    def floating(self) -> bool:
+        """Whether the first link moves freely: its pose precedes the joint coordinates, its twist their rates."""
+        return self.keys[0].free
+
+    @property
+    def base_q(self) -> int:
+        """The number of coordinates of a floating base, which is the index of the first joint coordinate in `q`."""
+        return len(POSE) if self.floating else 0
+
+    @property
+    def base_v(self) -> int:
+        """The number of their rates, which is the index of the first joint rate in `v`."""
+        return len(TWIST) if self.floating else 0
+
+    @property
+    def home(self) -> list[float]:
+        """The coordinates (nq) with joints and modes at zero, and a floating base at the inertial frame."""
+        return [*HOME[: self.base_q], *[0.0] * (self.nq - self.base_q)]
+
+    @property
+    def n_tau(self) -> int:
+        """The number of torques, one per axis."""
+        return self.n_joints
+
+    @property
+    def n_modes(self) -> int:
+        return self.eta_offset[-1]
+
+    @property
+    def n_motors(self) -> int:
+        """The number of rotors with a coordinate of their own, those of elastic drives."""
+        return self.theta_offset[-1]
+
+    @property
+    def n_inner(self) -> int:
+        """The number of coordinates behind those of the joints: rotors and modes."""
+        return self.n_motors + self.n_modes
+
+    @property
+    def nq(self) -> int:
+        """The number of coordinates: of a floating base, joints, rotors, modes."""
+        return self.base_q + self.n_joints + self.n_inner
+
+    @property
+    def nv(self) -> int:
+        """The number of their rates."""
+        return self.nq - self.base_q + self.base_v
+
+    @property
+    def eta_q(self) -> int:
+        """The index of the first modal coordinate in `q`."""
+        return self.nq - self.n_modes
+
+    @property
+    def eta_v(self) -> int:
+        """The index of its rate in `v`."""
+        return self.nv - self.n_modes
+
+    def complete(self, given: np.ndarray, p: Any, rates: bool = False) -> np.ndarray | str:
+        """All coordinates (nq,), or `rates` (nv,), from all of them, those of the joints alone, or none.
+
+        A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Of the
+        joints alone gears are without load, with the ratios in the parameters `p`. Returns what is wrong with them as
+        a text, "<what is wrong>; <what is allowed>".
+        """
+        out = np.zeros(self.nv) if rates else np.array(self.home)
+        if len(given) == len(out):
+            out[:] = given
+        elif len(given) in (0, self.n_joints):
+            first, joints = self.base_v if rates else self.base_q, self.relaxed(given, p) if len(given) else given
+            out[first : first + len(joints)] = joints
+        else:
+            allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
+            return f"has length {len(given)}; it must have {allowed}"
+        if self.floating and not rates:
+            size = float(np.linalg.norm(out[3:7]))
+            if not abs(size - 1) <= SLACK:
+                return f"has a quaternion of length {size:.6g}, entries 3 to 6 (w, x, y, z); it must have length 1"
+            out[3:7] /= size
+        return out
+
+    @cached_property
+    def sprung(self) -> bool:
+        """Whether springs, dampers or friction act in any joint."""
+        return any(key.sprung for key in self.keys)
+
+    @cached_property
+    def geared(self) -> list[int]:
+        """The joint coordinate, as its number among those, that each rotor drives."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.motors]
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor."""
+        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_motors
+        for k, joint in enumerate(self.geared):
+            out[joint] = first + k
+        return out
+
+    def ratios(self, p: Any) -> list:
+        """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols."""
+        axes = [(self.parameter_labels[i], axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        places = [labels.get(f"drive_ratio_{axis + 1}") for labels, axis in axes]
+        return [1.0 if place is None else p[place] for place in places]
+
+    def relaxed(self, q: Any, p: Any) -> np.ndarray:
+        """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+        q = np.asarray(q, float)
+        shape = (self.n_motors, *(1 for _ in q.shape[1:]))
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
+
+    def filled(self, joints: Any, p: Any) -> np.ndarray:
+        """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
+        return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
+
+    def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
+        """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
+        out = np.array(tau, float)
+        out[self.geared] /= np.array(self.ratios(p))
+        return out
+
+    @cached_property
+    def dry(self) -> list[int]:
+        """The coordinates, as indices in `v`, with dry friction."""
+        return [self.driven[self.q_offset[i] + axis] for i, key in enumerate(self.keys) for axis in key.rubbed]
+
+    @property
+    def slides(self) -> bool:
+        """Whether any joint moves its link along an axis."""
+        return any(key.slides for key in self.keys)
+
+    @property
+    def n_given(self) -> int:
+        """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
+        return self.nv - self.base_v if self.sprung else self.n_modes
+
+    def given(self, i: int) -> dict[str, slice]:
+        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
+
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
+        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction.
+        """
+        before, key = self.n_given - self.n_modes, self.keys[i]
+        part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
+        parts = {"eta": part(before, self.eta_offset)}
+        if key.coupled:
+            parts["below"] = part(self.n_given, self.below_offset)
+        if key.sprung:
+            parts["q"] = part(0, self.q_offset)
+        if key.motors:
+            parts["theta"] = part(before - self.n_motors, self.theta_offset)
+            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+        return parts | ({"dry": part(0, self.dry_offset)} if key.rubbed else {})
+
+    @cached_property
+    def coupled(self) -> list[tuple[int, int]]:
+        """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
+        first = [self.given(i)["eta"].start for i in range(self.n)]
+        modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
+        return modes + [(self.eta_v - self.n_motors + k, joint) for k, joint in enumerate(self.geared)]
+
+    @property
+    def n_inertia(self) -> int:
+        """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
+        return self.n_given + self.below_offset[-1] + self.n_motors
+
+    def modal_product(self, A, x):
+        """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
+        out = A[: self.n_given] * x
+        for k, (i, j) in enumerate(self.coupled, self.n_given):
+            out[i] += A[k] * x[j]
+            out[j] += A[k] * x[i]
+        return out
+
+    def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
+        """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link.
+
+        The first has those of a floating base. ``joint`` and ``modal`` are the names of their signals, ``joint`` one of
+        ``FREE``.
+        """
+        parts, count = {}, 0
+        for name, size in FREE[joint].items() if self.floating else ():
+            parts[name], count = list(q[count : count + size]), count + size
+        m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
+        qs, t = [count + k for k in self.q_offset], m - self.n_motors
+        links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
+        for i, link in enumerate(links) if self.n_motors else ():
+            link[ROTOR[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
+        links[0] |= parts
+        return links
+
+    def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
+        """The inverse of :meth:`split`."""
+        free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
+        parts = [joint, *([ROTOR[joint]] if self.n_motors else []), modal]
+        return free + [x for part in parts for link in links for x in link.get(part, ())]

@@ -51,7 +51,8 @@ def random_arm(rng, n_links: int, **limits) -> dict:
 def random_state(rng, robot: dict) -> dict:
     """q, v, tau and w_ext; modal coordinates of bodies of points up to 3 cm."""
     state, q, v = rr.random_state(rng, {**robot, "links": [_bare(link) for link in robot["links"]]}), [], []
-    modal = iter(zip(state["q"][rr.joint_count(robot) :], state["v"][rr.joint_count(robot) :], strict=True))
+    joints = rr.joint_count(robot) + len(rr.ratios(robot))
+    modal = iter(zip(state["q"][joints:], state["v"][joints:], strict=True))
     for link in robot["links"]:
         if "cloud" in link:
             q += rr.numbers(rng.uniform(-0.03, 0.03, link["cloud"].modes))
@@ -59,7 +60,6 @@ def random_state(rng, robot: dict) -> dict:
         else:
             own = list(itertools.islice(modal, sum(count for _, count in _counts(link))))
             q, v = q + [x for x, _ in own], v + [y for _, y in own]
-    joints = rr.joint_count(robot)
     return state | {"q": state["q"][:joints] + q, "v": state["v"][:joints] + v}
 
 

@@ -33,6 +33,17 @@ WRONG = [
     ("[ { friction = { coulomb = 1.0, velocity = 0 } }, {} ]", f"{UPPER}[0].friction.velocity", "it must be > 0"),
     ("[ { gear_ratio = 9.0 }, {} ]", f"{UPPER}[0].gear_ratio", "is an unknown key; did you mean ratio?"),
     ("[ { rotor_inertia = 1e20 }, {} ]", f"{UPPER}[0].rotor_inertia", "it must be from 1e-12 to 1e+12 kg·m²"),
+    ("{}", UPPER, "is a table; it must be an array of tables"),
+    ("[]", UPPER, "has length 0; it must hold one table per axis, 2"),
+    ("[ {}, {}, {} ]", UPPER, "has length 3; it must hold one table per axis, 2"),
+    ('[ {}, "harmonic" ]', f"{UPPER}[1]", 'is "harmonic"; it must be a table of ratio'),
+    ('[ { ratio = "100:1", rotor_inertia = 1e-4 }, {} ]', f"{UPPER}[0].ratio", 'is "100:1"; it must be a number'),
+    ("[ { ratio = -50.0, rotor_inertia = 1e-4 }, {} ]", f"{UPPER}[0].ratio", "is -50.0; it must be > 0"),
+    ("[ { rotor_inertia = true }, {} ]", f"{UPPER}[0].rotor_inertia", "is true; it must be a number"),
+    ("[ { friction = 0.4 }, {} ]", f"{UPPER}[0].friction", "is 0.4; it must be a table of coulomb, viscous, velocity"),
+    ("[ { friction = { velocity = 0.1 } }, {} ]", f"{UPPER}[0].friction", "states no friction; give { coulomb"),
+    ("[ { friction = { viscous = nan } }, {} ]", f"{UPPER}[0].friction.viscous", "is nan; it must be a finite number"),
+    ("[ { backlash = 0.1 }, {} ]", f"{UPPER}[0].backlash", "is an unknown key; known here: ratio, rotor_inertia"),
 ]
 
 

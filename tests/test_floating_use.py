@@ -97,6 +97,30 @@ WRONG = [  # what replaces a part of the file, and what the message says
     ({"left_fore": {"parent": "right"}}, 'links[2].parent: is "right", which comes later'),
     ({"hull_parent": "hull"}, 'links[0].parent: is "hull", which is the link itself'),
     ({"hull": None}, "links[0].joint: is missing"),
+    ({"base": "Floating"}, 'base: is "Floating"; it must be "fixed" or "floating"'),
+    ({"base": ""}, 'base: is ""; it must be "fixed" or "floating"'),
+    ({"base": {"kind": "floating"}}, 'base: is a table; it must be "fixed" or "floating"'),
+    ({"base": 0}, 'base: is 0; it must be "fixed" or "floating"'),
+    ({"hull": {}}, "links[0].joint.axes: is missing; state the axes in order"),
+    (
+        {"hull": {"axes": [], "damping": [0.1]}},
+        "links[0].joint.damping: has length 1; it must hold one number per axis, 0",
+    ),
+    ({"hull": {"axes": [], "drives": [{}]}}, "links[0].joint.drives: has length 1; it must hold one table per axis, 0"),
+    (
+        {"hull": {"axes": [], "position": [0.0, 0.0, 1.0]}},
+        "links[0].joint.position: is an unknown key; known here: axes",
+    ),
+    ({"hull_parent": "left"}, 'links[0].parent: is "left", which comes later'),
+    (
+        {"hull_parent": "base"},
+        'links[0].parent: is "base", which is no link; a link comes after the one that carries it',
+    ),
+    ({"left": {"base": "floating"}}, "links[1].base: is an unknown key; known here: name, length"),
+    (
+        {"left_fore": {"joint": {"axes": []}, "parent": "world"}},
+        "links[2].parent: is the world, but of a robot with base",
+    ),
 ]
 
 

@@ -310,6 +310,17 @@ WRONG = (
     ("joint =", "stabilisation = -1.0\njoint =", "loops[0].stabilisation", "must be"),
     ("joint =", "damping = 1.0\njoint =", "loops[0].damping", "is an unknown key"),
     ("[[loops]]", "[loops]", "loops", "must be an array"),
+    ("[[loops]]", "[[loop]]", "loop", "is an unknown key; did you mean loops?"),
+    ('between = ["upper.tip", "fore.tip"]\n', "", "loops[0].between", "is missing; state the tips that the loop joins"),
+    ('joint = { axes = ["y"] }', "", "loops[0].joint", "is missing; state the motions that the loop leaves free"),
+    ('{ axes = ["y"] }', '["y"]', "loops[0].joint", "is an array of 1; it must be a table of axes"),
+    ('"upper.tip"', "3", "loops[0].between[0]", 'is 3; it must be the name of a link with ".tip"'),
+    ('"fore.tip"', '"world.tip"', "loops[0].between[1]", 'is the tip of "world", which is no link; choose'),
+    ('["y"]', '["q"]', "loops[0].joint.axes[0]", 'is "q"; it must be "x", "y", "z", an array'),
+    ('["y"]', '["y", "y"]', "loops[0].joint.axes[1]", "is parallel to the axis before it"),
+    ('["y"]', '["x", "y", "z", { slide = "x" }]', "loops[0].joint.axes", "has 4 axes; at most 3 are allowed"),
+    ("joint =", 'stabilisation = "fast"\njoint =', "loops[0].stabilisation", 'is "fast"; it must be a number'),
+    ("joint =", "stabilization = 20.0\njoint =", "loops[0].stabilization", "did you mean stabilisation?"),
 )
 
 

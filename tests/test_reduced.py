@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import Case, casadi_forward, model_of, relative
+from helpers import Case, arm, casadi_forward, link, model_of, relative, rotation_of
 
 import screwgen
 from screwgen import simulate
@@ -72,6 +72,14 @@ def test_casadi(seed):
 @pytest.mark.parametrize("seed", swept(SEEDS[1:7], *SEEDS[1:4]))
 def test_assembled_system_solved_densely(seed):
     judges.solved_densely(mixed(seed))
+
+
+def test_the_state_of_the_dae_form_follows_a_tip_with_axes_of_its_own(tmp_path):
+    body = {"name": "body", "joint": {"axes": ["z"]}, "cloud": fr.random_cloud(np.random.default_rng(1), 1, axes=True)}
+    model = model_of(fr.with_files(arm(body, link("next", 0.5, "y")), tmp_path))
+    q, numeric = [0.3, -0.4, 0.02], model.numpy()
+    x = numeric.dae_state(q, np.zeros(3))
+    assert relative(rotation_of(x[7:11]), numeric.link_pose(q)[0][1]) < 1e-14
 
 
 BUILT = [(seed, layout) for seed in (901, 904) for layout in ("fused", "modular")]

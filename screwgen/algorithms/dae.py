@@ -216,10 +216,23 @@ def _joint_quaternion(s: Scope, q: Array) -> Array:
 
 
 def _tip_quaternion(s: Scope, eta: Array) -> Array:
-    """The quaternion of ``R_T``."""
+    """The quaternion of ``R_T``: the turn of the section, then the axes of the tip of a body from a file."""
     if not s.key.section_rotation:
         return mx.array([1.0, 0.0, 0.0, 0.0])
-    return turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
+    turn = turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
+    axes = np.eye(3) if s.key.elastic is None else np.array(s.key.elastic.tip.axes)
+    return turn if np.array_equal(axes, np.eye(3)) else quaternion_product(turn, _quaternion_of(axes))
+
+
+def _quaternion_of(R: np.ndarray) -> Array:
+    """The quaternion of a rotation by its largest component, which has no cancellation."""
+    symmetric, trace = R + R.T, np.trace(R)
+    squares = np.block(
+        [[np.eye(1) * (1 + trace), np.zeros((1, 3))], [np.zeros((3, 1)), symmetric + (1 - trace) * np.eye(3)]]
+    )
+    squares[0, 1:] = squares[1:, 0] = R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
+    largest = squares[np.argmax(np.diag(squares))]
+    return mx.array((largest / np.linalg.norm(largest)).tolist())
 
 
 def turn_quaternion(s: Scope, theta: Array) -> Array:

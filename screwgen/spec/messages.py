@@ -71,7 +71,7 @@ def reason(record: Any, root: type[BaseModel]) -> str:
             field = model_at(root, above).model_fields[last]
             return f"is missing; state {field.description}"
         case "extra_forbidden":
-            return unknown(str(last), known_keys(model_at(root, above)))
+            return unknown(str(last), known_keys(model := model_at(root, above)), inner_keys(model))
         case "model_type":
             keys = ", ".join(known_keys(model_at(root, record["loc"])))
             return f"is {shown(record['input'])}; it must be a table of {keys}"
@@ -80,8 +80,10 @@ def reason(record: Any, root: type[BaseModel]) -> str:
     return f"is {shown(record['input'])}; {record['msg'].splitlines()[0]}"
 
 
-def unknown(name: str, known: tuple[str, ...]) -> str:
-    """What to say of a key that nobody reads."""
+def unknown(name: str, known: tuple[str, ...], inner: dict[str, str] | None = None) -> str:
+    """What to say of a key that nobody reads; `inner` has the keys of the tables below, with the names of these."""
+    if inner and name in inner:
+        return f"is an unknown key here; it belongs in {inner[name]}; known here: {', '.join(known)}"
     lowered = {k.lower(): k for k in known}
     near = difflib.get_close_matches(name.lower()[:MAX_LENGTH], lowered, n=1)
     suggestion = f"did you mean {lowered[near[0]]}? " if near else ""
@@ -92,6 +94,12 @@ def known_keys(model: type[BaseModel]) -> tuple[str, ...]:
     """The keys that `model` reads, in the order of its fields, then other spellings."""
     fields = (name for name, field in model.model_fields.items() if not field.exclude)
     return (*fields, *getattr(model, "other_keys", ()))
+
+
+def inner_keys(model: type[BaseModel]) -> dict[str, str]:
+    """The keys of the tables that stand directly below, with the first table that has each."""
+    tables = [(name, model_in(field.annotation)) for name, field in model.model_fields.items()]
+    return {key: name for name, inner in reversed(tables) if inner for key in known_keys(inner)}
 
 
 def model_at(root: type[BaseModel], path: typing.Iterable[str | int]) -> type[BaseModel]:

@@ -47,9 +47,15 @@ class Steady(NamedTuple):
     """The parameter values, gravity zero where it is left out."""
     rigid: np.ndarray
     """(m, r): orthonormal motions of joints and rotors, the first m coordinates, that nothing resists."""
+    follow: np.ndarray
+    """(nq, d): how all coordinates follow those that move independently; without loops these are all."""
+    w_ext: np.ndarray | None = None
+    """(n, 6): what loops exert on the tips."""
 
     def validity(self, model: Model) -> Validity:
         """How far the motion is from the limits of the model."""
+        if self.w_ext is not None:
+            return model.validity_at_rest(self.q, self.w_ext, self.p)
         return model.validity(self.q, self.v, self.tau, parameters=self.p)
 
 
@@ -79,7 +85,7 @@ def steady(
     loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, m:] @ q[m:]))
     _, sizes, rows = np.linalg.svd(columns)
     rigid = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
-    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid)
+    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.eye(model.nv))
 
 
 def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:

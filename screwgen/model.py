@@ -178,8 +178,8 @@ class Model:
     ) -> LinearModel:
         """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
 
-        ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out; loops are
-        closed; ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
+        ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out; loops must
+        be closed; ``parameters``: values in the order of ``parameter_names``, or by name those that are not the file's.
         ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``rotor_angles``,
         ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``base_pose``, ``base_twist`` (of a floating
         base), ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),

@@ -24,6 +24,7 @@ from .modes import (
     closed_posture,
     following,
     loaded_motion,
+    loaded_shapes,
     movable,
     relative,
     stiffness_matrix,
@@ -31,7 +32,7 @@ from .modes import (
     vibrations,
     without_rigid_motion,
 )
-from .steady import oscillations
+from .steady import Steady, steady
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -76,24 +77,38 @@ def convergence(
     moving = movable(model, joints, q, own)
     if not len(moving):
         return Convergence(np.zeros(0), {})
-    free, first = len(moving) == model.nv, model.chain.base_q
-    there = lambda q: np.append(q[:first], _space(model, rich, ())[model.chain.base_v :] @ np.append(np.zeros(model.chain.base_v), q[first:]))  # noqa: E731
-    held = np.setdiff1d(np.arange(model.nv), moving)
+    free, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
     if loaded or rates is not None:
-        q = loaded_motion(model, q, rates, loaded, own, moving).q
-        about = loaded_motion(rich, there(q), rates, loaded, np.array(values), np.setdiff1d(np.arange(rich.nv), held), settle=False)
-        M, G, K, rigid = about.M, about.G, about.K, about.rigid if free else None
-        ritz = lambda b: oscillations(b.T @ M @ b, b.T @ G @ b, b.T @ K @ b, rigid).omega  # noqa: E731
+        loads = loaded_motion(model, q, rates, loaded, own, moving)
+        about = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
+        ritz = lambda basis: loaded_shapes(rich, about, basis, free)[0].omega  # noqa: E731
     else:
-        T = relative(rich, values) if free else np.eye(rich.nv)
-        M, K = T.T @ rich.numpy(values).mass_matrix(there(q)) @ T, stiffness_matrix(rich, values, relative=free)
-        J = jacobian(rich, there(q), values) @ T
+        T, at = relative(rich, values) if free else np.eye(rich.nv), _enriched(model, rich, q)
+        M, K = T.T @ rich.numpy(values).mass_matrix(at) @ T, stiffness_matrix(rich, values, relative=free)
+        J = jacobian(rich, at, values) @ T
         ritz = lambda basis: _at_rest(model, basis, M, K, J)  # noqa: E731
     frequencies = lambda directions: ritz(np.delete(_space(model, rich, directions), held, axis=1))  # noqa: E731
     now = frequencies(())
     more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
     change = lambda directions: _change(now, frequencies(directions))  # noqa: E731
     return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
+
+
+def _enriched(model: Model, rich: Model, q: np.ndarray) -> np.ndarray:
+    """The coordinates of the rich model in a posture `q` (nq,) of the other."""
+    modes = _space(model, rich, ())[model.chain.eta_v :, model.chain.eta_v :] @ q[model.chain.eta_q :]
+    return np.append(q[: model.chain.eta_q], modes)
+
+
+def _loaded(
+    rich: Model, q: np.ndarray, loads: Steady, rates: Numbers | None, loaded: bool, p: np.ndarray, held: np.ndarray
+) -> Steady:
+    """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
+    if not rich.chain.closures:
+        return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
+    from .hanging import about
+
+    return about(rich, q, p, loads.loops)
 
 
 def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
@@ -103,7 +118,7 @@ def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
 
 
 def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: np.ndarray) -> np.ndarray:
-    """Circular frequencies of the motions in the columns of a `basis` that keep the gaps, with the Jacobian J, closed."""
+    """Circular frequencies of motions in the columns of a `basis` that keep gaps, whose Jacobian is `J`, closed."""
     if len(J):
         basis = basis @ following(J @ basis, np.diag(basis.T @ K @ basis))
     try:

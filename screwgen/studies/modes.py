@@ -13,7 +13,7 @@ from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity, Watch
 from .linear import whole
 from .mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
-from .steady import Steady, oscillations, steady
+from .steady import Oscillations, Steady, oscillations, steady
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -93,12 +93,9 @@ def mode_shapes(
         return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
         about = loaded_motion(model, q, rates, loaded, p, moving)
-        N = about.follow[moving]
-        M, G, K = (N.T @ x[np.ix_(moving, moving)] @ N for x in (about.M, about.G, about.K))
-        omega, growth, columns, rigid = oscillations(M, G, K, about.rigid if len(moving) == model.nv else None)
-        shapes = np.zeros((model.nv, len(omega)))
-        shapes[moving] = N @ columns
-        return ModeShapes(omega / (2 * np.pi), shapes, rigid, about.validity(model), growth)
+        found, basis = loaded_shapes(model, about, np.eye(model.nv)[:, moving], len(moving) == model.nv)
+        frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
+        return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
     weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
     validity = model.validity_at_rest(q, loads_of_loops(model, q, weight), weight)
@@ -134,18 +131,34 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
 
 
 def loaded_motion(
-    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray, settle=True
+    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
     model.chain.needs_fixed(*LOADED)
     if not model.chain.closures:
-        return steady(model, q, rates, loaded, p, moving, settle)
-    from .hanging import hanging
-
+        return steady(model, q, rates, loaded, p, moving)
     if rates is not None:
         what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
         raise UsageError(f"{what}; leave the rates out, or simulate it")
-    return hanging(model, q, p, moving, settle)
+    from .hanging import hanging
+
+    return hanging(model, q, p)
+
+
+def loaded_shapes(model: Model, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:
+    """The natural motions in the columns of `basis` (nv, n), and where there are loops columns (nv, d) that keep them.
+
+    `free`: whether the joints move.
+    """
+    rigid = about.rigid if free else None
+    if len(about.J):
+        J, springs = about.J @ basis, np.diag(basis.T @ stiffness_matrix(model, about.p) @ basis)
+        independent, _, N = mobility(J, by_spring(J, springs))
+        if rigid is not None:
+            rigid = np.vstack([rigid, np.zeros((len(N) - len(rigid), rigid.shape[1]))])[independent]
+        basis = basis @ N
+    M, G, K = (basis.T @ x @ basis for x in (about.M, about.G, about.K))
+    return oscillations(M, G, K, rigid), basis
 
 
 def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
@@ -169,8 +182,9 @@ def movable(model: Model, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
-    locked = np.array(model.chain.driven, int)
-    return np.setdiff1d(np.arange(model.nv), locked[stated_joints(model, q, p) | (locked >= model.chain.eta_v - model.chain.n_motors)])
+    chain, driven = model.chain, np.array(model.chain.driven, int)
+    rotors = driven >= chain.eta_v - chain.n_motors
+    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
 
 
 def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:

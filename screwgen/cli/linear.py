@@ -60,7 +60,7 @@ def run_modes(
 
 def lock_notes(model: Model, q: np.ndarray) -> list[str]:
     """What --joints locked does that needs saying: to springs, and to joints that follow loops."""
-    from ..studies.mobility import stated_joints
+    from ..simulation.mobility import stated_joints
     from ..studies.modes import stiffness
 
     first, stated = model.chain.base_v, stated_joints(model, q, model.parameter_values)

@@ -16,7 +16,7 @@ from ..spec.load import DEEP_KEY, one_line, syntax_error
 from ..spec.messages import unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
-from ..studies.mobility import closing, stated_joints
+from .mobility import closing, stated_joints
 from .state import read_text, refusals, sized
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class Holding:
     """The torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
     They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
-    are encoders. Where there are loops they are those of the joints that :func:`..studies.mobility.stated_joints` names
+    are encoders. Where there are loops they are those of the joints that :func:`.mobility.stated_joints` names
     in the first posture; the others follow without torque.
     """
 

@@ -15,11 +15,11 @@ from scipy.linalg import block_diag
 from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
+from ..simulation.mobility import jacobian
 from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .mobility import jacobian
 from .modes import (
     closed_posture,
     following,

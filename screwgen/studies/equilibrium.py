@@ -12,11 +12,11 @@ from .. import notebook
 from ..arguments import Given, Numbers, choice
 from ..backends.numpy.closing import closed
 from ..errors import UsageError
+from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
 from ..spec.robot import Robot
 from .linear import checked
-from .mobility import stated_joints
 from .modes import stiffness
 from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
@@ -100,8 +100,8 @@ def equilibrium(
     torques `tau` (n_tau,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
     down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
     hold the modes' start too (nq,).
-    Where there are loops they are closed, and held are the joints that they leave to state
-    (:func:`.mobility.stated_joints`: those with drives before others, then the first of the file); the others follow.
+    Where there are loops they are closed. Held are then as many joints as the loops leave to state, those with drives
+    before others and those first in the file before later ones; the others follow.
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
     then `stability` says so. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the

@@ -13,11 +13,11 @@ from ..arguments import Given, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
+from ..simulation.mobility import by_drive, check_closed, closing, mobility
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
 from ..topology.chain import Chain
-from .mobility import by_drive, check_closed, closing, mobility
 
 CHANGES = {"rotation": "rad", "displacement": "m"}
 """What changes of the pose of a floating base are, with their units."""
@@ -223,8 +223,8 @@ def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.
     if not chain.closures:
         return np.arange(chain.nv), np.eye(2 * chain.nv)
     gap, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
-    check_closed(chain, gap[:, 0])
-    check_closed(chain, J @ v, "v")
+    check_closed(chain, "q", gap[:, 0])
+    check_closed(chain, "v", J @ v)
     own, D, N = mobility(J, by_drive(chain))
     turned = np.zeros_like(N)
     turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]

@@ -10,9 +10,9 @@ import scipy.linalg
 from ..arguments import Given, Numbers, choice
 from ..backends.numpy.closing import closed
 from ..errors import SingularError, UsageError
+from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch
 from .linear import whole
-from .mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from .steady import Oscillations, Steady, oscillations, steady
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def natural_frequencies(
     drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
     springs, (nq,): motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
     zeros. Where loops are closed at `q`, as many motions as they leave are found; "locked" locks the joints of
-    :func:`.mobility.stated_joints`, and the others follow. `p`: parameter values, the file's by default.
+    :func:`..simulation.mobility.stated_joints`, and the others follow. `p`: parameter values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
     cases torques hold the joints at `q`, and the vibrations are about the deflection that follows.
@@ -174,7 +174,7 @@ def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     if q is None:
         at = closed(model.numpy(p), at, np.arange(chain.nv) >= chain.eta_v)
         at = np.append(chain.relaxed(at[: chain.n_joints], p), at[chain.eta_q :])
-    check_closed(chain, model.numpy(p).gaps(at, None)[0])
+    check_closed(chain, "q", model.numpy(p).gaps(at, None)[0])
     return at
 
 

@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 CLEAR, RANK = 0.05, 1e-7
 """The part of a column of the gaps' Jacobian that must be new: where there is a choice, and where there is none."""
 OPEN = 1e-6
-"""The gap (m, or of cosines) at which a loop counts as open."""
-CLOSED = {
-    "q": ("is open", "give what `screwgen assemble` or screwgen.assemble gives"),
-    "v": ("opens", "give rest, or rates that keep it closed"),
+"""The gap (m, or of cosines), or its rate, at which a loop counts as open."""
+SAID = {
+    "q": ("is open by", "start from what `screwgen assemble` or screwgen.assemble gives"),
+    "v": ("opens by", "start at rest, or with rates that keep it closed"),
 }
+"""What is wrong with coordinates or rates, and the remedy."""
 
 Kinds = Sequence[Sequence[Sequence[int]]]
 """Coordinates in the order in which they are made dependent: those of a kind before the next one's, and among them, as
@@ -113,12 +114,12 @@ def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     return out
 
 
-def check_closed(chain: Chain, gaps: np.ndarray, name: str = "q") -> None:
-    """Raise UsageError where a loop is open, or opens by the rates `v`; `gaps` (rows,) or their rates."""
-    worst = int(np.argmax(np.abs(gaps))) if len(gaps) else 0
-    if len(gaps) and not abs(gaps[worst]) < OPEN:
-        what, remedy = CLOSED[name]
-        raise UsageError(f"{name}: {chain.closures[worst].name} {what} by {abs(gaps[worst]):.3g}; {remedy}")
+def check_closed(chain: Chain, name: str, values: np.ndarray) -> None:
+    """Raise UsageError where a loop is open, or opens: `values` (rows,) are the gaps of `q…` or their rates of `v…`."""
+    worst = int(np.argmax(np.abs(values))) if len(values) else 0
+    if len(values) and not abs(values[worst]) < OPEN:
+        what, remedy = SAID[name[0]]
+        raise UsageError(f"{name}: {chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
 
 
 def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None:

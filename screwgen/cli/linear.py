@@ -61,7 +61,7 @@ def run_modes(
 def lock_notes(model: Model, q: np.ndarray) -> list[str]:
     """What --joints locked does that needs saying: to springs, and to joints that follow loops."""
     from ..simulation.mobility import stated_joints
-    from ..studies.modes import stiffness
+    from ..studies.stiffness import stiffness
 
     first, stated = model.chain.base_v, stated_joints(model, q, model.parameter_values)
     names = model.q_names[model.chain.base_q :][: model.n_joints]

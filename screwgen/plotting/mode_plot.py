@@ -17,7 +17,8 @@ from ..simulation.motion import centrelines, modal_columns, twist
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
-from ..studies.modes import ModeShapes, stiffness_matrix
+from ..studies.modes import ModeShapes
+from ..studies.stiffness import stiffness_matrix
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
 from .strands import strands

@@ -43,7 +43,7 @@ class Holding:
     in the first posture; the others follow without torque.
     """
 
-    TOLERANCE, STEPS = 1e-12, 30
+    TOLERANCE, SETTLED, STEPS = 1e-12, 1e-9, 30
 
     def __init__(self, model: Model, p: Numbers | None = None):
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
@@ -67,9 +67,11 @@ class Holding:
                 force, K, gap = force - J.T @ forces, K - bend, gap[:, 0]
             A = np.block([[K[np.ix_(i, i)], -J[:, i].T], [J[:, i], np.zeros((rows, rows))]])
             step = self._solved(A, -np.append(force[i], gap))
-            x[i] += step[: len(i)]
-            forces += step[len(i) :]
-            if np.abs(step[: len(i)]).max(initial=0.0) <= self.TOLERANCE * np.abs(x[i]).max(initial=0.0):
+            moved, changed = np.split(step, [len(i)])
+            x[i] += moved
+            forces += changed
+            settled = np.abs(moved).max(initial=0.0) <= self.TOLERANCE * np.abs(x[i]).max(initial=0.0)
+            if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
         return self.chain.at_rotors(np.where(self.stated, force[:m], 0.0), self.p)
 

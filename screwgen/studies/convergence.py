@@ -20,19 +20,19 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
+from .hanging import about
 from .modes import (
     closed_posture,
     following,
     loaded_motion,
     loaded_shapes,
     movable,
-    relative,
-    stiffness_matrix,
     uncoupled,
     vibrations,
     without_rigid_motion,
 )
 from .steady import Steady, steady
+from .stiffness import relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -80,8 +80,8 @@ def convergence(
     free, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
     if loaded or rates is not None:
         loads = loaded_motion(model, q, rates, loaded, own, moving)
-        about = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
-        ritz = lambda basis: loaded_shapes(rich, about, basis, free)[0].omega  # noqa: E731
+        motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
+        ritz = lambda basis: loaded_shapes(rich, motion, basis, free)[0].omega  # noqa: E731
     else:
         T, at = relative(rich, values) if free else np.eye(rich.nv), _enriched(model, rich, q)
         M, K = T.T @ rich.numpy(values).mass_matrix(at) @ T, stiffness_matrix(rich, values, relative=free)
@@ -106,8 +106,6 @@ def _loaded(
     """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
     if not rich.chain.closures:
         return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
-    from .hanging import about
-
     return about(rich, q, p, loads.loops)
 
 

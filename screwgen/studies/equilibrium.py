@@ -17,10 +17,10 @@ from ..simulation.motion import displacements
 from ..simulation.validity import Validity
 from ..spec.robot import Robot
 from .linear import checked
-from .modes import stiffness
 from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .steady import wound
+from .stiffness import stiffness
 
 if TYPE_CHECKING:
     from ..model import Model

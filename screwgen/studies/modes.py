@@ -12,8 +12,10 @@ from ..backends.numpy.closing import closed
 from ..errors import SingularError, UsageError
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch
+from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
+from .stiffness import relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -140,8 +142,6 @@ def loaded_motion(
     if rates is not None:
         what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
         raise UsageError(f"{what}; leave the rates out, or simulate it")
-    from .hanging import hanging
-
     return hanging(model, q, p)
 
 
@@ -195,14 +195,6 @@ def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:
     return mobility(J, by_spring(J, springs)).follow if len(J) else None
 
 
-def relative(model: Model, p: Numbers) -> np.ndarray:
-    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
-    chain, T = model.chain, np.eye(model.nv)
-    rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
-    T[rotors, chain.base_v + joints] = chain.ratios(p)
-    return T
-
-
 def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Angular frequencies, ascending, and columns of unit modal mass of `M ẍ + k x = 0`; all `k` > 0.
 
@@ -219,27 +211,6 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
 
 
-def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
-    """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
-
-    `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
-    """
-    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
-    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
-    ratios = model.chain.ratios(model.parameter_values if p is None else p)
-    joints = (model.chain.base_v + joint for joint in model.chain.geared)
-    for rotor, (joint, k, ratio) in enumerate(zip(joints, gears, ratios, strict=True), first):
-        K[rotor, rotor] = k
-        if not relative:
-            K[joint, joint] += ratio**2 * k
-            K[rotor, joint] = K[joint, rotor] = -ratio * k
-    for i, key in enumerate(model.chain.keys):
-        first = model.chain.eta_v + model.chain.eta_offset[i]
-        for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
-            K[first + a, first + b] = K[first + b, first + a] = k
-    return K
-
-
 def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Columns ``T`` (n, n) with ``T^T K T = diag(k)``, and ``k`` (n,); rows of ``K`` without a spring are zero.
 
@@ -252,22 +223,6 @@ def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         k[held] = np.diag(C) ** 2
         T[np.ix_(held, held)] = scipy.linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
     return T, k
-
-
-def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The stiffness of joint springs (N·m/rad) and of modes (N/m, torsion: N·m/rad), (nv,); of rotors zero.
-
-    A floating base, whose six entries come first, has none.
-    """
-    values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
-    springs = [
-        values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
-        for link in model.robot.links
-        for j in range(len(link.joint.axes))
-    ]
-    modal = (k for constants in model.numpy(p).constants for k in constants["K"])
-    chain = model.chain
-    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
 
 
 def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .modes import stiffness, stiffness_matrix
+from .stiffness import stiffness, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model

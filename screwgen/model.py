@@ -173,28 +173,22 @@ class Model:
 
         return acados(self.chain, self.casadi(), form, parameters, w_ext)
 
-    @cached_property
-    def _linearisation(self):
-        from .backends.casadi.linear import linearisation
-
-        return linearisation(self.chain)
-
     def linearise(
         self, q, v=None, tau=None, w_ext=None, parameters=None, outputs=OUTPUTS, inputs=INPUTS
     ) -> LinearModel:
         """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
 
-        ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out;
-        ``parameters``: values in the order of ``parameter_names``, or by name those that differ from the file's.
+        ``q`` (nq, or the joints alone), ``v`` (nv), ``tau`` (n_tau), ``w_ext`` (n, 6): zero where left out; loops must
+        be closed; ``parameters``: values in the order of ``parameter_names``, or by name those that are not the file's.
         ``outputs``: names of groups or entries out of ``joint_angles``, ``joint_rates``, ``rotor_angles``,
-        ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``tip_position``, ``tip_velocity``,
-        ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
+        ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``base_pose``, ``base_twist`` (of a floating
+        base), ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
         ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
         neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
         ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.
         Raises UsageError, and SingularError that names the joint.
         """
-        return linearise(self.chain, self._linearisation, q, v, tau, w_ext, parameters, outputs, inputs)
+        return linearise(self, q, v, tau, w_ext, parameters, outputs, inputs)
 
     def validity(self, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
         """How far every link is from the limits of the first-order model, in a state.

@@ -14,7 +14,7 @@ from screwgen import Robot, UsageError, derive
 from screwgen.backends.casadi import functions as emit
 from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
-from screwgen.studies.modes import stiffness
+from screwgen.studies.stiffness import stiffness
 
 ELLA = {"nq": 9, "m": 3, "n": 2}
 SIX = {"nq": 15, "m": 6, "n": 6}

@@ -14,7 +14,8 @@ from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
 
 from screwgen import SingularError, UsageError, equilibrium, simulate
 from screwgen.simulation.motion import displacements
-from screwgen.studies.modes import natural_frequencies, stiffness
+from screwgen.studies.modes import natural_frequencies
+from screwgen.studies.stiffness import stiffness
 
 TIP = ("tip_position", "tip_velocity", "tip_acceleration")
 EVERYTHING = ("joint_angles", "joint_rates", "modes", "mode_rates", *TIP, "wrenches")

@@ -19,7 +19,8 @@ from screwgen import Robot
 from screwgen.algorithms.gauges import gauges
 from screwgen.bodies.markers import strains
 from screwgen.studies.equilibrium import equilibrium
-from screwgen.studies.modes import natural_frequencies, stiffness_matrix
+from screwgen.studies.modes import natural_frequencies
+from screwgen.studies.stiffness import stiffness_matrix
 
 SEEDS = (1500, 1501, 1504, 1506, 1508, 1509, 1514, 1515, 1516, 1522)
 COMPILED = [(seed, layout) for seed in (1501, 1509) for layout in ("fused", "modular")]

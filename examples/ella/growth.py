@@ -12,7 +12,7 @@ import scipy.linalg
 from screwgen import PD, Model
 from screwgen.simulation.motion import modal_columns
 from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, step_map
-from screwgen.studies.modes import stiffness
+from screwgen.studies.stiffness import stiffness
 
 from .arm import STEP, Arm, start
 from .motions import EULER, PRINTED, REFERENCE, Library, Way, follow

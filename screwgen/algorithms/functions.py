@@ -205,6 +205,11 @@ class Functions:
         found = self._shut(q, v).conditions
         return [c.gap for c in found], [c.rate for c in found]
 
+    def loops_at(self, q, forces) -> tuple[list, list]:
+        """The gap of every row, and the wrenches on the tips of forces of the rows, in the order of ``w_ext``."""
+        shut = self._shut(q, [0.0] * self.chain.nv)
+        return [c.gap for c in shut.conditions], shut.wrenches(forces)
+
     def _row_forces(
         self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
     ) -> tuple[list[list], list[list]]:

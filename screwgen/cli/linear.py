@@ -33,12 +33,13 @@ def run_modes(
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
     from ..simulation.runs import check_output, outputs
     from ..studies.convergence import convergence
-    from ..studies.modes import mode_shapes
+    from ..studies.modes import closed_posture, mode_shapes
 
     if plot is not None:
         check_output(plot, (".png",))
     model = derive(load_robot(robot))
-    q = state_in(posture, model).q
+    values = np.array(model.parameter_values)
+    q = closed_posture(model, None if posture is None else state_in(posture, model).q, values)
     turning = None if rates is None else numbers("v", rates, model.n_joints, "joint rates in rad/s or m/s", "rates")
     found = mode_shapes(model, q, joints, rates=turning, loaded=loaded)
     found.validity.warn()
@@ -52,9 +53,27 @@ def run_modes(
         print(json_format.dumps(modes_record(found, more), allow_nan=False))
         return
     print("\n".join(modes_table(found, more)) or NO_MODES[joints])
-    if joints == "locked" and (sprung := sprung_joints(model)):
-        springs = f"the springs of {', '.join(sprung)}"
-        print(f"screwgen: note: --joints locked also locks {springs}; --joints free lets them act", file=sys.stderr)
+    if joints == "locked":
+        for note in lock_notes(model, q):
+            print(f"screwgen: note: --joints locked {note}", file=sys.stderr)
+
+
+def lock_notes(model: Model, q: np.ndarray) -> list[str]:
+    """What --joints locked does that needs saying: to springs, and to joints that follow loops."""
+    from ..simulation.mobility import stated_joints
+    from ..studies.stiffness import stiffness
+
+    first, stated = model.chain.base_v, stated_joints(model, q, model.parameter_values)
+    names = model.q_names[model.chain.base_q :][: model.n_joints]
+    springs = stiffness(model)[first : first + model.n_joints]
+    sprung = [name for name, k, s in zip(names, springs, stated, strict=True) if k > 0 and s]
+    out = [f"also locks the springs of {', '.join(sprung)}; --joints free lets them act"] if sprung else []
+    if not stated.all():
+        locked, others = (
+            [name for name, s in zip(names, stated, strict=True) if s == which] for which in (True, False)
+        )
+        out.append(f"locks {', '.join(locked) or 'nothing'}; {', '.join(others)} follow the loops")
+    return out
 
 
 def modes_record(found: ModeShapes, more: Convergence) -> dict:
@@ -89,13 +108,6 @@ NO_MODES = {
     "locked": "no modes: every link is rigid, and --joints locked locks every joint",
     "free": "no modes: every link is rigid and welded",
 }
-
-
-def sprung_joints(model: Model) -> list[str]:
-    """The joint coordinates that have springs."""
-    from ..studies.modes import stiffness
-
-    return [name for name, k in zip(model.q_names, stiffness(model)[: model.n_joints], strict=False) if k > 0]
 
 
 # ------------------------------------------------------------------------------ equilibrium
@@ -155,6 +167,10 @@ def record(e: Equilibrium) -> dict:
     lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
     words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
     words |= {"passive": list(e.passive), "validity": e.validity.record()}
+    if e.following:
+        words["following"] = list(e.following)
+    if e.loop_wrench.any():
+        words["loop_wrench"] = (e.loop_wrench + 0.0).tolist()
     return {name: (getattr(e, name) + 0.0).tolist() for name in lists} | words
 
 
@@ -170,7 +186,8 @@ def text(model: Model, e: Equilibrium) -> str:
     torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
     named = zip(model.q_names[:m], coordinate_units(model.robot), strict=False)
-    units = [f"{unit}, on its spring" if name in e.passive else unit for name, unit in named]
+    told = dict.fromkeys(e.following, ", follows the loops") | dict.fromkeys(e.passive, ", on its spring")
+    units = [unit + told.get(name, "") for name, unit in named]
     lines += table(angles, model.q_names[:m], e.q[:m], units)
     lines += table(torques, model.tau_names, e.tau, force_units(model.robot))
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
@@ -181,6 +198,18 @@ def text(model: Model, e: Equilibrium) -> str:
     small = float(np.max(np.abs(e.wrench)))
     for link, moved, wrench in zip(model.robot.links, e.deflections, e.wrench, strict=True):
         lines.append(f"  {link.name:27}" + row(1e3 * moved) + row(wrench[:3], small) + row(wrench[3:], small))
+    if e.loop_wrench.any():
+        lines += [
+            "",
+            f"{'loops, in the tip frames':29}"
+            + "".join(f"{on:>36}" for on in ("moment on the tip, N·m", "force on the tip, N")),
+        ]
+        lines += [" " * 29 + heads(2)]
+        small = float(np.max(np.abs(e.loop_wrench)))
+        ends = {end.removesuffix(".tip") for loop in model.robot.loops for end in loop.between}
+        for link, wrench in zip(model.robot.links, e.loop_wrench, strict=True):
+            if link.name in ends:
+                lines.append(f"  {link.name:27}" + row(wrench[:3], small) + row(wrench[3:], small))
     return "\n".join(lines)
 
 

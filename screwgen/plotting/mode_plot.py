@@ -17,7 +17,8 @@ from ..simulation.motion import centrelines, modal_columns, twist
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
-from ..studies.modes import ModeShapes, stiffness_matrix
+from ..studies.modes import ModeShapes
+from ..studies.stiffness import stiffness_matrix
 from . import look
 from .look import GREY, PALE, PALETTE, canvas, filled, fit, fitted_legend, into_space, rooms, styled, view
 from .strands import strands
@@ -85,15 +86,26 @@ def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
 def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
     """The motion of the arm, linear in the mode, of arbitrary size."""
     size = np.max(np.abs(shape))
-    there, back = (q + sign * STEP / size * shape for sign in (1, -1))
+    there, back = (displaced(model, q, sign * STEP / size * shape) for sign in (1, -1))
     motion = (centrelines(model, there, STATIONS) - centrelines(model, back, STATIONS)) / (2 * STEP)
     R, R_there, R_back = (model.numpy().link_pose(x)[0][model.chain.firsts] for x in (q, there, back))
-    turns = {}
+    turns, turning = {}, np.append(np.zeros(model.nq - model.nv), shape / size)
     for i in range(len(model.robot.links)):
         if modal_columns(model, i, "torsion"):
             rolls = R[i].T @ (R_there[i] - R_back[i]) / (2 * STEP)
-            turns[i] = rolls[2, 1] + twist(model, shape[None] / size, i, STATIONS)[0]
+            turns[i] = rolls[2, 1] + twist(model, turning[None], i, STATIONS)[0]
     return Shape(motion, turns)
+
+
+def displaced(model: Model, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+    """`q` (nq,) and a small change (nv,), which turns and moves a floating base along axes of its own."""
+    first = model.chain.base_q
+    out = np.append(q[:first], q[first:] + change[model.chain.base_v :])
+    if first:
+        R = Rotation.from_quat(q[3:7], scalar_first=True)
+        out[:3] += R.apply(change[3:6])
+        out[3:7] = (R * Rotation.from_rotvec(change[:3])).as_quat(scalar_first=True)
+    return out
 
 
 def amplified(rest: np.ndarray, shape: Shape) -> Shape:
@@ -123,7 +135,8 @@ def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float
 def meaning(model: Model, shape: np.ndarray) -> str:
     """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
     energies: dict[str, float] = {}
-    for name, energy in zip(model.q_names, shape * (stiffness_matrix(model) @ shape), strict=True):
+    energy_of, first = (shape * (stiffness_matrix(model) @ shape))[model.chain.base_v :], model.chain.base_q
+    for name, energy in zip(model.q_names[first:], energy_of, strict=True):
         kind, *direction = name.partition(".")[2].partition("[")[0].split(".")
         what = f"{WORDS[direction[0]]} of {owner(name)}" if kind == "eta" else f"joint spring of {owner(name)}"
         energies[what] = energies.get(what, 0.0) + energy

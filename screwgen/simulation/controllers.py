@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import Numbers
-from ..errors import UsageError
+from ..errors import SingularError, UsageError
 from ..spec.load import DEEP_KEY, one_line, syntax_error
 from ..spec.messages import unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
+from .mobility import closing, stated_joints
 from .state import read_text, refusals, sized
 
 if TYPE_CHECKING:
@@ -38,29 +39,47 @@ class Holding:
     """The torques that hold an arm at rest at given joint angles: against gravity, and against joint springs.
 
     They are computed for the model's nominal parameters, with the modes at equilibrium. The only sensors that they need
-    are encoders.
+    are encoders. Where there are loops they are those of the joints that :func:`.mobility.stated_joints` names
+    in the first posture; the others follow without torque.
     """
 
-    TOLERANCE, STEPS = 1e-12, 30
+    TOLERANCE, SETTLED, STEPS = 1e-12, 1e-9, 30
 
     def __init__(self, model: Model, p: Numbers | None = None):
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
-        self.statics, self.count, self.chain = model.statics, model.n_joints, model.chain
+        self.model, self.statics, self.count, self.chain = model, model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if p is None else p, float)
         self.still = np.zeros((6, model.n_links))
+        self.stated: np.ndarray | None = None
 
     def __call__(self, q: Numbers) -> np.ndarray:
         """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
-        m = self.count
-        x = self.chain.filled(np.asarray(q, float)[:m], self.p)
+        m, rows = self.count, len(self.chain.closures)
+        x, forces = self.chain.filled(np.asarray(q, float)[:m], self.p), np.zeros(rows)
+        if self.stated is None:
+            self.stated = stated_joints(self.model, x, self.p)
+        i = np.append(np.flatnonzero(~self.stated), np.arange(m, len(x)))
         for _ in range(self.STEPS):
-            _, force, K, *_ = self.statics(x, self.still, self.p)
-            force, K = np.array(force)[:, 0], np.array(K)[m:, m:]
-            step = np.linalg.solve(K, -force[m:])
-            x[m:] += step
-            if np.abs(step).max(initial=0.0) <= self.TOLERANCE * np.abs(x[m:]).max(initial=0.0):
+            _, force, K, *_ = map(np.array, self.statics(x, self.still, self.p))
+            force, J, gap = force[:, 0], np.zeros((0, len(x))), np.zeros(0)
+            if rows:
+                gap, J, _, bend, _ = map(np.array, closing(self.model)(x, np.zeros(len(x)), forces, self.p))
+                force, K, gap = force - J.T @ forces, K - bend, gap[:, 0]
+            A = np.block([[K[np.ix_(i, i)], -J[:, i].T], [J[:, i], np.zeros((rows, rows))]])
+            step = self._solved(A, -np.append(force[i], gap))
+            moved, changed = np.split(step, [len(i)])
+            x[i] += moved
+            forces += changed
+            settled = np.abs(moved).max(initial=0.0) <= self.TOLERANCE * np.abs(x[i]).max(initial=0.0)
+            if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
-        return self.chain.at_rotors(force[:m], self.p)
+        return self.chain.at_rotors(np.where(self.stated, force[:m], 0.0), self.p)
+
+    def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
+        try:
+            return np.linalg.solve(A, b)
+        except np.linalg.LinAlgError:
+            raise SingularError("gravity compensation: the loops are singular in this posture; leave it out") from None
 
 
 @dataclass(frozen=True)

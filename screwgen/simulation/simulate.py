@@ -19,6 +19,7 @@ from .controllers import Controller
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
+from .mobility import check_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
 from .runs import FORMATS, Run, check_output
 from .validity import ModelLeftError
@@ -202,25 +203,10 @@ def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | No
     return found
 
 
-OPEN = 1e-6
-"""The largest gap (m, or of cosines) and rate of one that a run may start with."""
-
-
 def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a start at which a loop is open or opens; raises UsageError."""
-    if not model.chain.closures:
-        return
-    for values, name, remedy in zip(model.numpy(p).gaps(q, v), ("q0", "v0"), ASSEMBLED, strict=True):
-        worst = int(np.argmax(np.abs(values)))
-        if not abs(values[worst]) < OPEN:
-            what = ("is open by", "opens by")[name == "v0"]
-            raise UsageError(f"{name}: {model.chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
-
-
-ASSEMBLED = (
-    "start from what `screwgen assemble` or screwgen.assemble gives",
-    "start at rest, or with rates that keep it closed",
-)
+    for name, values in zip(("q0", "v0"), model.numpy(p).gaps(q, v) if model.chain.closures else (), strict=False):
+        check_closed(model.chain, name, values)
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

@@ -15,12 +15,24 @@ from scipy.linalg import block_diag
 from ..arguments import Numbers
 from ..bases import products
 from ..errors import SingularError
+from ..simulation.mobility import jacobian
 from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .modes import STUDY, movable, posture, relative, stiffness_matrix, uncoupled, vibrations, without_rigid_motion
-from .steady import oscillations, steady
+from .hanging import about
+from .modes import (
+    closed_posture,
+    following,
+    loaded_motion,
+    loaded_shapes,
+    movable,
+    uncoupled,
+    vibrations,
+    without_rigid_motion,
+)
+from .steady import Steady, steady
+from .stiffness import relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -57,30 +69,44 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
-    model.chain.needs_fixed_tree(*STUDY)
-    moving = movable(model, joints)
-    if not len(moving):
-        return Convergence(np.zeros(0), {})
     rich = type(model)(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
-    own, free = np.array(list(names.values())), len(moving) == model.nv
-    q, here = posture(model, q, own), _space(model, rich, ())
+    own = np.array(list(names.values()))
+    q = closed_posture(model, q, own)
+    moving = movable(model, joints, q, own)
+    if not len(moving):
+        return Convergence(np.zeros(0), {})
+    free, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
     if loaded or rates is not None:
-        q = steady(model, q, rates, loaded, own, moving).q
-        about = steady(rich, here @ q, rates, loaded, np.array(values), movable(rich, joints), settle=False)
-        M, G, K, rigid = about.M, about.G, about.K, about.rigid if free else None
-        ritz = lambda b: oscillations(b.T @ M @ b, b.T @ G @ b, b.T @ K @ b, rigid).omega  # noqa: E731
+        loads = loaded_motion(model, q, rates, loaded, own, moving)
+        motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
+        ritz = lambda basis: loaded_shapes(rich, motion, basis, free)[0].omega  # noqa: E731
     else:
-        T = relative(rich, values) if free else np.eye(rich.nv)
-        M, K = T.T @ rich.numpy(values).mass_matrix(here @ q) @ T, stiffness_matrix(rich, values, relative=free)
-        ritz = lambda basis: _at_rest(model, basis, M, K)  # noqa: E731
-    held = np.setdiff1d(np.arange(model.nv), moving)
+        T, at = relative(rich, values) if free else np.eye(rich.nv), _enriched(model, rich, q)
+        M, K = T.T @ rich.numpy(values).mass_matrix(at) @ T, stiffness_matrix(rich, values, relative=free)
+        J = jacobian(rich, at, values) @ T
+        ritz = lambda basis: _at_rest(model, basis, M, K, J)  # noqa: E731
     frequencies = lambda directions: ritz(np.delete(_space(model, rich, directions), held, axis=1))  # noqa: E731
     now = frequencies(())
     more = [d for d in DIRECTIONS if any(_more(link, d) for link in model.robot.links)]
     change = lambda directions: _change(now, frequencies(directions))  # noqa: E731
     return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
+
+
+def _enriched(model: Model, rich: Model, q: np.ndarray) -> np.ndarray:
+    """The coordinates of the rich model in a posture `q` (nq,) of the other."""
+    modes = _space(model, rich, ())[model.chain.eta_v :, model.chain.eta_v :] @ q[model.chain.eta_q :]
+    return np.append(q[: model.chain.eta_q], modes)
+
+
+def _loaded(
+    rich: Model, q: np.ndarray, loads: Steady, rates: Numbers | None, loaded: bool, p: np.ndarray, held: np.ndarray
+) -> Steady:
+    """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
+    if not rich.chain.closures:
+        return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
+    return about(rich, q, p, loads.loops)
 
 
 def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
@@ -89,8 +115,10 @@ def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
     return np.divide(then - now, now, out=np.zeros(len(now)), where=now > 0)
 
 
-def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """Circular frequencies of the motions in the columns of a `basis`."""
+def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: np.ndarray) -> np.ndarray:
+    """Circular frequencies of motions in the columns of a `basis` that keep gaps, whose Jacobian is `J`, closed."""
+    if len(J):
+        basis = basis @ following(J @ basis, np.diag(basis.T @ K @ basis))
     try:
         left, k = _springs(model, basis, K)
         rest, springs, _ = without_rigid_motion(left.T @ M @ left, k)
@@ -102,7 +130,7 @@ def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray) -> n
 
 def _springs(model: Model, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The ``basis`` with its columns combined such that the stiffness is diagonal, and that diagonal."""
-    if not model.chain.coupled:
+    if not (model.chain.coupled or model.chain.closures):
         return basis, np.diag(K) @ basis**2
     change, k = uncoupled(basis.T @ K @ basis)
     return basis @ change, k
@@ -129,8 +157,8 @@ def _more(link: Link, direction: str) -> bool:
 
 
 def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
-    """The coordinates of the rich model, one column for each coordinate that stays: all modes of `directions`."""
-    blocks = [np.eye(model.chain.eta_q)]
+    """The rates of the rich model, one column for each that stays: all modes of `directions`."""
+    blocks = [np.eye(model.chain.eta_v)]
     for segment in model.chain.segments:
         few, many = (robot.links[segment.link] for robot in (model.robot, rich.robot))
         for d in DIRECTIONS:

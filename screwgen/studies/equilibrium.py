@@ -10,14 +10,17 @@ import scipy.linalg
 
 from .. import notebook
 from ..arguments import Given, Numbers, choice
+from ..backends.numpy.closing import closed
 from ..errors import UsageError
+from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
 from ..spec.robot import Robot
 from .linear import checked
-from .modes import stiffness
+from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .steady import wound
+from .stiffness import stiffness
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -62,6 +65,10 @@ class Equilibrium:
     """How far the links are from the limits of the model, of which `stability` knows nothing."""
     q_names: tuple[str, ...]
     """The names of the coordinates."""
+    following: tuple[str, ...]
+    """The joint coordinates that follow the loops while the others are held."""
+    loop_wrench: np.ndarray
+    """(n, 6): what loops exert on the tips [τ; F], tip-frame components; zero without loops."""
 
     def __repr__(self) -> str:
         joints = "joints held" if self.held else "joints free"
@@ -93,6 +100,8 @@ def equilibrium(
     torques `tau` (n_tau,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
     down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
     hold the modes' start too (nq,).
+    Where there are loops they are closed. Held are then as many joints as the loops leave to state, those with drives
+    before others and those first in the file before later ones; the others follow.
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
     then `stability` says so. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
@@ -110,20 +119,42 @@ def equilibrium(
     alone = q is not None and np.size(q) == m != model.nq
     start = model.chain.filled(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
     values, torques = model.chain.parameters.vector(p), checked(tau, "tau", m)
-    held = np.full(m, bool(hold)) & ((stiffness(model, values)[:m] == 0) | (hold == "all"))
+    springs = stiffness(model, values)[:m] > 0
+    start, stated = closed_start(model, values, start, bool(hold))
+    held = np.full(m, bool(hold)) & (~springs | (hold == "all")) & stated
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
-    balance = _rested if model.chain.n_motors else _balanced
-    statics, b = balance(model, values, torques, w_ext, held, start)
-    found = _report(statics, b, held, bool(hold))
+    statics, b = rest(model, values, torques, w_ext, held, start)
+    found = _report(statics, b, held, bool(hold), stated)
     found.validity.warn()
     return found
+
+
+def rest(
+    model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
+    """The forces, and the rest in which the search from `start` (nq,) ends, the joints in `held` (n_joints,) locked."""
+    return (_rested if model.chain.n_motors else _balanced)(model, p, tau, w_ext, held, start)
+
+
+def closed_start(model: Model, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
+    """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay."""
+    chain = model.chain
+    if not chain.closures:
+        return start, np.ones(chain.n_joints, bool)
+    numeric, m, fixed = model.numpy(p), chain.n_joints, np.arange(chain.nv) >= chain.n_joints
+    near = closed(numeric, start, fixed)
+    stated = stated_joints(model, near, p)
+    if hold:
+        fixed[:m], near[:m] = stated, np.where(stated, start[:m], near[:m])
+        near = closed(numeric, near, fixed)
+    return np.append(chain.relaxed(near[:m], p), near[chain.eta_q :]), stated
 
 
 def _statics(model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
     load[model.chain.driven], still[model.chain.driven] = tau, held
-    return Statics(model, p, load, w_ext, np.flatnonzero(~still))
+    return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
 def _balanced(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
@@ -158,7 +189,7 @@ def rigid(robot: Robot) -> Robot:
     return robot.model_copy(update={"links": tuple(links)})
 
 
-def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equilibrium:
+def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:
     model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.driven
     straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
@@ -167,17 +198,21 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool) -> Equil
         q=b.q,
         tau=np.where(held, b.force[driven] + 0.0, statics.load[driven]),
         held=hold,
-        passive=tuple(name for name, h in zip(model.q_names, held, strict=False) if hold and not h),
+        passive=tuple(
+            name for name, h, k in zip(model.q_names, held, statics.springs, strict=False) if hold > h and k > 0
+        ),
         residual=b.residual,
         stability=stability,
         stiffness=eigenvalues,
         loose=loose,
-        wrench=b.wrench[model.chain.firsts],
+        wrench=statics.wrenches(b)[model.chain.firsts],
         tip_position=b.tip,
         tip_deflection=b.tip - straight.tip,
         deflections=np.array(own),
         q_names=tuple(model.q_names),
-        validity=model.validity_at_rest(b.q, statics.w_ext, statics.p),
+        validity=model.validity_at_rest(b.q, statics.borne(b), statics.p),
+        following=tuple(name for name, s in zip(model.q_names, stated, strict=False) if hold and not s),
+        loop_wrench=(statics.borne(b) - statics.w_ext)[model.chain.lasts],
     )
 
 
@@ -189,7 +224,8 @@ def _stability(statics: Statics, b: Balance) -> tuple[str, np.ndarray, tuple[str
     eigenvalues, vectors = scipy.linalg.eig(K) if statics.w_ext.any() else scipy.linalg.eigh((K + K.T) / 2)
     order = np.argsort(eigenvalues.real)
     values, vectors = eigenvalues.real[order], vectors[:, order]
-    weak = [statics.moving[np.argmax(np.abs(vectors[:, k]))] for k in np.flatnonzero(values <= NEUTRAL)]
+    moved = statics.directions(b) @ vectors
+    weak = [statics.moving[np.argmax(np.abs(moved[:, k]))] for k in np.flatnonzero(values <= NEUTRAL)]
     loose = tuple(statics.model.q_names[k] for k in dict.fromkeys(weak))
     if values[0] < -NEUTRAL:
         return "unstable", values, loose
@@ -200,8 +236,9 @@ def _stability(statics: Statics, b: Balance) -> tuple[str, np.ndarray, tuple[str
 
 def _flutters(statics: Statics, b: Balance) -> bool:
     """Whether the undamped small motions have growing oscillations: squares of frequencies that are not real."""
-    i = statics.moving
+    i, D = statics.moving, statics.units[statics.moving]
     M = statics.model.numpy(statics.p).mass_matrix(b.q)[np.ix_(i, i)]
-    squares = scipy.linalg.eigvals(b.stiffness[np.ix_(i, i)], M)
+    Z = statics.directions(b)
+    squares = scipy.linalg.eigvals(statics.scaled(b)[1], Z.T @ (M / np.outer(D, D)) @ Z)
     squares = squares[np.isfinite(squares)]
     return bool((np.abs(squares.imag) > 1e-6 * np.abs(squares)).any())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,10 +13,18 @@ from ..arguments import Given, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
+from ..simulation.mobility import by_drive, check_closed, closing, mobility
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
 from ..topology.chain import Chain
+
+CHANGES = {"rotation": "rad", "displacement": "m"}
+"""What changes of the pose of a floating base are, with their units."""
+CHANGES_RATES = ("rad", "rad", "rad", "m", "m", "m")
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
@@ -29,17 +37,19 @@ STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z"
 class LinearModel:
     """A robot's small motions δ about a state: `d/dt (x + δx) = [v; vdot] + A δx + B δu`, `y + δy = y + C δx + D δu`.
 
-    The state is x = [q; v], the joints' and modes' coordinates and their rates. Unpacks as `A, B, C, D`, as in
+    The state is x = [q; v], the joints' and modes' coordinates and their rates, d of each: of a robot with loops those
+    that the loops leave independent. A floating base has six in place of its pose: the rotation vector and the
+    displacement from where it would be, in axes of F_1, zero at the state linearised at. Unpacks as `A, B, C, D`, as in
     `control.ss(*linear)`, and `linear[0]` is A; `linear[outputs, inputs]` is the model of some outputs and inputs
     alone, by names, numbers or slices. SI units, radians.
     """
 
     A: np.ndarray
-    """(2 nq, 2 nq): with the state."""
+    """(2 d, 2 d): with the state."""
     B: np.ndarray
-    """(2 nq, inputs)."""
+    """(2 d, inputs)."""
     C: np.ndarray
-    """(outputs, 2 nq)."""
+    """(outputs, 2 d)."""
     D: np.ndarray
     """(outputs, inputs): not zero for accelerations and wrenches."""
     state_names: tuple[str, ...]
@@ -49,7 +59,7 @@ class LinearModel:
     input_units: tuple[str, ...]
     output_units: tuple[str, ...]
     x: np.ndarray
-    """(2 nq,): the state linearised at, [q; v]."""
+    """(2 d,): the state linearised at, [q; v]."""
     u: np.ndarray
     """(inputs,): the inputs there."""
     y: np.ndarray
@@ -59,7 +69,7 @@ class LinearModel:
     w_ext: np.ndarray
     """(n, 6): the external wrenches there, [τ; F] on each tip section, tip-frame components."""
     vdot: np.ndarray
-    """(nq,): the accelerations there, zero in equilibrium; the linear model omits them."""
+    """(nv,): the accelerations there, zero in equilibrium; the linear model omits them."""
     parameters: np.ndarray
     """The parameter values used."""
 
@@ -115,7 +125,7 @@ class LinearModel:
         return {kind: [name.replace(".", separator) for name in names] for kind, names in kinds.items()}
 
     def eigenvalues(self) -> np.ndarray:
-        """The poles (2 nq,) in 1/s, by imaginary part, then by real part."""
+        """The poles (2 d,) in 1/s, by imaginary part, then by real part."""
         poles = np.linalg.eigvals(self.A).astype(complex)
         return poles[np.lexsort((poles.real, poles.imag))]
 
@@ -146,8 +156,7 @@ def _places(key: Any, names: Sequence[str], what: str) -> list[int]:
 
 
 def linearise(
-    chain: Chain,
-    derivatives: Any,
+    model: Model,
     q: Numbers,
     v: Numbers | None = None,
     tau: Numbers | None = None,
@@ -156,33 +165,34 @@ def linearise(
     outputs: Sequence[str] | str = OUTPUTS,
     inputs: Sequence[str] | str = INPUTS,
 ) -> LinearModel:
-    """What `Model.linearise` does; `derivatives` is the CasADi function of `emit.casadi_linear.linearisation`."""
-    chain.needs_fixed("linear model", "differentiate casadi()['step'], or fix the base")
+    """What `Model.linearise` does."""
+    from ..backends.casadi.linear import linearisation
+
+    chain, derivatives = model.chain, model.once("linearisation", lambda: linearisation(model.chain))
     numbers = Numeric(chain, chain.parameters.vector(parameters))
-    if np.size(q) == chain.n_joints != chain.nq:
-        q = chain.filled(checked(q, "q", chain.n_joints), numbers.p)
-    q, v, tau = checked(q, "q", chain.nq), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
+    q, v, tau = whole(chain, q, numbers.p), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
-    names = coordinate_names(chain.robot)
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
-    units = coordinate_units(chain.robot)
+    own, T = motions(model, q, v, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
     vdot, y, vdot_x, vdot_u, y_x, y_u = (np.array(x) + 0.0 for x in derivatives(q, v, tau, w_ext.T, numbers.p))
     i, j = list(rows.values()), list(columns.values())
-    top = np.hstack([np.zeros((chain.nq, chain.nq)), np.eye(chain.nq)])
+    states = state_names(chain)
+    both = [*own, *(chain.nv + own)]
+    A = np.vstack([np.hstack([carried(chain, v), np.eye(chain.nv)]), vdot_x])[both] @ T
     return LinearModel(
-        A=np.vstack([top, vdot_x]),
-        B=np.vstack([np.zeros_like(vdot_u), vdot_u])[:, j],
-        C=y_x[i],
+        A=A,
+        B=np.vstack([np.zeros_like(vdot_u), vdot_u])[np.ix_(both, j)],
+        C=y_x[i] @ T,
         D=y_u[np.ix_(i, j)],
-        state_names=(*names.q, *names.v),
+        state_names=tuple(list(states)[k] for k in both),
         input_names=tuple(columns),
         output_names=tuple(rows),
-        state_units=(*units, *(f"{unit}/s" for unit in units)),
+        state_units=tuple(list(states.values())[k] for k in both),
         input_units=tuple(entries(givers)[name] for name in columns),
         output_units=tuple(entries(takers)[name] for name in rows),
-        x=np.concatenate([q, v]),
+        x=np.concatenate([np.zeros(chain.base_v), q[chain.base_q :], v])[both],
         u=np.concatenate([tau, w_ext.ravel()])[j],
         y=y[i, 0],
         tau=tau,
@@ -192,7 +202,64 @@ def linearise(
     )
 
 
+def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
+    """The coordinates (nq,) of a posture: as given, the joints alone, or where everything is zero."""
+    if (q is not None and np.size(q) == chain.n_joints != chain.nq) or (q is None and chain.floating):
+        given = checked(q, "q", chain.n_joints) if q is not None else np.zeros(0)
+    else:
+        given = checked(q, "q", chain.nq)
+    found = chain.complete(given, p)
+    if isinstance(found, str):
+        raise UsageError(f"q: {found}")
+    return found
+
+
+def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
+    """The numbers (d,) of independent coordinates, and T (2 nv, 2 d): all changes [δ; δv] by those of these.
+
+    Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
+    """
+    chain = model.chain
+    if not chain.closures:
+        return np.arange(chain.nv), np.eye(2 * chain.nv)
+    gap, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
+    check_closed(chain, "q", gap[:, 0])
+    check_closed(chain, "v", J @ v)
+    own, D, N = mobility(J, by_drive(chain))
+    turned = np.zeros_like(N)
+    turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]
+    return own, np.block([[N, np.zeros_like(N)], [turned, N]])
+
+
+def carried(chain: Chain, v: np.ndarray) -> np.ndarray:
+    """(nv, nv): how changes of the posture change at constant rates: those of a floating base turn with its axes."""
+    out = np.zeros((chain.nv, chain.nv))
+    if chain.floating:
+        omega, speed = hat(v[:3]), hat(v[3:6])
+        out[:6, :6] = -np.block([[omega, np.zeros((3, 3))], [speed, omega]])
+    return out
+
+
+def hat(a: np.ndarray) -> np.ndarray:
+    """The matrix of the cross product with `a` (3,)."""
+    return np.cross(np.eye(3), a).T
+
+
 # ------------------------------------------------------------------------------ names
+
+
+def state_names(chain: Chain) -> dict[str, str]:
+    """The names of the entries of [δ; v], with their units."""
+    names, first = coordinate_names(chain.robot), chain.base_q
+    pose = {f"base.{what}_{axis}": unit for what, unit in CHANGES.items() for axis in "xyz" if chain.floating}
+    q = pose | dict(zip(names.q[first:], coordinate_units(chain.robot)[first:], strict=True))
+    return q | rates(chain)
+
+
+def rates(chain: Chain) -> dict[str, str]:
+    """The names of the entries of v, with their units."""
+    units = [*CHANGES_RATES * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
+    return {name: f"{unit}/s" for name, unit in zip(coordinate_names(chain.robot).v, units, strict=True)}
 
 
 Groups = dict[str, dict[str, str]]
@@ -208,19 +275,20 @@ def input_groups(chain: Chain) -> Groups:
 
 def output_groups(chain: Chain) -> Groups:
     """The outputs in the order of y."""
-    names, m, e = coordinate_names(chain.robot), chain.n_joints, chain.eta_q
-    units = coordinate_units(chain.robot)
-    q = dict(zip(names.q, units, strict=True))
-    v = {name: f"{unit}/s" for name, unit in zip(names.v, units, strict=True)}
+    names, m = coordinate_names(chain.robot), chain.n_joints
+    q = [*zip(names.q, coordinate_units(chain.robot), strict=True)]
+    v, a, b = [*rates(chain).items()], chain.base_q, chain.base_v
     parts = {
-        "joint_angles": dict(list(q.items())[:m]),
-        "rotor_angles": dict(list(q.items())[m:e]),
-        "modes": dict(list(q.items())[e:]),
-        "joint_rates": dict(list(v.items())[:m]),
-        "rotor_rates": dict(list(v.items())[m:e]),
-        "mode_rates": dict(list(v.items())[e:]),
+        "base_pose": q[:a],
+        "joint_angles": q[a : a + m],
+        "rotor_angles": q[a + m : chain.eta_q],
+        "modes": q[chain.eta_q :],
+        "base_twist": v[:b],
+        "joint_rates": v[b : b + m],
+        "rotor_rates": v[b + m : chain.eta_v],
+        "mode_rates": v[chain.eta_v :],
     }
-    parts = {name: own for name, own in parts.items() if own or not name.startswith("rotor")}
+    parts = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
     gauged = {

@@ -8,18 +8,21 @@ import numpy as np
 import scipy.linalg
 
 from ..arguments import Given, Numbers, choice
+from ..backends.numpy.closing import closed
 from ..errors import SingularError, UsageError
+from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch
-from .linear import checked
-from .steady import oscillations, steady
+from .hanging import hanging
+from .linear import whole
+from .steady import Oscillations, Steady, oscillations, steady
+from .stiffness import relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
 
 JOINTS = ("locked", "free")
 
-
-STUDY = "table of modes", "look at the robot with a fixed base and without loops"
+LOADED = "table of modes under loads or at rates", "leave these out"
 
 
 def natural_frequencies(
@@ -34,8 +37,9 @@ def natural_frequencies(
 
     `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; where
     drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
-    springs, (nq,): motions that no spring resists give exactly 0. `p`: parameter
-    values, the file's by default.
+    springs, (nq,): motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
+    zeros. Where loops are closed at `q`, as many motions as they leave are found; "locked" locks the joints of
+    :func:`..simulation.mobility.stated_joints`, and the others follow. `p`: parameter values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
     cases torques hold the joints at `q`, and the vibrations are about the deflection that follows.
@@ -57,7 +61,7 @@ class ModeShapes(NamedTuple):
 
     frequencies: np.ndarray
     shapes: np.ndarray
-    """(nq, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary. About a turning arm:
+    """(nv, count): each mode's column of coordinates, of unit modal mass; its sign is arbitrary. About a turning arm:
     the displacement when its largest coordinate is at its peak, others being out of phase.
     """
     rigid: int
@@ -83,26 +87,25 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    model.chain.needs_fixed_tree(*STUDY)
     p = model.chain.parameters.vector(p)
-    q, moving = posture(model, q, p), movable(model, joints)
+    q = closed_posture(model, q, p)
+    moving = movable(model, joints, q, p)
     if not len(moving):
         nothing = Watch(model.chain.names).validity()
-        return ModeShapes(np.zeros(0), np.zeros((model.nq, 0)), 0, nothing, np.zeros(0))
+        return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
-        about = steady(model, q, rates, loaded, p, moving)
-        M, G, K = (x[np.ix_(moving, moving)] for x in (about.M, about.G, about.K))
-        omega, growth, columns, rigid = oscillations(M, G, K, about.rigid if len(moving) == model.nv else None)
-        shapes = np.zeros((model.nv, len(omega)))
-        shapes[moving] = columns
-        return ModeShapes(omega / (2 * np.pi), shapes, rigid, about.validity(model), growth)
+        about = loaded_motion(model, q, rates, loaded, p, moving)
+        found, basis = loaded_shapes(model, about, np.eye(model.nv)[:, moving], len(moving) == model.nv)
+        frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
+        return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
-    validity = model.validity_at_rest(q, parameters=p)
+    weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
+    validity = model.validity_at_rest(q, loads_of_loops(model, q, weight), weight)
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, validity, np.zeros(len(frequencies)))
 
 
 def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Shapes (nq, count) and circular frequencies at rest without gravity, and the number of rigid motions.
+    """Shapes (nv, count) and circular frequencies at rest without gravity, and the number of rigid motions.
 
     Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
     """
@@ -110,41 +113,86 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
     if len(moving) == model.nv and model.chain.n_motors:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
+    N = following((jacobian(model, q, p) @ T)[:, moving], np.diag(K))
+    M, K = (M, K) if N is None else (N.T @ M @ N, N.T @ K @ N)
     free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
-    out = np.zeros((model.nv, len(held)))
+    columns, out = np.zeros((len(K), len(held))), np.zeros((model.nv, len(held)))
     try:
         basis, k = uncoupled(K)
         M = basis.T @ ((M + M.T) / 2) @ basis
         rest, springs, rigid = without_rigid_motion(M, k)
         frequencies, vectors = vibrations(rest, springs)
-        out[moving[held]] = vectors
+        columns[held] = vectors
         if len(free):
             coupling = M[np.ix_(free, held)] @ vectors
-            out[moving[free]] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
-        out[moving] = basis @ out[moving]
+            columns[free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+        out[moving] = basis @ columns if N is None else N @ (basis @ columns)
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
     return T @ out, frequencies, rigid
 
 
+def loaded_motion(
+    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
+) -> Steady:
+    """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
+    model.chain.needs_fixed(*LOADED)
+    if not model.chain.closures:
+        return steady(model, q, rates, loaded, p, moving)
+    if rates is not None:
+        what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
+        raise UsageError(f"{what}; leave the rates out, or simulate it")
+    return hanging(model, q, p)
+
+
+def loaded_shapes(model: Model, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:
+    """The natural motions in the columns of `basis` (nv, n), and where there are loops columns (nv, d) that keep them.
+
+    `free`: whether the joints move.
+    """
+    rigid = about.rigid if free else None
+    if len(about.J):
+        J, springs = about.J @ basis, np.diag(basis.T @ stiffness_matrix(model, about.p) @ basis)
+        independent, _, N = mobility(J, by_spring(J, springs))
+        if rigid is not None:
+            rigid = np.vstack([rigid, np.zeros((len(N) - len(rigid), rigid.shape[1]))])[independent]
+        basis = basis @ N
+    M, G, K = (basis.T @ x @ basis for x in (about.M, about.G, about.K))
+    return oscillations(M, G, K, rigid), basis
+
+
 def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
-    """The coordinates (nq,) of a posture: as given, the joints alone, or all zero."""
-    if q is not None and np.size(q) == model.n_joints != model.nq:
-        q = model.chain.filled(checked(q, "q", model.n_joints), p)
-    return checked(q, "q", model.nq)
+    """The coordinates (nq,) of a posture: as given, the joints alone, or where everything is zero."""
+    return whole(model.chain, q, p)
 
 
-def movable(model: Model, joints: str) -> np.ndarray:
-    """The coordinates that may move: all, or those that no drive acts on."""
-    locked = choice(joints, JOINTS, "joints: there is no") == "locked"
-    return np.setdiff1d(np.arange(model.nv), model.chain.driven if locked else [])
+def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
+    """The same; without a `q` the posture with closed loops next to zero. Raises UsageError where a loop is open."""
+    chain, at = model.chain, posture(model, q, p)
+    if not chain.closures:
+        return at
+    if q is None:
+        at = closed(model.numpy(p), at, np.arange(chain.nv) >= chain.eta_v)
+        at = np.append(chain.relaxed(at[: chain.n_joints], p), at[chain.eta_q :])
+    check_closed(chain, "q", model.numpy(p).gaps(at, None)[0])
+    return at
 
 
-def relative(model: Model, p: Numbers) -> np.ndarray:
-    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
-    chain, T = model.chain, np.eye(model.nv)
-    T[chain.eta_v - chain.n_motors + np.arange(chain.n_motors), chain.geared] = chain.ratios(p)
-    return T
+def movable(model: Model, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
+    """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
+    if choice(joints, JOINTS, "joints: there is no") == "free":
+        return np.arange(model.nv)
+    chain, driven = model.chain, np.array(model.chain.driven, int)
+    rotors = driven >= chain.eta_v - chain.n_motors
+    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
+
+
+def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:
+    """How coordinates follow those that loops leave independent, (n, d), by the Jacobian (rows, n) of the gaps.
+
+    None without loops. `springs` (n,): those without a spring follow first, so that the others keep their stiffness.
+    """
+    return mobility(J, by_spring(J, springs)).follow if len(J) else None
 
 
 def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -163,26 +211,6 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
 
 
-def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
-    """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
-
-    `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
-    """
-    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
-    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
-    ratios = model.chain.ratios(model.parameter_values if p is None else p)
-    for rotor, (joint, k, ratio) in enumerate(zip(model.chain.geared, gears, ratios, strict=True), first):
-        K[rotor, rotor] = k
-        if not relative:
-            K[joint, joint] += ratio**2 * k
-            K[rotor, joint] = K[joint, rotor] = -ratio * k
-    for i, key in enumerate(model.chain.keys):
-        first = model.chain.eta_v + model.chain.eta_offset[i]
-        for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
-            K[first + a, first + b] = K[first + b, first + a] = k
-    return K
-
-
 def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Columns ``T`` (n, n) with ``T^T K T = diag(k)``, and ``k`` (n,); rows of ``K`` without a spring are zero.
 
@@ -195,22 +223,6 @@ def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         k[held] = np.diag(C) ** 2
         T[np.ix_(held, held)] = scipy.linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
     return T, k
-
-
-def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
-    """The stiffness of joint springs (N·m/rad) and of modes (N/m, torsion: N·m/rad), (nv,); of rotors zero.
-
-    A floating base, whose six entries come first, has none.
-    """
-    values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
-    springs = [
-        values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
-        for link in model.robot.links
-        for j in range(len(link.joint.axes))
-    ]
-    modal = (k for constants in model.numpy(p).constants for k in constants["K"])
-    chain = model.chain
-    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
 
 
 def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .modes import stiffness, stiffness_matrix
+from .stiffness import stiffness, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -132,20 +132,36 @@ class Statics:
         i, D = self.moving, self.units[self.moving]
         return b.force[i] / D, b.stiffness[np.ix_(i, i)] / np.outer(D, D)
 
-    def moved(self, q: np.ndarray, step: np.ndarray) -> Balance:
-        """The balance after `step`, in the coordinates D q, from `q`."""
-        there = q.copy()
-        there[self.moving] += step / self.units[self.moving]
-        return self.at(there)
+    def directions(self, b: Balance) -> np.ndarray:
+        """(moving, d): what the entries of `scaled` and of steps move, in the coordinates D q."""
+        return np.eye(len(self.moving))
+
+    def moved(self, b: Balance, step: np.ndarray) -> Balance:
+        """The balance after `step` (d,) from `b`."""
+        there = b.q.copy()
+        there[self.moving] += self.directions(b) @ step / self.units[self.moving]
+        return self.at(self.near(there))
+
+    def near(self, q: np.ndarray) -> np.ndarray:
+        """The posture next to `q` (nq,) that the robot can take."""
+        return q
+
+    def borne(self, b: Balance) -> np.ndarray:
+        """(n, 6): the wrenches on the tips, those of loops included."""
+        return self.w_ext
+
+    def wrenches(self, b: Balance) -> np.ndarray:
+        """(n, 6): the joint wrenches."""
+        return b.wrench
 
     def share(self, part: float, wrenches: float) -> Statics:
         """The same with a part of gravity and torques, and one of the wrenches."""
         p = np.concatenate([part * self.p[:3], self.p[3:]])
-        return Statics(self.model, p, part * self.load, wrenches * self.w_ext, self.moving)
+        return type(self)(self.model, p, part * self.load, wrenches * self.w_ext, self.moving)
 
-    def bounded(self, step: np.ndarray) -> np.ndarray:
+    def bounded(self, b: Balance, step: np.ndarray) -> np.ndarray:
         """`step` made so short that it turns, slides and bends nothing by more than `MOST_TURN`."""
-        turns = np.abs(step / (self.units * self.reach)[self.moving])
+        turns = np.abs(self.directions(b) @ step / (self.units * self.reach)[self.moving])
         return step * min(1.0, MOST_TURN / max(np.max(turns, initial=0.0), 1e-300))
 
     def wandered(self, q: np.ndarray) -> np.ndarray:
@@ -177,7 +193,7 @@ def downhill(statics: Statics, b: Balance) -> Balance:
         force, K = statics.scaled(b)
         curvature, modes = np.linalg.eigh((K + K.T) / 2)
         step = -modes @ ((modes.T @ force) / np.maximum(np.abs(curvature), FLAT))
-        there = shortened(statics, b, statics.bounded(step), force, bool((curvature > 0).all()))
+        there = shortened(statics, b, statics.bounded(b, step), force, bool((curvature > 0).all()))
         if there is None:
             break
         b = there
@@ -187,7 +203,7 @@ def downhill(statics: Statics, b: Balance) -> Balance:
 def shortened(statics: Statics, b: Balance, step: np.ndarray, force: np.ndarray, convex: bool) -> Balance | None:
     """The balance after `step` or a part of it that lowers the energy, near a minimum the forces; None: none does."""
     for _ in range(40):
-        there, slope = statics.moved(b.q, step), float(force @ step)
+        there, slope = statics.moved(b, step), float(force @ step)
         if there.energy <= b.energy + 1e-4 * slope or (convex and there.residual < 0.5 * b.residual):
             return there
         step = step / 2
@@ -224,19 +240,20 @@ def _loads_growing(statics: Statics, q: np.ndarray) -> Balance:
 
 def least(statics: Statics, q: np.ndarray) -> Balance:
     """The balance of the least forces near `q`."""
-    at = lambda step: statics.scaled(statics.moved(q, step))  # noqa: E731
+    here = statics.at(q)
     none = np.zeros(len(statics.moving))
-    if not none.size:
-        return statics.at(q)
+    if statics.model.chain.closures or not none.size:  # with loops the directions change on the way
+        return polished(statics, here)
+    at = lambda step: statics.scaled(statics.moved(here, step))  # noqa: E731
     step = least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x
-    return polished(statics, statics.moved(q, step))
+    return polished(statics, statics.moved(here, step))
 
 
 def polished(statics: Statics, b: Balance) -> Balance:
     """Newton steps while they help."""
-    while b.residual > 0 and len(b.moving):
-        force, K = statics.scaled(b)
-        there = statics.moved(b.q, -np.linalg.lstsq(K, force, rcond=1e-10)[0])
+    while b.residual > 0 and len((found := statics.scaled(b))[0]):
+        force, K = found
+        there = statics.moved(b, -np.linalg.lstsq(K, force, rcond=1e-10)[0])
         if not there.residual < 0.9 * b.residual:
             break
         b = there

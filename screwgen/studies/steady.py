@@ -6,6 +6,7 @@ About such a motion the linear equations have constant coefficients, ``M ẍ + G
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from .linear import checked
 
 if TYPE_CHECKING:
     from ..model import Model
+    from ..topology.loops import Closure
 
 ITERATIONS, SETTLED = 50, 1e-10
 """Newton steps to the steady deflection at most; a step of this size relative to the deflection is the last."""
@@ -47,9 +49,17 @@ class Steady(NamedTuple):
     """The parameter values, gravity zero where it is left out."""
     rigid: np.ndarray
     """(m, r): orthonormal motions of joints and rotors, the first m coordinates, that nothing resists."""
+    J: np.ndarray
+    """(rows, nq): of the gaps of loops, with q."""
+    loops: Mapping[Closure, float]
+    """The forces of their rows."""
+    w_ext: np.ndarray | None = None
+    """(n, 6): what loops exert on the tips; None without."""
 
     def validity(self, model: Model) -> Validity:
         """How far the motion is from the limits of the model."""
+        if self.w_ext is not None:
+            return model.validity_at_rest(self.q, self.w_ext, self.p)
         return model.validity(self.q, self.v, self.tau, parameters=self.p)
 
 
@@ -76,10 +86,15 @@ def steady(
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
     tau, columns = force[chain.driven], K[:, :m]
-    loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, m:] @ q[m:]))
+    rigid = unresisted(columns, tau, K[:, m:] @ q[m:])
+    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
+
+
+def unresisted(columns: np.ndarray, *others: np.ndarray) -> np.ndarray:
+    """(m, r): orthonormal combinations of m `columns` that vanish beside the columns and the `others`, all forces."""
+    loads = max(np.max(np.abs(x), initial=0.0) for x in (columns, *others))
     _, sizes, rows = np.linalg.svd(columns)
-    rigid = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
-    return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid)
+    return rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
 
 
 def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:

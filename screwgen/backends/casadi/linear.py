@@ -9,27 +9,60 @@ from ...algorithms.functions import Functions
 from ...bodies.markers import strains
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .functions import expressions, function
+from .functions import coordinate_rates, expressions, function
 
 
 def linearisation(chain: Chain) -> ca.Function:
-    """``(q, v, tau, w_ext, p) -> (vdot, y, vdot_x, vdot_u, y_x, y_u)`` with x = [q; v], u = [tau; vec(w_ext)].
+    """``(q, v, tau, w_ext, p) -> (vdot, y, vdot_x, vdot_u, y_x, y_u)`` with x = [δ; v], u = [tau; vec(w_ext)].
 
-    y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s, m/s²), the joint
-    wrenches link by link (6 n) and the strains of :func:`base_strains`.
+    δ (nv) are small changes of q: those of its entries, but of a floating base the rotation vector and the displacement
+    in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
+    m/s²), the joint wrenches link by link (6 n) and the strains of :func:`base_strains`.
     """
-    chain.needs_fixed_tree("linear model", "differentiate casadi()['step']")
     sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "tau": (chain.n_tau, 1), "w_ext": (6, chain.n)}
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | parameter_symbols(chain)
     q, v, p = given["q"], given["v"], given["p"]
+    qdot = coordinate_rates(chain, q, v, p)
     dynamics = expressions(fused.forward_dynamics(chain), given)
     vdot, position = dynamics["vdot"], expressions(fused.poses(chain), given)["tip_position"][-3:]
-    velocity = along(position, q, v)
-    acceleration = along(velocity, q, v) + along(position, q, vdot)
+    velocity = along(position, q, qdot)
+    acceleration = along(velocity, q, qdot) + along(velocity, v, vdot)
     y = ca.vertcat(q, v, position, velocity, acceleration, dynamics["wrench"], base_strains(chain, q, p))
-    x, u = ca.vertcat(q, v), ca.vertcat(given["tau"], ca.vec(given["w_ext"]))
-    slopes = {f"{n}_{m}": ca.jacobian(f, s) for n, f in (("vdot", vdot), ("y", y)) for m, s in (("x", x), ("u", u))}
+    u, moving = ca.vertcat(given["tau"], ca.vec(given["w_ext"])), ca.jacobian(qdot, v)
+    slopes = {}
+    for name, f in (("vdot", vdot), ("y", y)):
+        slopes[f"{name}_x"] = ca.horzcat(ca.jacobian(f, q) @ moving, ca.jacobian(f, v))
+        slopes[f"{name}_u"] = ca.jacobian(f, u)
     return function("linearisation", given, vdot=vdot, y=y, **slopes)
+
+
+def closing(chain: Chain) -> ca.Function:
+    """``(q, v, forces, p) -> (gap, J, J_v, bend, wrench)`` of the loops, with δ (nv) as above.
+
+    ``gap`` (rows); ``J`` (rows x nv) is its derivative with δ, ``J_v`` that of ``J v``; ``bend`` (nv x nv) is that of
+    ``Jᵀ forces``; ``wrench`` (6 x n): what forces of the rows exert on the tips, in the tip frames.
+    """
+    rows = len(chain.closures)
+    given = {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nv), "forces": ca.SX.sym("forces", rows)}
+    given |= parameter_symbols(chain)
+
+    def body(f: Functions, x):
+        gap, wrench = f.loops_at(x["q"], x["forces"])
+        return {"gap": gap, "wrench": wrench}
+
+    found = expressions(fused.fuse(chain, "closing", {"q": chain.nq, "forces": rows}, body), given)
+    q, v, qdot = given["q"], given["v"], coordinate_rates(chain, given["q"], given["v"], given["p"])
+    rate, moving = along(found["gap"], q, qdot), ca.jacobian(qdot, v)
+    J = ca.jacobian(rate, v)
+    return function(
+        "closing",
+        given,
+        gap=found["gap"],
+        J=J,
+        J_v=ca.jacobian(rate, q) @ moving,
+        bend=ca.jacobian(J.T @ given["forces"], q) @ moving,
+        wrench=ca.reshape(found["wrench"], 6, chain.n),
+    )
 
 
 def along(f: ca.SX, q: ca.SX, direction: ca.SX) -> ca.SX:
@@ -46,9 +79,9 @@ def statics(chain: Chain) -> ca.Function:
 
     ``force`` (nq) is what must act on the coordinates to keep the arm there, springs included; ``stiffness`` its
     derivative with q; ``weight`` (nq x 3) its derivative with gravity; ``wrench`` the joint wrenches (6 x n);
-    ``tip`` the last tip's position (3).
+    ``tip`` the last tip's position (3). Of a robot with loops all but ``tip`` is that of the open tree.
     """
-    chain.needs_fixed_tree("equilibrium", "simulate it with dampers, or with PD control")
+    chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
     def body(f: Functions, x):
         rest = [0.0] * chain.nv

@@ -1,0 +1,135 @@
+"""Mobility: which coordinates the loops of a robot leave independent, and how the others follow these."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ..arguments import Numbers
+from ..errors import UsageError
+from ..topology.chain import Chain
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+CLEAR, RANK = 0.05, 1e-7
+"""The part of a column of the gaps' Jacobian that must be new: where there is a choice, and where there is none."""
+OPEN = 1e-6
+"""The gap (m, or of cosines), or its rate, at which a loop counts as open."""
+SAID = {
+    "q": ("is open by", "start from what `screwgen assemble` or screwgen.assemble gives"),
+    "v": ("opens by", "start at rest, or with rates that keep it closed"),
+}
+"""What is wrong with coordinates or rates, and the remedy."""
+
+Kinds = Sequence[Sequence[Sequence[int]]]
+"""Coordinates in the order in which they are made dependent: those of a kind before the next one's, and among them, as
+far as their columns are clearly new, those of a tier before the next one's."""
+
+
+class Mobility(NamedTuple):
+    """What the rows of the loops, `J v = 0`, leave of n coordinates."""
+
+    independent: np.ndarray
+    """(d,): the numbers of the coordinates that move freely."""
+    dependent: np.ndarray
+    """(n − d,): of the others."""
+    follow: np.ndarray
+    """(n, d): N of `v = N v_independent`."""
+
+
+def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
+    """The coordinates that the gaps' Jacobian `J` (rows, n) leaves independent; those in no kind always are."""
+    rest, largest, chosen = np.array(J, float), np.max(np.abs(J), initial=0.0), []
+    sizes, ends = np.linalg.norm(J, axis=0), []
+    for tiers in kinds:
+        for least in (CLEAR, RANK):
+            for k in (k for tier in tiers for k in tier if k not in chosen):
+                size = np.linalg.norm(rest[:, k])
+                if size > least * sizes[k] and size > RANK * largest:
+                    direction = rest[:, k] / size
+                    rest -= np.outer(direction, direction @ rest)
+                    rest -= np.outer(direction, direction @ rest)
+                    chosen.append(k)
+        ends.append(len(chosen))
+    independent = np.setdiff1d(np.arange(J.shape[1]), chosen)
+    N = np.zeros((J.shape[1], len(independent)))
+    N[independent, np.arange(len(independent))] = 1.0
+    N[chosen] = -np.linalg.lstsq(J[:, chosen], J[:, independent])[0]
+    for tiers, end in zip(kinds, ends, strict=True):  # what closes a gap does not need the kinds behind it
+        same = np.isin(independent, [k for tier in tiers for k in tier])
+        N[np.ix_(chosen[end:], np.flatnonzero(same))] = 0.0
+    return Mobility(independent, np.array(chosen, int), N)
+
+
+def by_drive(chain: Chain) -> Kinds:
+    """Joints without a drive first, those with one (`armature` or `drives` and no spring) next, modes last.
+
+    Among the joints the last of the file comes first.
+    """
+    driven: list[int] = []
+    joints = [(link, j) for link in chain.robot.links for j in range(len(link.joint.axes))]
+    for k, (link, j) in enumerate(joints, chain.base_v):
+        joint = link.joint
+        drive = joint.drives[j].model_dump(exclude_none=True) if joint.drives else {}
+        moved = drive or (joint.armature and joint.armature[j])
+        if moved and not (joint.stiffness and joint.stiffness[j]):
+            driven.append(k)
+    every = range(chain.base_v, chain.base_v + chain.n_joints)
+    others = [k for k in every if k not in driven]
+    return [[others[::-1], driven[::-1]], [range(chain.eta_v, chain.nv)]]
+
+
+def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
+    """Coordinates without springs first; of the others those that move the gaps most."""
+    sprung = np.flatnonzero(springs)
+    sizes = np.linalg.norm(J[:, sprung], axis=0)
+    return [[np.flatnonzero(springs == 0)[::-1].tolist()], [sprung[np.argsort(-sizes, kind="stable")].tolist()]]
+
+
+def closing(model: Model):
+    """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
+    from ..backends.casadi.linear import closing as made
+
+    return model.once("closing", lambda: made(model.chain))
+
+
+def jacobian(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+    """(rows, nv): the rates of the gaps by the rates of the coordinates."""
+    if not model.chain.closures:
+        return np.zeros((0, model.nv))
+    return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closures)), p)[1])
+
+
+def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+    """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
+
+    Those with drives come before others, and then those that come first in the file. The others follow them.
+    """
+    out = np.ones(model.n_joints, bool)
+    dependent = mobility(jacobian(model, q, p), by_drive(model.chain)).dependent - model.chain.base_v
+    out[dependent[dependent < model.n_joints]] = False
+    return out
+
+
+def check_closed(chain: Chain, name: str, values: np.ndarray) -> None:
+    """Raise UsageError where a loop is open, or opens: `values` (rows,) are the gaps of `q…` or their rates of `v…`."""
+    worst = int(np.argmax(np.abs(values))) if len(values) else 0
+    if len(values) and not abs(values[worst]) < OPEN:
+        what, remedy = SAID[name[0]]
+        raise UsageError(f"{name}: {chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
+
+
+def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None:
+    """The wrenches (n, 6) of the loops on the tips at rest in a posture `q` whose stated joints are held; None without.
+
+    The joints that follow bear no torque.
+    """
+    if not model.chain.closures:
+        return None
+    J, rest = jacobian(model, q, p), np.zeros(model.nv)
+    D = mobility(J, by_drive(model.chain)).dependent
+    forces = np.linalg.lstsq(J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
+    return np.array(closing(model)(q, rest, forces, p)[4]).T

@@ -1,0 +1,45 @@
+"""Vibrations of a robot with loops under its weight, about the posture in which it rests while joints are held.
+
+The loops' forces λ add their part to the stiffness: `K = ∂(f − Jᵀ λ)/∂q`, with f what must act on the open tree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.linalg
+
+from ..simulation.mobility import closing
+from ..topology.loops import Closure
+from .equilibrium import closed_start, rest
+from .shut import ShutBalance
+from .steady import Steady, unresisted
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def hanging(model: Model, q: np.ndarray, p: np.ndarray) -> Steady:
+    """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
+    start, stated = closed_start(model, p, q, True)
+    b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
+    assert isinstance(b, ShutBalance)
+    tau = np.where(stated, b.force[model.chain.driven], 0.0)
+    return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
+
+
+def about(
+    model: Model, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
+) -> Steady:
+    """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what holds the joints."""
+    numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)
+    forces = np.array([loops.get(row, 0.0) for row in model.chain.closures])
+    M, K, _ = numeric.slopes(q, still, None, None)
+    _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
+    K = K - bend
+    tau = np.zeros(model.n_tau) if tau is None else tau
+    kept = scipy.linalg.null_space(J[:, :m])
+    rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
+    return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

@@ -1,0 +1,57 @@
+"""The stiffness of a robot: of joint springs, gears and modes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arguments import Numbers
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
+    """The stiffness of joint springs (N·m/rad) and of modes (N/m, torsion: N·m/rad), (nv,); of rotors zero.
+
+    A floating base, whose six entries come first, has none.
+    """
+    values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
+    springs = [
+        values.get(f"{link.name}.joint.stiffness[{j}]", 0.0)
+        for link in model.robot.links
+        for j in range(len(link.joint.axes))
+    ]
+    modal = (k for constants in model.numpy(p).constants for k in constants["K"])
+    chain = model.chain
+    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
+
+
+def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
+    """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
+
+    `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
+    """
+    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
+    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    ratios = model.chain.ratios(model.parameter_values if p is None else p)
+    joints = (model.chain.base_v + joint for joint in model.chain.geared)
+    for rotor, (joint, k, ratio) in enumerate(zip(joints, gears, ratios, strict=True), first):
+        K[rotor, rotor] = k
+        if not relative:
+            K[joint, joint] += ratio**2 * k
+            K[rotor, joint] = K[joint, rotor] = -ratio * k
+    for i, key in enumerate(model.chain.keys):
+        first = model.chain.eta_v + model.chain.eta_offset[i]
+        for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
+            K[first + a, first + b] = K[first + b, first + a] = k
+    return K
+
+
+def relative(model: Model, p: Numbers) -> np.ndarray:
+    """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
+    chain, T = model.chain, np.eye(model.nv)
+    rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
+    T[rotors, chain.base_v + joints] = chain.ratios(p)
+    return T

@@ -33,7 +33,12 @@ JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": 
 def looped(rng, joint: list, count: int) -> tuple[dict, dict]:
     """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another."""
     tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1)
-    parents = [-1, *oracle.parents[1:]]
+    return bridged(rng, joint, tree, state, oracle)
+
+
+def bridged(rng, joint: list, tree: dict, state: dict, oracle: Oracle) -> tuple[dict, dict]:
+    """The tree with that bridge and loop; `oracle` is its own, or that of a robot with the same links and motions."""
+    count, parents = oracle.n, [-1, *oracle.parents[1:]]
     apart = [(i, j) for i in range(count) for j in range(count) if i != j and parents[i] != j and parents[j] != i]
     i, j = apart[rng.integers(len(apart))] if apart else (0, count - 1)
     poses = oracle.poses(state["q"])

@@ -198,7 +198,7 @@ class Functions:
         shut = self._shut(q, v)
         wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
         forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
-        return _moved(q, forces[0], answers), _moved(v, forces[1], answers)
+        return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
 
     def gaps(self, q, v) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
@@ -298,14 +298,6 @@ class Functions:
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
-
-
-def _moved(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
-    """``x`` and the sum of the answers, each times a force."""
-    total = list(x)
-    for force, answer in zip(forces, answers, strict=True):
-        total = [a + force * b for a, b in zip(total, answer, strict=True)]
-    return total
 
 
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:

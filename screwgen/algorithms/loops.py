@@ -16,8 +16,11 @@ import numpy as np
 
 from ..ir.program import Array, Program, Tracer, Value
 from ..joints.constraints import Angle, Distance
+from ..topology.chain import Chain
 from ..topology.loops import Closure
 from . import matrices as mx
+from .exponential import Series, exponential
+from .schedule import Apply
 
 
 @dataclass(frozen=True)
@@ -127,3 +130,37 @@ def solver(count: int) -> Program:
     scale = tracer.epsilon() * 64.0 * sum((A[k, k] for k in range(1, count)), A[0, 0])
     x = mx.solve(mx.factorise(A, tracer, scale), b)
     return tracer.program("loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})
+
+
+# ------------------------------------------------------------------------------------------ corrections
+
+
+def combined(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list:
+    """``x`` and the sum of the answers, each times a force."""
+    total = list(x)
+    for force, answer in zip(forces, answers, strict=True):
+        total = [a + force * b for a, b in zip(total, answer, strict=True)]
+    return total
+
+
+def moved(chain: Chain, q: Sequence, forces: Sequence, answers: Sequence[Sequence], apply: Apply) -> list:
+    """The coordinates (nq,) and that sum of changes (nv,); a floating base moves by its exponential.
+
+    The answers to forces inside the robot have no momentum, so its centre of mass stays, to first order.
+    """
+    count, poses = chain.base_v, chain.base_q
+    own = combined(q[poses:], forces, [answer[count:] for answer in answers])
+    if not chain.floating:
+        return own
+    u = combined([0.0] * count, forces, [answer[:count] for answer in answers])
+    return [*apply(0, 0, displacement(), {"pose": list(q[:poses]), "u": u})["moved"], *own]
+
+
+@cache
+def displacement() -> Program:
+    """``(pose, u) -> (moved)``: the pose of a floating base times ``exp(u)``."""
+    tracer = Tracer()
+    pose, u = (np.array(tracer.input(name, size), dtype=object) for name, size in (("pose", 7), ("u", 6)))
+    call = lambda name: lambda x: tracer.call(name, x)  # noqa: E731
+    found = exponential(np.concatenate([pose[3:], pose[:3]]), u, Series(call("c4"), call("c5")))
+    return tracer.program("displacement", {"pose": 7, "u": 6}, {"moved": [*found[4:], *found[:4]]})

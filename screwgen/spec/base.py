@@ -28,7 +28,7 @@ class Jointed(Named, Protocol):
 
 
 def check_floating(links: Sequence[Jointed]) -> None:
-    """Refuses a first link that is jointed to the world, further links on the world, elastic gears and dry friction."""
+    """Refuses a first link that is jointed to the world, and further links on the world."""
     joint = links[0].joint
     if joint.axes:
         what = "is stated for the first link, which a floating base leaves free in space; write axes = []"
@@ -36,11 +36,6 @@ def check_floating(links: Sequence[Jointed]) -> None:
     if joint.mount is not None:
         what = 'is stated for the first link, but base = "floating" makes its place a part of the state; leave it out'
         raise refuse(what, at=("links", 0, "joint", "mount"))
-    for i, link in enumerate(links):
-        for k, drive in enumerate(link.joint.drives or ()):
-            if drive.elastic or (drive.friction is not None and drive.friction.coulomb is not None):
-                what = "has an elastic gear or dry friction, which a robot with a floating base cannot have so far"
-                raise refuse(f"{what}; leave out stiffness and coulomb", at=("links", i, "joint", "drives", k))
     carriers = parents(links)
     for i in range(1, len(links)):
         if carriers[i] < 0:

@@ -46,10 +46,8 @@ class Loop(Part):
     )
 
 
-def refuse_loops(names: Sequence[str], loops: Sequence[Loop], floating: bool) -> None:
-    """Refuse loops whose tips are no two links, joints that no loop can have, and loops on a floating base."""
-    if loops and floating:
-        raise refuse('are stated beside base = "floating", which cannot carry loops so far; leave one out', ("loops",))
+def refuse_loops(names: Sequence[str], loops: Sequence[Loop]) -> None:
+    """Refuse loops whose tips are no two links, and joints that no loop can have."""
     for i, loop in enumerate(loops):
         at: Path = ("loops", i)
         first, second = (end.removesuffix(".tip") for end in loop.between)

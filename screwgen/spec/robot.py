@@ -200,7 +200,7 @@ class Robot(Part):
         if self.floating:
             check_floating(self.links)
         refuse_axes(self)
-        refuse_loops([link.name for link in self.links], self.loops, self.base == FLOATING)
+        refuse_loops([link.name for link in self.links], self.loops)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

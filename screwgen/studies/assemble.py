@@ -27,7 +27,7 @@ def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
     `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, and gears
-    are without load. `p`: parameter values. Raises UsageError, and OpenLoopError where the search ends with an open
+    are without load; a floating base stays where `q` states it. `p`: parameter values. Raises UsageError, and OpenLoopError where the search ends with an open
     loop, which it says.
     """
     if not model.chain.closures:
@@ -36,5 +36,6 @@ def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p
         choice(name, model.q_names, "hold: there is no coordinate")
     held = [name in hold or k >= model.chain.eta_q for k, name in enumerate(model.q_names)]
     p = model.chain.parameters.vector(p)
-    found, m = closed(model.numpy(p), posture(model, q, p), held), model.n_joints
-    return np.concatenate([model.chain.relaxed(found[:m], p), found[model.chain.eta_q :]])
+    found, chain = closed(model.numpy(p), posture(model, q, p), held), model.chain
+    base, joints, _ = np.split(found, [chain.base_q, chain.base_q + chain.n_joints])
+    return np.concatenate([base, chain.relaxed(joints, p), found[chain.eta_q :]])

@@ -172,8 +172,9 @@ class Coordinates:
 
     @cached_property
     def dry(self) -> list[int]:
-        """The coordinates, as indices in `v`, with dry friction."""
-        return [self.driven[self.q_offset[i] + axis] for i, key in enumerate(self.keys) for axis in key.rubbed]
+        """The coordinates with dry friction, as their numbers among those with forces of their own (``n_given``)."""
+        places = [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.rubbed]
+        return [self.driven[place] - self.base_v for place in places]
 
     @property
     def slides(self) -> bool:
@@ -208,7 +209,8 @@ class Coordinates:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
         first = [self.given(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
-        return modes + [(self.eta_v - self.n_motors + k, joint) for k, joint in enumerate(self.geared)]
+        rotors = self.n_given - self.n_inner
+        return modes + [(rotors + k, joint) for k, joint in enumerate(self.geared)]
 
     @property
     def n_inertia(self) -> int:

@@ -171,6 +171,8 @@ def floating_base(chain: Chain) -> dict[str, object]:
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
+        "rotor": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
+        "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
     }
 
 

@@ -38,21 +38,23 @@ def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
 
 
 def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
-    """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay. Raises OpenLoopError.
+    """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay, and so does a floating base.
 
-    Where the search ends with open loops, as in a singular posture, it begins again from some near `q`.
+    Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again from some near `q`.
     """
-    q, free = np.array(q, float), np.ones(numeric.chain.nv, bool) if held is None else ~np.asarray(held, bool)
+    q, chain = np.array(q, float), numeric.chain
+    free = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)
+    free[: chain.base_q] = False
     rng, ends = np.random.default_rng(0), []
     for attempt in range(ATTEMPTS):
-        start = q + free * (np.arange(len(q)) < numeric.chain.eta_q) * rng.normal(scale=0.1 * attempt, size=len(q))
+        start = q + free * (np.arange(len(q)) < chain.eta_q) * rng.normal(scale=0.1 * attempt, size=len(q))
         found, gap = _nearest(numeric, start, free)
         if np.max(np.abs(gap), initial=0.0) < CLOSED:
             return found
         ends.append((float(np.max(np.abs(gap))), found, gap))
     _, found, gap = min(ends, key=lambda end: end[0])
-    closure = numeric.chain.closures[int(np.argmax(np.abs(gap)))]
-    alike = [c.loop == closure.loop and type(c.row) is type(closure.row) for c in numeric.chain.closures]
+    closure = chain.closures[int(np.argmax(np.abs(gap)))]
+    alike = [c.loop == closure.loop and type(c.row) is type(closure.row) for c in chain.closures]
     size, unit = np.linalg.norm(gap[alike]), "m" if isinstance(closure.row, Distance) else "rad"
     remedy = "start from a posture nearer to a closed one, or hold fewer coordinates"
     raise OpenLoopError(f"{closure.name} stays open by {size:.3g} {unit}; {remedy}", found)
@@ -68,7 +70,8 @@ def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndar
         return out
 
     gap = lambda x: numeric.gaps(at(x), None)[0]  # noqa: E731
-    slopes = lambda x: jacobian(numeric, at(x))[:, free]  # noqa: E731
+    first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
+    slopes = lambda x: jacobian(numeric, at(x))[:, first:][:, own]  # noqa: E731
     found = least_squares(gap, q[free], slopes, **TOLERANCES).x
     return at(found), gap(found)
 
@@ -82,7 +85,7 @@ def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
         near = closed(Numeric(chain), q, _modes(chain))
     except OpenLoopError as error:
         near = error.nearest
-    return [float(f"{x:.6e}") for x in near]
+    return q[: chain.base_q] + [float(f"{x:.6e}") for x in near[chain.base_q :]]
 
 
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
@@ -100,8 +103,9 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     shut, open_ = [], []
     for seed in range(SEEDS):
-        start = np.zeros(chain.nq)
-        start[: chain.eta_q] = SPREAD * (seed > 0) * rng.standard_normal(chain.eta_q)
+        start = np.array(chain.home)
+        joints = slice(chain.base_q, chain.eta_q)
+        start[joints] = SPREAD * (seed > 0) * rng.standard_normal(joints.stop - joints.start)
         try:
             shut.append(_independent(jacobian(numeric, closed(numeric, start, _modes(chain)))))
         except OpenLoopError as error:
@@ -111,7 +115,7 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
 
 def _modes(chain: Chain) -> np.ndarray:
     """Which coordinates are modes."""
-    return np.arange(chain.nv) >= chain.eta_v
+    return np.arange(chain.nq) >= chain.eta_q
 
 
 def _independent(G: np.ndarray) -> list[int]:

@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...algorithms.exponential import Series, exponential
 from ...integrators.method import Method, Move, Stage, times, weighted
-from ...integrators.se3 import FLAT, Floating, Series, Space, algebra_rate, exponential
+from ...integrators.se3 import FLAT, Floating, Space, algebra_rate
 from ...topology.chain import Chain
 from .own_forces import OwnForces
 from .python import c4, c5

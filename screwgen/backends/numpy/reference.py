@@ -118,8 +118,8 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     if chain.closures:
-        near = nearly_closed(chain, q + turned(q) + eta)
-        q, eta = near[:m], near[chain.eta_q :]
+        near = nearly_closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
+        q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
         "q": pose + q + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],

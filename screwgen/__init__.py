@@ -23,6 +23,7 @@ HOMES = {
     "spec.load": ("dump", "load"),
     "spec.drive": ("Drive", "Friction"),
     "spec.joint": ("Joint", "Mount"),
+    "spec.limit": ("Limit",),
     "spec.robot": ("Body", "Damping", "Link", "Modes", "Robot"),
     "spec.screw": ("Screw",),
     "spec.section": ("Section",),

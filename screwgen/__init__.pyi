@@ -22,6 +22,7 @@ from .spec.drive import Friction as Friction
 from .spec.frequencies import Frequencies as Frequencies
 from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount
+from .spec.limit import Limit as Limit
 from .spec.load import dump as dump
 from .spec.load import load as load
 from .spec.robot import Body as Body

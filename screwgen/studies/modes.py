@@ -109,6 +109,7 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
     if len(moving) == model.nv and model.chain.n_motors:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
+    K += np.diag(pressed(model, q, p))
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
     free, held = np.flatnonzero(np.diag(K) == 0), np.flatnonzero(np.diag(K))
     out = np.zeros((model.nv, len(held)))
@@ -181,6 +182,15 @@ def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = Fa
         for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
             K[first + a, first + b] = K[first + b, first + a] = k
     return K
+
+
+def pressed(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
+    """The stiffness (nv,) of the stops beyond which the joint coordinates of `q` (nq,) are."""
+    out, chain, own = np.zeros(model.nv), model.chain, model.numpy(p).constants
+    columns = [[x for constants in own for x in constants.get(name, ())] for name in ("stop_at", "stop_K")]
+    for (joint, side), at, k in zip(chain.stops, *columns, strict=True):
+        out[chain.base_v + joint] += k * (side * (q[chain.base_q + joint] - at) > 0)
+    return out
 
 
 def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -14,6 +14,7 @@ HOMES = {
     "errors": ("RobotFileError", "ScrewgenError", "SingularError", "UsageError"),
     "model": ("Model", "derive"),
     "simulation.controllers": ("PD", "Holding"),
+    "simulation.hits": ("Hit", "LimitWarning"),
     "simulation.integrate": ("DivergedError",),
     "simulation.rollout": ("Rollout", "rollout"),
     "simulation.runs": ("Run",),

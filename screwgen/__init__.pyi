@@ -9,6 +9,8 @@ from .model import Model as Model
 from .model import derive as derive
 from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding
+from .simulation.hits import Hit as Hit
+from .simulation.hits import LimitWarning as LimitWarning
 from .simulation.integrate import DivergedError as DivergedError
 from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout

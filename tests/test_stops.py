@@ -25,7 +25,7 @@ def drawn_with_stops(seed: int) -> Case:
     return drawn(seed, 1 + seed % 4, stops=0.9, drives=0.4 * (seed % 2), sliding=0.3, branching=0.3)
 
 
-@pytest.fixture(params=swept(SEEDS, 8800, 8801))
+@pytest.fixture(params=swept(SEEDS, 8801))
 def case(request) -> Case:
     return drawn_with_stops(request.param)
 
@@ -60,8 +60,12 @@ def test_stops_of_every_kind_in_one_robot(seed):
     assert 1 <= pressed(c) < len(c.model.chain.stops)
     for judge in (numpy_and_casadi, solved_densely, derivatives):
         judge(c)
-    for layout in ("fused", "modular"):
-        compiled(c, layout)
+    compiled(c, "fused")
+
+
+@pytest.mark.parametrize("seed", swept(range(2)))
+def test_stops_of_every_kind_in_the_modular_layout(seed):
+    compiled(everything(seed), "modular")
 
 
 def test_energy_is_lost_in_the_dampers_alone():
@@ -77,11 +81,17 @@ PENDULUM = {"lower": -2.0, "upper": 0.5, "stiffness": 4000.0, "damping": 12.0}
 """Of a rod of 1 m and 3 kg that falls about y from 0 onto a stop."""
 
 
+
+
 @cache
-def rod(stiffness=4000.0, damping=12.0):
-    table = PENDULUM | {"stiffness": stiffness, "damping": damping}
-    joint = {"limits": table if damping else {k: v for k, v in table.items() if k != "damping"}}
-    return model_of(arm(link("rod", 1.0, "y", 3.0, joint=joint), gravity=(0.0, 0.0, -9.81)))
+def rod():
+    return model_of(arm(link("rod", 1.0, "y", 3.0, joint={"limits": [PENDULUM]}), gravity=(0.0, 0.0, -9.81)))
+
+
+def dropped(duration: float, step: float, integrator="modal_midpoint", **table):
+    """The run of the rod in C, with other numbers of its stop."""
+    given = {f"rod.joint.limits[0].{name}": value for name, value in table.items()}
+    return simulate(rod(), duration, step, integrator=integrator, parameters=given)
 
 
 def falling(stiffness: float, damping: float, duration: float) -> tuple[list, np.ndarray]:
@@ -109,17 +119,17 @@ def test_a_rod_bounces_on_its_stop_as_its_own_equation_says():
     assert len(times) >= 2
     errors = []
     for h in (2e-4, 1e-4):
-        run = simulate(rod(), 0.8, h, backend="numpy", integrator="modal_midpoint", every=100)
+        run = dropped(0.8, h)
         errors.append(np.abs([run.q[-1, 0] - end[0], run.v[-1, 0] - end[1]]).max())
     assert errors[1] < 2e-3 and errors[0] > 1.6 * errors[1], errors
-    run = simulate(rod(), 0.8, 1e-5, backend="numpy", integrator="rk4", every=1000)
+    run = dropped(0.8, 1e-5, "rk4")
     assert abs(run.q[-1, 0] - end[0]) < 1e-4 and abs(run.v[-1, 0] - end[1]) < 2e-3
 
 
 def test_without_damping_the_energy_returns_and_the_midpoint_rule_is_of_second_order():
     drift = []
     for h in (1e-3, 5e-4, 2.5e-4):
-        total = simulate(rod(damping=0.0), 1.0, h, backend="numpy").energy.sum(axis=1)
+        total = dropped(1.0, h, damping=0.0).energy.sum(axis=1)
         drift.append(np.abs(total - total[0]).max())
     assert drift[0] < 0.1 and drift[1] < drift[0] / 2.5 and drift[2] < drift[1] / 2.5, drift
 
@@ -129,7 +139,7 @@ def test_without_damping_the_energy_returns_and_the_midpoint_rule_is_of_second_o
 def test_a_stop_of_a_kilohertz_does_not_limit_the_step(method, damping):
     """At 1 ms it stops the rod, returns no more energy than came, and the rod rests where its weight presses it."""
     stiffness = (2 * np.pi * 1000) ** 2
-    run = simulate(rod(stiffness, damping), 3.0, 1e-3, backend="numpy", integrator=method)
+    run = dropped(3.0, 1e-3, method, stiffness=stiffness, damping=damping)
     total = run.energy.sum(axis=1)
     scale = np.ptp(run.energy[:, 0])
     assert (total - np.minimum.accumulate(total)).max() < 2e-3 * scale
@@ -145,23 +155,23 @@ def test_a_slide_on_its_stop_is_a_half_swing():
     stop = {"upper": 0.1, "stiffness": 2000.0}
     model = model_of(arm(link("cart", axes=[{"slide": "x"}], rhoA=2.0, joint={"limits": [stop]}), gravity=(0, 0, 0)))
     swing = np.sqrt(2000.0 / model.numpy().mass_matrix([0.0])[0, 0])
-    run = simulate(model, 0.3, 1e-4, v0=[2.0], backend="numpy")
+    run = simulate(model, 0.3, 5e-4, v0=[2.0], backend="numpy")
     assert np.isclose(run.q[:, 0].max(), 0.1 + 2.0 / swing, rtol=1e-4)
     back = run.t[np.flatnonzero(np.diff(np.sign(run.q[:, 0] - 0.1)) < 0)[0]]
-    assert abs(back - (0.05 + np.pi / swing)) < 2e-4 and np.isclose(run.v[-1, 0], -2.0, rtol=1e-5)
+    assert abs(back - (0.05 + np.pi / swing)) < 6e-4 and np.isclose(run.v[-1, 0], -2.0, rtol=1e-5)
 
 
 # -------- steps
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", swept(METHODS, "modal_midpoint", "rk4"))
 def test_steps_of_c_casadi_and_both_forms_agree(method):
     """Over a hundred steps in which stops are hit and left."""
     c, h = everything(1), 2e-4 if METHODS[method].implicit else 1e-5
     q, v, tau, _ = c.inputs
     given = dict(q0=q, v0=v, controller=tau, integrator=method)
     run = simulate(c.model, 100 * h, h, backend="numpy", **given)
-    library = quick(c.model)
+    library = quick(c.model, layout="fused", derivatives=True)
     found = library.step(q, v, tau, None, h, method, 100)
     assert relative(found[0], run.q[-1]) < 1e-9 and relative(found[1], run.v[-1]) < 1e-9
     x, n = library.dae_step(library.dae_state(q, v), tau, None, h, method, 100), c.model.n_joints

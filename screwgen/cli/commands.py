@@ -83,6 +83,7 @@ def run_simulate(
 ) -> None:
     """Simulate and store; the run and its picture appear together or not at all, unless a stopped run is kept."""
     from ..simulation.controllers import read_controller
+    from ..simulation.hits import lines
     from ..simulation.runs import FORMATS, check_output, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
@@ -108,7 +109,7 @@ def run_simulate(
                 from ..plotting.plot import png
 
                 streams[-1].write(png(run, model, torque))
-    say("\n".join(filter(None, (output, plot))), quiet)
+    say("\n".join(filter(None, (output, plot, *lines(run.hits)))), quiet)
 
 
 @contextmanager

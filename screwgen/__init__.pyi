@@ -9,6 +9,8 @@ from .model import Model as Model
 from .model import derive as derive
 from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding
+from .simulation.hits import Hit as Hit
+from .simulation.hits import LimitWarning as LimitWarning
 from .simulation.integrate import DivergedError as DivergedError
 from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout
@@ -22,6 +24,7 @@ from .spec.drive import Friction as Friction
 from .spec.frequencies import Frequencies as Frequencies
 from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount
+from .spec.limit import Limit as Limit
 from .spec.load import dump as dump
 from .spec.load import load as load
 from .spec.robot import Body as Body

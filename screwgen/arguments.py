@@ -109,11 +109,14 @@ Numbers = Sequence[float] | np.ndarray
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
 
-FREE = ("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia")
+FREE = (
+    *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),
+    *("joint.limits.lower", "joint.limits.upper"),
+)
 """Fields whose numbers may have either sign."""
 
 DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity")
-POSITIVE = ("length", "rhoA", *(f"joint.drives.{name}" for name in DRIVES))
+POSITIVE = ("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES))
 
 
 class Parameters:
@@ -124,7 +127,7 @@ class Parameters:
         self.names, self.values = [x.name for x in own], np.array([x.value for x in own])
         self.least = np.array([-np.inf if x.field in FREE else 0.0 for x in own])
         self.positive = np.array([_must_be_positive(robot, x) for x in own], bool)
-        self.tensors = _tensors(own)
+        self.tensors, self.ranges = _tensors(own), _ranges(own)
 
     def vector(self, given: Given = None) -> np.ndarray:
         """All values (n,), those that a mapping names in place of the file's.
@@ -151,6 +154,11 @@ class Parameters:
             row, k = map(int, np.argwhere(low)[0])
             allowed = "> 0" if self.positive[k] else ">= 0"
             raise UsageError(f"{_title(rows, row)}: {self.names[k]} is {rows[row, k]:g}; it must be {allowed}")
+        for lower, upper in self.ranges:
+            if (wrong := ~(rows[:, lower] < rows[:, upper])).any():
+                row = int(wrong.argmax())
+                what = f"{self.names[lower]} is {rows[row, lower]:g}; it must be less than {self.names[upper]}"
+                raise UsageError(f"{_title(rows, row)}: {what}, {rows[row, upper]:g}")
         for places in self.tensors:
             for row in map(int, np.flatnonzero((rows[:, places] != self.values[places]).any(axis=1))):
                 if not some_body_has(tuple(rows[row, places])):
@@ -174,6 +182,13 @@ def _must_be_positive(robot: Robot, x: Parameter) -> bool:
         return False
     modes = robot.links[x.link].modes
     return any(field in needed and getattr(modes, direction) for direction, needed in NEEDS.items())
+
+
+def _ranges(own: Sequence[Parameter]) -> list[tuple[int, int]]:
+    """The places of both limits of every axis that has two."""
+    lower = {(x.link, x.index): k for k, x in enumerate(own) if x.field == "joint.limits.lower"}
+    upper = [(x.link, x.index, k) for k, x in enumerate(own) if x.field == "joint.limits.upper"]
+    return [(lower[link, index], k) for link, index, k in upper if (link, index) in lower]
 
 
 def _tensors(own: Sequence[Parameter]) -> list[np.ndarray]:

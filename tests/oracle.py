@@ -23,6 +23,7 @@ import numpy as np
 import scipy.linalg
 from oracle_cloud import Cloud, build_cloud, gradient, modal_slices, per_column, rates, slices
 from oracle_drives import Drives
+from oracle_stops import Stops
 from oracle_link import read_link
 
 
@@ -57,6 +58,7 @@ class Oracle:
         self.n_rotor = sum("stiffness" in drive for drive in drives)
         self.modal_slices = slices([len(link.damping) for link in self.links], self.n_joint + self.n_rotor)
         self.nv = self.modal_slices[-1].stop
+        self.stops = Stops([limit for link in self.links for limit in link.limits])
         self.drives, rotors = Drives(drives, self.nv), np.zeros(self.n_rotor)
         self.K = self.drives.K + scipy.linalg.block_diag(
             *[np.diag(link.joint_stiffness) for link in self.links],
@@ -110,7 +112,7 @@ class Oracle:
     @cached_property
     def potential(self) -> ca.SX:
         weight = -ca.dot(ca.DM(self.gravity), sum(cloud.first_moment() for cloud in self.clouds))
-        return weight + ca.dot(self.q, ca.DM(self.K) @ self.q) / 2
+        return weight + ca.dot(self.q, ca.DM(self.K) @ self.q) / 2 + self.stops.potential(self.q)
 
     @cached_property
     def external_power(self) -> ca.SX:
@@ -137,13 +139,14 @@ class Oracle:
         """d'Alembert: virtual power of every element's inertia and weight; accelerations, no energies."""
         trial = self._with_rates(self._place(), self.trial)
         power = sum(map(self._virtual_power, self.clouds, trial))
-        force = gradient(power, self.trial) + ca.DM(self.K) @ self.q + self._losses()
+        springs = ca.DM(self.K) @ self.q + ca.gradient(ca.SX(self.stops.potential(self.q)), self.q)
+        force = gradient(power, self.trial) + springs + self._losses()
         force += ca.DM(self.armature) * self.a - gradient(self.external_power, self.v)
         return self._function([self.q, self.v, self.a, self.w_ext], force)
 
     def _losses(self) -> ca.SX:
-        """(nv,): the forces of dampers and friction."""
-        return ca.DM(self.D) @ self.v + self.drives.friction(self.v)
+        """(nv,): the forces of dampers, friction and stops that no potential has."""
+        return ca.DM(self.D) @ self.v + self.drives.friction(self.v) + self.stops.losses(self.q, self.v)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
         momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
@@ -281,7 +284,8 @@ class Oracle:
         v = np.array(v, dtype=float)
         twists = self.tip_twists(q, v)
         external = 0.0 if w_ext is None else float(np.sum(twists * np.reshape(w_ext, (self.n, 6))))
-        return float(v @ self._force(tau) - v @ (self.D @ v + self.drives.friction(ca.DM(v)).full()[:, 0])) + external
+        losses = self.D @ v + (self.drives.friction(ca.DM(v)) + self.stops.losses(ca.DM(q), ca.DM(v))).full()[:, 0]
+        return float(v @ self._force(tau) - v @ losses) + external
 
     def momentum(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Linear momentum, and angular momentum about the inertial origin, of the whole arm; no armature."""

@@ -44,6 +44,7 @@ class Link:
     joint_damping: np.ndarray  # (m,)
     joint_stiffness: np.ndarray  # (m,)
     drives: list[dict]  # of each axis, as the file states them
+    limits: list[dict]  # likewise
     base: list[Body]
     tip: list[Body]
     shapes: dict[str, Shapes]
@@ -215,6 +216,7 @@ def read_mounting(link: dict) -> dict:
         joint_damping=per_axis("damping"),
         joint_stiffness=per_axis("stiffness"),
         drives=joint.get("drives", [{}] * len(axes)),
+        limits=joint.get("limits", [{}] * len(axes)),
         base=[read_body(b) for b in bodies if b["at"] == "base"],
         tip=[read_body(b) for b in bodies if b["at"] == "tip"],
     )

@@ -26,6 +26,7 @@ LIMITS = {
     "bodies": 0.5,  # of each of: a base body, a tip body
     "armature": 0.4,
     "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
+    "stops": 0.0,  # of an axis: limits, most of them with stops
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
@@ -119,7 +120,20 @@ def random_joint(rng, limits: dict) -> dict:
         joint["drives"] = [random_drive(rng) for _ in range(count)]
         if any("rotor_inertia" in drive for drive in joint["drives"]):
             joint.pop("armature", None)
+    if count and limits["stops"]:
+        joint["limits"] = [random_limits(rng) if chance(rng, limits["stops"]) else {} for _ in range(count)]
     return joint
+
+
+def random_limits(rng) -> dict:
+    """One limit or both, so near that many random states are beyond one; with stops, but for one in eight."""
+    lower, upper = numbers(np.sort(rng.uniform(-2, 2, 2)))
+    ends = {"lower": lower, "upper": upper}
+    table = [ends, {"lower": upper}, {"upper": lower}][int(rng.integers(3))]
+    if chance(rng, 7 / 8):
+        table |= {"stiffness": log_uniform(rng, 10.0, 1000.0)}
+        table |= {"damping": float(rng.uniform(0.0, 20.0))} if chance(rng, 0.7) else {}
+    return table
 
 
 def random_drive(rng) -> dict:

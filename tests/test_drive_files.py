@@ -109,7 +109,7 @@ def test_the_z_form_and_the_printed_system_refuse_rotors():
         model_of(CHAIN).cauchy_names  # noqa: B018
     assert "assemble_z" not in model_of(CHAIN).casadi()
     rigid = MIXED | {"links": [link("a", joint={"drives": [ELASTIC]})]}
-    with pytest.raises(UsageError, match="the paper has neither gears nor friction"):
+    with pytest.raises(UsageError, match="the paper has neither gears nor friction nor stops"):
         derive(Robot.model_validate(rigid), formulation="printed")
 
 

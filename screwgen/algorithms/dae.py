@@ -285,7 +285,7 @@ def joint_rows(s: Scope) -> None:
         "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
         "b_P": s.read("base.b"),
-        "tau": joint_torque(s, qdot),
+        "tau": joint_torque(s, q, qdot),
         "qdot": qdot,
         "q": q,
     }

@@ -9,13 +9,12 @@ takes the place of the torque in the joint's rows. The gear is a symmetric coupl
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 
-from ..ir.program import Array, Program, Tracer, Value
+from ..ir.program import Array, Value
 from ..spec.link_class import DriveClass, LinkClass
 from . import matrices as mx
+from .axis_laws import stop_energy, stop_torque
 from .scope import Scope
 
 NONE = DriveClass()
@@ -74,24 +73,6 @@ def labelled(s: Scope, label: str) -> Value | None:
     """The constant with the label of an axis, such as ``armature_1``; None if it is no such constant."""
     name, _, number = label.rpartition("_")
     return constant(s, name, int(number) - 1) if name in PREPARED else None
-
-
-@cache
-def friction(count: int) -> Program:
-    """``(w, coulomb, speed) -> (force, slope)``: dry friction at rates ``w``, and its derivative; speeds are squared.
-
-    ``coulomb w / sqrt(w^2 + speed)``, whose secant ``coulomb / sqrt(w^2 + speed)`` implicit methods take as a damping.
-    """
-    tracer = Tracer()
-    w, coulomb, speed = (tracer.input(name, count) for name in ("w", "coulomb", "speed"))
-    force: list[Value] = []
-    slope: list[Value] = []
-    for rate, dry, square in zip(w, coulomb, speed, strict=True):
-        whole = rate * rate + square
-        secant = dry / tracer.call("sqrt", whole)
-        force.append(secant * rate)
-        slope.append(secant * square / whole)
-    return tracer.program("friction", {"w": count, "coulomb": count, "speed": count}, {"force": force, "slope": slope})
 
 
 # ------------------------------------------------------------------------------------------ elimination
@@ -158,8 +139,8 @@ def rotor_accelerations(s: Scope) -> None:
     s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
 
 
-def joint_torque(s: Scope, qdot: Array) -> Array:
-    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction is included.
+def joint_torque(s: Scope, q: Array, qdot: Array) -> Array:
+    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction and stops are included.
 
     That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause.
     """
@@ -173,7 +154,7 @@ def joint_torque(s: Scope, qdot: Array) -> Array:
         speed = of("drive_velocity", axis)
         size = s.tracer.call("sqrt", qdot[axis] * qdot[axis] + speed * speed)
         tau[axis] = tau[axis] - of("drive_coulomb", axis) / size * qdot[axis]
-    return tau
+    return tau + stop_torque(s, q, qdot) if s.key.stops else tau
 
 
 def spring(s: Scope) -> Array:
@@ -183,9 +164,9 @@ def spring(s: Scope) -> Array:
 
 
 def drive_energies(s: Scope, q: Array) -> tuple[Value, Value]:
-    """Twice the kinetic energy of the rotors' spin, and twice the potential of the gears."""
+    """Twice the kinetic energy of the rotors' spin, and twice the potential of gears and stops."""
     kinetic: Value = 0.0
-    potential: Value = 0.0
+    potential: Value = stop_energy(s, q)
     for k, axis in enumerate(s.key.motors):
         theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]
         ratio = s.constant(f"drive_ratio_{axis + 1}") if drive_of(s.key, axis).ratio else 1.0

@@ -13,7 +13,9 @@ from . import dae, loops, validity
 from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
-from .drives import friction, rotor_accelerations
+from .axis_laws import STOP, friction, stop
+from .columns import LAWS, columns
+from .drives import rotor_accelerations
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
@@ -99,7 +101,7 @@ class Functions:
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out = {}
         spans = self.chain.given(i)
-        below, gear, _ = (spans.pop(part, None) for part in ("below", "gear", "dry"))
+        below, gear, *_ = (spans.pop(part, None) for part in ("below", "gear", *LAWS))
         for part, span in spans.items():
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
@@ -108,10 +110,11 @@ class Functions:
                 pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
-        return out if gear is None and not self.chain.keys[i].rubbed else self._drive_terms(i, x, gear, out)
+        key = self.chain.keys[i]
+        return out if gear is None and not key.rubbed and not key.stops else self._drive_terms(i, x, gear, out)
 
     def _drive_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
-        """What gears and dry friction add to the forces of joint and rotors, unless they are given."""
+        """What gears, dry friction and stops add to the forces of joint and rotors, unless they are given."""
         key, own = self.chain.keys[i], self.constants[i]
         if self.given is not None:
             return out | ({} if span is None else {"m_gear": list(self.given[0][span])})
@@ -126,6 +129,8 @@ class Functions:
                 out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
         for (part, n), force in zip(dry_places(key), self.friction(i, x)["force"], strict=True):
             out[f"f_{part}"][n] = out[f"f_{part}"][n] + force
+        for (axis, _), force in zip(key.stops, self.stop(i, x)["force"], strict=True):
+            out["f_q"][axis] = out["f_q"][axis] + force
         return out
 
     def friction(self, i: int, x: Mapping[str, list]) -> Mapping[str, list]:
@@ -136,6 +141,15 @@ class Functions:
         given = {name: self.constants[i][name] for name in COLUMNS["dry"]}
         given["w"] = [x[f"{part}dot"][n] for part, n in dry_places(key)]
         return self.apply(i, -1, friction(len(key.rubbed)), given)
+
+    def stop(self, i: int, x: Mapping[str, list]) -> Mapping[str, list]:
+        """The stops of a link's axes in the state ``x``: ``force``, ``slope_x`` and ``slope_w``."""
+        key = self.chain.keys[i]
+        if not key.stops:
+            return {"force": [], "slope_x": [], "slope_w": []}
+        given = {name: self.constants[i][name] for name in STOP}
+        given |= {"x": [x["q"][axis] for axis, _ in key.stops], "w": [x["qdot"][axis] for axis, _ in key.stops]}
+        return self.apply(i, -1, stop(tuple(side for _, side in key.stops)), given)
 
     def _coupled_terms(self, i: int, x: Mapping[str, list], span: slice, force: Sequence) -> dict[str, list]:
         """The inertia of coupled modes; their forces are added to ``force`` unless they are given."""
@@ -300,24 +314,6 @@ class Functions:
         return sum_of(links, "kinetic"), sum_of(links, "potential")
 
 
-def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
-    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
-
-    Entries below the diagonal, if modes or rotors are coupled, follow the diagonal's. ``coulomb`` and ``speed`` are of
-    the coordinates in ``chain.dry``, if there are any.
-    """
-    out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
-    out |= {name: [0.0] * len(chain.dry) for name in COLUMNS["dry"] if chain.dry}
-    for i, link in enumerate(links):
-        for part, span in chain.given(i).items():
-            for name, own in zip(robot_columns(part), COLUMNS[part], strict=True):
-                out[name][span] = link[own]
-    return out
-
-
-def robot_columns(part: str) -> tuple[str, ...]:
-    """The robot's columns that hold those of a part of every link."""
-    return COLUMNS["dry" if part == "dry" else "eta"]
 
 
 def dry_places(key: LinkClass) -> list[tuple[str, int]]:

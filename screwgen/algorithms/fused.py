@@ -10,8 +10,9 @@ from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
+from .columns import columns
 from .dae_functions import DaeFunctions, state_size, unknown_size
-from .functions import EVERYTHING, Functions, columns
+from .functions import EVERYTHING, Functions
 from .schedule import COLUMNS, Algorithm, constant_labels, preparation
 
 ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
@@ -96,6 +97,8 @@ def precise(op: str, x):
     """The unary primitives in mpmath."""
     if op == "neg":
         return -x
+    if op == "on":
+        return mpmath.mpf(x > 0)
     if op in ("c4", "c5", "c6", "c7"):
         return _stumpff(int(op[1]), x)
     return getattr(mpmath, op)(x)

@@ -60,9 +60,9 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
             _own(f, i, link, out)
-    if f.chain.n_motors or f.chain.dry:
-        with section("drives: rotors, gears and dry friction"):
-            _drives(f, v, out)
+    if f.chain.n_motors or f.chain.dry or f.chain.stops:
+        with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
+            _drives(f, q, v, out)
     _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
     _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
     return out
@@ -103,10 +103,12 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
-def _drives(f: Functions, v, out: Slopes) -> None:
-    """The rows and columns of rotors, and the slopes of dry friction."""
+def _drives(f: Functions, q, v, out: Slopes) -> None:
+    """The rows and columns of rotors, and the slopes of dry friction and stops."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
     state, rotors, dry = chain.split(v, "qdot", "etadot"), enumerate(chain.geared, first), iter(chain.dry)
+    state = [a | b for a, b in zip(state, chain.split(q, "q", "eta"), strict=True)] if chain.stops else state
+    stops = iter(chain.stops)
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
         for k in range(len(key.motors)):
@@ -117,6 +119,11 @@ def _drives(f: Functions, v, out: Slopes) -> None:
         for slope in f.friction(i, state[i])["slope"]:
             place = next(dry)
             out.f_v[place, place] = out.f_v[place, place] + slope
+        found = f.stop(i, state[i])
+        for slope_x, slope_w in zip(found["slope_x"], found["slope_w"], strict=True):
+            place = next(stops)[0]
+            out.f_q[place, place] = out.f_q[place, place] + slope_x
+            out.f_v[place, place] = out.f_v[place, place] + slope_w
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:

@@ -12,6 +12,7 @@ from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
+from .axis_laws import STOP, constant_of_stop
 from .drives import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import Layout, Scope, derived
@@ -24,10 +25,12 @@ COLUMNS = {
     "gear": ("M_gear", "K_gear", "D_gear"),
     "below": ("M_below", "K_below", "D_below"),
     "dry": ("coulomb", "speed"),
+    "stop": STOP,
 }
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
 of the rotors of elastic drives, the entries that couple these with their axes,
-and those below the diagonal where modes are coupled (``LinkClass.coupled``)."""
+and those below the diagonal where modes are coupled (``LinkClass.coupled``);
+dry friction, and limit, stiffness and damping of stops (:mod:`.axis_laws`)."""
 OF_AXES = {
     "q": ("armature", "joint_stiffness", "joint_damping"),
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
@@ -119,6 +122,8 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
             if axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])
+    for name in STOP if key.stops else ():
+        scope.write(name, [constant_of_stop(scope, name, where) for where in key.stops])
     return scope.program("prepare")
 
 

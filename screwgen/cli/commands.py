@@ -83,6 +83,7 @@ def run_simulate(
 ) -> None:
     """Simulate and store; the run and its picture appear together or not at all, unless a stopped run is kept."""
     from ..simulation.controllers import read_controller
+    from ..simulation.hits import lines
     from ..simulation.runs import FORMATS, check_output, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
@@ -108,7 +109,7 @@ def run_simulate(
                 from ..plotting.plot import png
 
                 streams[-1].write(png(run, model, torque))
-    say("\n".join(filter(None, (output, plot))), quiet)
+    say("\n".join(filter(None, (output, plot, *lines(run.hits)))), quiet)
 
 
 @contextmanager
@@ -150,8 +151,8 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
 
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
-    own = OwnForces(model.chain, *(np.array(column)[:, 0] for column in functions["modal_properties"].call([p])))
-    own = own.rubbing(own.of(s.v))
+    own = OwnForces.of_columns(model.chain, [np.array(x)[:, 0] for x in functions["modal_properties"].call([p])])
+    own = own.acting(own.of(s.q), own.of(s.v))
     force = own.force(own.of(s.q), own.of(s.v), 0.0)
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, own.M, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T

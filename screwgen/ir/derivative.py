@@ -52,6 +52,8 @@ def _unary(node: Node, a: Node, da: Value) -> Value:
     call = node.tracer.call
     if node.op == "neg":
         return -da
+    if node.op == "on":
+        return 0.0
     if node.op == "sqrt":
         return da / (2.0 * node)
     if node.op == "sin":

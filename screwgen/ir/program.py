@@ -20,8 +20,11 @@ import numpy as np
 Array = np.ndarray
 
 COMMUTATIVE = frozenset({"add", "mul"})
-FUNCTIONS = frozenset({"sqrt", "sin", "cos", "c4", "c5", "c6", "c7"})
-"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7: slopes)."""
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7"})
+"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7: slopes).
+
+``on`` is 1 where its argument is > 0, else 0.
+"""
 
 
 class Label(NamedTuple):
@@ -230,6 +233,8 @@ class Tracer:
         """A unary primitive."""
         if not isinstance(a, Node) and function in ("sin", "cos", "sqrt"):
             return float(getattr(mpmath, function)(a))  # the same on every machine
+        if not isinstance(a, Node) and function == "on":
+            return float(a > 0)
         if _negated(a) and function in ("sin", "cos"):
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)

@@ -61,9 +61,9 @@ class PrintedModel:
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
         if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
-        if self.model.chain.n_motors or self.model.chain.dry:
+        if self.model.chain.n_motors or self.model.chain.dry or self.model.chain.stops:
             raise UsageError(
-                f"{robot.name}: the paper has neither gears nor friction; leave out drives, or the formulation"
+                f"{robot.name}: the paper has neither gears nor friction nor stops; leave out drives and limits, or the formulation"
             )
 
     def _reduced(self, robot: Robot) -> Robot:

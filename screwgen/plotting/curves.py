@@ -58,12 +58,15 @@ def prefixed(size: float, unit: str) -> tuple[float, str]:
     return 10.0**-power, PREFIXES[power] + unit
 
 
-def scale(t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = ()) -> Scale:
+def scale(t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = (), ends=()) -> Scale:
     """The scale for curves (N,) over t, SI: all values, unless a transient at the start would flatten the rest.
 
     `bounds`: limits ±b of the curves; they are on the scale where that leaves half of it to the curves.
+    `ends`: limits of single signs, likewise.
     """
     low, high, peak = _extent(t, curves)
+    near = [x for x in ends if low - (high - low) / 2 <= x <= high + (high - low) / 2]
+    low, high = min([low, *near]), max([high, *near])
     size = max(abs(low), abs(high))
     shown = [b for b in bounds if b <= 2 * size]
     low, high = min([low, *(-b for b in shown)]), max([high, *shown])

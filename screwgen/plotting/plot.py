@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
+from ..simulation.hits import limits
 from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
@@ -39,6 +40,7 @@ POSTURES, STATIONS = 5, np.linspace(0.0, 1.0, 17)
 """In how many postures the arm is drawn, and at which places along each link."""
 GOAL = dict(linewidth=4.5, alpha=0.28, solid_capstyle="butt")
 BOUND = dict(linewidth=0.9, linestyle=(0, (7, 2, 1, 2)))
+END_OF_RANGE = dict(linewidth=0.9, linestyle=(0, (1, 1.5)))
 PATH = dict(color=INK, linewidth=0.9)
 EARLIER = dict(color=PALE, linewidth=1.6)
 MARK = dict(marker="o", linestyle="none", markersize=6)
@@ -57,6 +59,8 @@ class Line(NamedTuple):
     label: str | None = None
     goal: np.ndarray | None = None
     bound: float | None = None
+    ends: tuple[float, ...] = ()
+    """The limits of a joint axis."""
 
 
 class Panel(NamedTuple):
@@ -129,13 +133,14 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     law = started(controller, run.q[0] if model else run.q[0, len(_place_names(run)) :], model)
     goals, bounds = _goals(run, law), _bounds(law)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
+    ends = None if model is None else limits(model)
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
         *_base(run),
-        Panel("Joint angles", "q", "rad", _with(q(".joint["), "goal", goals, turning)),
-        Panel("Slides", "q", "m", _with(q(".slide["), "goal", goals, ~turning)),
+        Panel("Joint angles", "q", "rad", _with(_with(q(".joint["), "goal", goals, turning), "ends", ends, turning)),
+        Panel("Slides", "q", "m", _with(_with(q(".slide["), "goal", goals, ~turning), "ends", ends, ~turning)),
         Panel("Rotor angles", "θ", "rad", q(".theta[")),
         Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel("Forces on slides", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
@@ -257,7 +262,8 @@ def _headline(run: Run) -> str:
 def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
     goals = [line.goal for line in panel.lines if line.goal is not None]
     bounds = [line.bound for line in panel.lines if line.bound is not None]
-    fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds)
+    ends = [x for line in panel.lines for x in line.ends]
+    fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds, ends)
     for line in panel.lines:
         for values, options in ((line.goal, GOAL), (line.values, {"linestyle": line.style, "label": line.label})):
             if values is not None:
@@ -266,6 +272,8 @@ def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
         if line.bound is not None:
             for sign in (-1, 1):
                 axes.axhline(sign * fitted.factor * line.bound, color=line.color, **BOUND)
+        for place in (fitted.factor * x for x in line.ends if fitted.low <= fitted.factor * x <= fitted.high):
+            axes.axhline(place, color=line.color, **END_OF_RANGE)
     over_time(axes, t, panel.title, f"{panel.symbol} ({fitted.unit})", fitted)
     legend_above(axes)
 
@@ -284,6 +292,8 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
         entries.append(("set point", GOAL))
     if any(line.bound is not None for line in lines):
         entries.append(("limit of the drive" if any(".force[" in x for x in run.tau_names) else "torque limit", BOUND))
+    if any(line.ends for line in lines):
+        entries.append(("limit of the joint", END_OF_RANGE))
     entries.append(("path of the tip", PATH))
     entries += [(name, MARK | dict(color=shade)) for name, shade in (("its start", START), ("its end", END))]
     if arm:

@@ -81,7 +81,7 @@ class Dynamics:
         functions = model.modal_functions
         self.p, self.n_links = np.array(p, float), model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
-        self.own = OwnForces(model.chain, *Evaluator(functions["modal_properties"])(self.p))
+        self.own = OwnForces.of_columns(model.chain, Evaluator(functions["modal_properties"])(self.p))
 
     def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
@@ -89,12 +89,12 @@ class Dynamics:
 
     def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
-        own = self.own.rubbing(self.own.of(v))
+        own = self.own.acting(self.own.of(q), self.own.of(v))
         return own.M, own.force(own.of(q), own.of(v), 0.0)
 
     def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
         """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
-        own = self.own.rubbing(self.own.of(there[1]))
+        own = self.own.acting(self.own.of(q), self.own.of(v), h, self.own.of(there[1]))
         return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 

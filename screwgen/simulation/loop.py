@@ -53,7 +53,7 @@ class _Run(ctypes.Structure):
         ("sampling", ctypes.c_int),
         ("watch", ctypes.c_int),
         ("far", ctypes.c_double),
-        *((name, ctypes.c_void_p) for name in ("largest", "at", "first")),
+        *((name, ctypes.c_void_p) for name in ("largest", "at", "first", "hits")),
     )
 
 
@@ -104,7 +104,7 @@ class Loop:
         number = c.number(self.method)
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
-        self.plan = _Run(*run, WATCH, FAR, *arrays)
+        self.plan = _Run(*run, WATCH, FAR, *arrays, ctypes.addressof(table.hits.plan) if table.hits.bounds else None)
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
@@ -143,7 +143,14 @@ class Loop:
                 task.progress(k, task.steps)
 
     def _call(self, k: int, count: int) -> None:
-        """The steps k to k + count - 1 and their samples."""
+        """The steps k to k + count - 1 and their samples; the C returns before when it has many hits to hand over."""
+        end = k + count
+        while k < end:
+            k += self._called(k, end - k)
+            self.table.hits.drain()
+
+    def _called(self, k: int, count: int) -> int:
+        """Make these steps, and return how many were made."""
         rows, status = self.table.rows, ctypes.c_int()
         place = ctypes.c_void_p(rows.ctypes.data + rows.strides[0] * self.task.rows(k))
         call = self.compiled.library.shim_run_steps
@@ -151,6 +158,7 @@ class Loop:
         if status.value:
             self.table.filled(self.task.rows(k + done) + (not self.plan.sampling and self.task.sampled(k + done)))
             self._fail(k + done, status.value)
+        return done
 
     def _fail(self, k: int, status: int) -> None:
         """Raise the error of step k, which is repeated by the NumPy stepper to find the reason."""

@@ -23,6 +23,7 @@ from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
 from ..spec.load import one_line
+from .hits import Hits
 from .inputs import Inputs
 from .integrate import Dynamics, Evaluator
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
@@ -93,7 +94,7 @@ class Table:
         if (size := 8 * len(times) * self.width) > MAX_BYTES:
             raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
         self.rows = np.empty((len(times), self.width))
-        self.watch = Watch(model.chain.names)
+        self.watch, self.hits = Watch(model.chain.names), Hits(model, p)
         self.store: Store | None = None
 
     @property
@@ -113,7 +114,7 @@ class Table:
         arrays: dict[str, Any] = {name: self.rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(m.robot.name, **arrays, validity=self.watch.validity())
+        return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all)
 
 
 class Recorder:

@@ -16,6 +16,7 @@ from .. import notebook
 from ..errors import UsageError
 from ..files import create
 from ..spec.load import one_line
+from .hits import Hit
 from .validity import Validity
 
 ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
@@ -48,6 +49,8 @@ class Run:
     wrench_names: tuple[str, ...]
     validity: Validity | None = None
     """The validity measures of the motion; files do not store them."""
+    hits: tuple[Hit, ...] = ()
+    """The joints beyond their limits, by their beginning, looked for at every step; files do not store them."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]

@@ -14,8 +14,8 @@ from ..arguments import MAX_STEPS, Given, Numbers, choice, seconds, whole
 from ..errors import DivergedError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
-from . import loop
-from .controllers import Controller
+from . import hits, loop
+from .controllers import PD, Controller
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
@@ -79,6 +79,9 @@ def simulate(
     The samples, and every eighth step at least, are watched for the limits of the model: `run.validity`, and a
     :class:`ModelValidityWarning` where one is passed.
 
+    Joints beyond their limits are looked for at every step: `run.hits`. A :class:`LimitWarning` says where one leaves a
+    range that has no stop, and where the set points of a :class:`PD` lie beyond a limit.
+
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step, ModelLeftError, which is one too, when a link
     bends by more than its length.
@@ -91,13 +94,17 @@ def simulate(
     q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
     check_loops(model, p, q0, v0)
     law = started(controller, q0, model, p)
+    if isinstance(law, PD):
+        hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
     table = Table(model, sample_times(time_grid(duration, step), every), p)
     diverged = False
     try:
         with stored(table, store):
             walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
-            return table.run()
+            run = table.run()
+            hits.warn(run.hits)
+            return run
     except DivergedError as error:
         diverged = not isinstance(error, ModelLeftError)
         raise
@@ -141,6 +148,7 @@ def _numpy_walk(model: Model, integrator: str | Method | None, form: str | MakeS
             with at_time(t):
                 q, v = plant.coordinates(state)
                 tau, wrench = task.given(t, q, v)
+                table.hits(t, q, v)
                 if task.sampled(k) or k % WATCH == 0:
                     joints = record.look(t, q, v, tau, wrench)
                     if joints is None:

@@ -4,6 +4,7 @@ from .drive import Drive, Friction
 from .equivalent import equivalent_stiffness
 from .frequencies import Frequencies
 from .joint import Joint, Mount
+from .limit import Limit
 from .load import dump, load
 from .modes import DIRECTIONS, Modes
 from .parameters import Parameter, coordinate_names, parameters
@@ -19,6 +20,7 @@ __all__ = [
     "Frequencies",
     "Friction",
     "Joint",
+    "Limit",
     "Link",
     "Modes",
     "Mount",

@@ -7,6 +7,8 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from .axes import axes, screw_of, written
 from .drive import Drive, check
+from .limit import Limit
+from .limit import check as check_limits
 from .part import Part
 from .ranges import several
 from .screw import Screw, Vector
@@ -37,7 +39,7 @@ class Joint(Part):
     An axis is "x", "y", "z" or a vector, held as a unit vector, about which the link turns; or a `Screw`, in a file
     `{ slide = axis }` (q in m) or `{ screw = axis, pitch = m per rad }`. One number >= 0 per axis, if stated (one axis:
     without brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness`
-    (N·m/rad); of a slide kg, N·s/m and N/m. `drives`: one :class:`.Drive` per axis.
+    (N·m/rad); of a slide kg, N·s/m and N/m. `drives`: one :class:`.Drive` per axis; `limits`: one :class:`.Limit`.
     """
 
     axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
@@ -55,6 +57,9 @@ class Joint(Part):
     drives: tuple[Drive, ...] | None = Field(
         None, description="the drive of each axis, an array of tables: gear, rotor, friction; {} is none"
     )
+    limits: tuple[Limit, ...] | None = Field(
+        None, description="the limits of each axis, an array of tables: range and stops; {} is none"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -64,9 +69,8 @@ class Joint(Part):
         if not (isinstance(axes, list | tuple) and len(axes) == 1):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
-        if isinstance(given.get("drives"), dict | Drive):
-            alone["drives"] = [given["drives"]]
-        return given | alone
+        tables = {k: [given[k]] for k in ("drives", "limits") if isinstance(given.get(k), dict | Drive | Limit)}
+        return given | alone | tables
 
     @property
     def screws(self) -> tuple[Screw, ...]:
@@ -82,4 +86,6 @@ class Joint(Part):
                 raise refuse(what, at=(name,))
         if self.drives is not None:
             check(self.drives, len(self.axes), self.armature)
+        if self.limits is not None:
+            check_limits(self.limits, len(self.axes))
         return self

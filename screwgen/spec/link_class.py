@@ -43,6 +43,12 @@ class DriveClass:
     viscous: bool = False
 
 
+Stop = tuple[int, str]
+"""A compliant stop: the axis, and the limit at which it acts, "lower" or "upper"."""
+SIDES = {"lower": -1, "upper": 1}
+"""The sign of a coordinate beyond each limit."""
+
+
 @dataclass(frozen=True)
 class LinkClass:
     """Everything of a link but its numbers: the complete key of its derivation."""
@@ -88,6 +94,10 @@ class LinkClass:
     """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
     drives: tuple[DriveClass, ...] = ()
     """The drives of the axes; none where the robot file states none."""
+    stops: tuple[Stop, ...] = ()
+    """The stops of the axes, axis by axis; none where limits have no stiffness."""
+    stop_damping: tuple[int, ...] = ()
+    """The axes whose stops have damping."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     free: bool = False
@@ -159,8 +169,9 @@ class LinkClass:
 
     @property
     def sprung(self) -> bool:
-        """Whether springs, dampers or friction act on the joint's axes."""
-        return self.damped or self.braced or any(d.coulomb and not d.stiffness for d in self.drives)
+        """Whether springs, dampers, friction or stops act on the joint's axes."""
+        dry = any(d.coulomb and not d.stiffness for d in self.drives)
+        return self.damped or self.braced or dry or bool(self.stops)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
@@ -205,6 +216,12 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 
 
+def stops(joint: Joint) -> tuple[Stop, ...]:
+    """The stops of a joint, axis by axis."""
+    firm = [(axis, x) for axis, x in enumerate(joint.limits or ()) if x.stiffness is not None]
+    return tuple((axis, side) for axis, x in firm for side in SIDES if getattr(x, side) is not None)
+
+
 def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0, free: bool = False) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
@@ -225,6 +242,8 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         joint_damping=bool(joint.damping),
         stiffness=bool(joint.stiffness),
         drives=drive_classes(joint),
+        stops=stops(joint),
+        stop_damping=tuple(k for k, x in enumerate(joint.limits or ()) if x.damping is not None),
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from .base import POSE, POSE_UNITS, TWIST
 from .drive import NO_FRICTION, Drive
 from .joint import Joint
+from .limit import Limit
 from .reduced import of_link as directions
 from .robot import Body, Link, Robot
 from .section import Section
@@ -82,6 +83,10 @@ FIELDS = {
     "joint.drives.friction.velocity": Field(
         "joint.drives[{}].friction.velocity", "rad/s", "rate over which dry friction changes its sign"
     ),
+    "joint.limits.lower": Field("joint.limits[{}].lower", "rad", "least coordinate of the joint"),
+    "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
+    "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
+    "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
     "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
     "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
@@ -104,6 +109,10 @@ SLIDING = {
     "joint.drives.friction.coulomb": ("N", "dry friction"),
     "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
     "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
+    "joint.limits.lower": ("m", "least coordinate of the joint"),
+    "joint.limits.upper": ("m", "largest coordinate of the joint"),
+    "joint.limits.stiffness": ("N/m", "stiffness of the stops at the limits"),
+    "joint.limits.damping": ("N·s/m", "damping of the stops at the limits"),
 }
 """Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
 
@@ -121,10 +130,11 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
             yield _sliding(parameter, link.joint)
-    for axis, drive in enumerate(link.joint.drives or ()):
-        for field, value in driven(drive):
-            for parameter in spread(field, value, i, link.name, (axis,)):
-                yield _sliding(parameter, link.joint)
+    for of_axis, tables in ((driven, link.joint.drives), (limited, link.joint.limits)):
+        for axis, table in enumerate(tables or ()):
+            for field, value in of_axis(table):
+                for parameter in spread(field, value, i, link.name, (axis,)):
+                    yield _sliding(parameter, link.joint)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])
@@ -146,6 +156,12 @@ def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
         yield f"joint.drives.{name}", getattr(drive, name)
     for name in ("coulomb", "viscous", "velocity"):
         yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
+
+
+def limited(limit: Limit) -> Iterator[tuple[str, Value]]:
+    """The fields of the limits of an axis."""
+    for name in Limit.model_fields:
+        yield f"joint.limits.{name}", getattr(limit, name)
 
 
 def shape(link: Link) -> Iterator[tuple[str, Value]]:

@@ -61,6 +61,8 @@ RANGES = {
     "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m²"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
+    "limit": Range(number, 0.0, 1e6, "rad or m"),
+    "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "velocity": Range(positive, 1e-9, 1e6, "rad/s or m/s"),
     "pitch": Range(number, 0.0, 1e3, "m/rad"),
     "mass": Range(non_negative, 1e-12, 1e12, "kg"),

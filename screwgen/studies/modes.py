@@ -15,7 +15,7 @@ from ..simulation.validity import Validity, Watch
 from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
-from .stiffness import relative, stiffness_matrix
+from .stiffness import pressed, relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -112,6 +112,7 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
     if len(moving) == model.nv and model.chain.n_motors:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
+    K += np.diag(pressed(model, q, p))
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
     N = following((jacobian(model, q, p) @ T)[:, moving], np.diag(K))
     M, K = (M, K) if N is None else (N.T @ M @ N, N.T @ K @ N)

@@ -55,3 +55,12 @@ def relative(model: Model, p: Numbers) -> np.ndarray:
     rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
     T[rotors, chain.base_v + joints] = chain.ratios(p)
     return T
+
+
+def pressed(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
+    """The stiffness (nv,) of the stops beyond which the joint coordinates of `q` (nq,) are."""
+    out, chain, own = np.zeros(model.nv), model.chain, model.numpy(p).constants
+    columns = [[x for constants in own for x in constants.get(name, ())] for name in ("stop_at", "stop_K")]
+    for (joint, side), at, k in zip(chain.stops, *columns, strict=True):
+        out[chain.base_v + joint] += k * (side * (q[chain.base_q + joint] - at) > 0)
+    return out

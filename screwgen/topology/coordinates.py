@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..spec.base import HOME, POSE, TWIST
-from ..spec.link_class import LinkClass
+from ..spec.link_class import SIDES, LinkClass
 
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
@@ -37,6 +37,7 @@ class Coordinates:
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
         self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
         self.theta_offset, self.dry_offset = offsets(lambda k: len(k.motors)), offsets(lambda k: len(k.rubbed))
+        self.stop_offset = offsets(lambda k: len(k.stops))
         self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
@@ -132,7 +133,7 @@ class Coordinates:
 
     @cached_property
     def sprung(self) -> bool:
-        """Whether springs, dampers or friction act in any joint."""
+        """Whether springs, dampers, friction or stops act in any joint."""
         return any(key.sprung for key in self.keys)
 
     @cached_property
@@ -176,6 +177,11 @@ class Coordinates:
         places = [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.rubbed]
         return [self.driven[place] - self.base_v for place in places]
 
+    @cached_property
+    def stops(self) -> list[tuple[int, int]]:
+        """The joint coordinate, as its number among those, of every stop, and the sign of those beyond it."""
+        return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
+
     @property
     def slides(self) -> bool:
         """Whether any joint moves its link along an axis."""
@@ -190,7 +196,8 @@ class Coordinates:
         """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
 
         ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
-        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction.
+        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction;
+        ``stop``: of the stops.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
         part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
@@ -202,7 +209,8 @@ class Coordinates:
         if key.motors:
             parts["theta"] = part(before - self.n_motors, self.theta_offset)
             parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
-        return parts | ({"dry": part(0, self.dry_offset)} if key.rubbed else {})
+        laws = {"dry": (key.rubbed, self.dry_offset), "stop": (key.stops, self.stop_offset)}
+        return parts | {name: part(0, offsets) for name, (there, offsets) in laws.items() if there}
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:

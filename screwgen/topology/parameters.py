@@ -22,6 +22,8 @@ def label(parameter: Parameter) -> str:
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case field if field.startswith("joint.drives."):
             return f"drive_{field.rpartition('.')[2]}_{index[0] + 1}"
+        case field if field.startswith("joint.limits."):
+            return f"limit_{field.rpartition('.')[2]}_{index[0] + 1}"
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":

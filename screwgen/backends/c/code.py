@@ -219,7 +219,8 @@ class Writer:
         if node.op in BINARY:
             return self._binary(node)
         if node.op == "neg":
-            return f"-{self._operand(node.args[0], 3)}", 3
+            inner = self._operand(node.args[0], 3)
+            return f"-({inner})" if inner.startswith("-") else f"-{inner}", 3
         return f"{self.prefix}_{node.op}({self._operand(node.args[0], 0)})", ATOM
 
     def _binary(self, node: Node) -> tuple[str, int]:

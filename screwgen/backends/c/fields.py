@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ...algorithms.functions import robot_columns
+from ...algorithms.columns import robot_columns
 from ...algorithms.schedule import COLUMNS
 from ...algorithms.scope import derived
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal
@@ -63,8 +63,8 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
 
 
 def drives(chain: Chain) -> bool:
-    """Whether the forces of gears or dry friction act in the robot."""
-    return bool(chain.n_motors or chain.dry)
+    """Whether the forces of gears, dry friction or stops act in the robot."""
+    return bool(chain.n_motors or chain.dry or chain.stops)
 
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
@@ -140,7 +140,8 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
 
     ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
     the diagonal of the modes' matrices; ``geared``: the joint coordinate of each rotor; ``dry``: the coordinates with
-    dry friction; ``inner``: the number of rotors and modes.
+    dry friction; ``stops``: coordinate and side of each stop, ``ranges``: lower and upper stop of axes with both;
+    ``laws``: whether forces depend on the rates at a stage; ``inner``: the number of rotors and modes.
     """
     modes = zip(chain.eta_offset, chain.keys, strict=False)
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
@@ -157,6 +158,9 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "geared": chain.geared,
         "driven": chain.driven,
         "dry": chain.dry,
+        "stops": chain.stops,
+        "ranges": [(k, k + 1) for k in range(len(chain.stops) - 1) if chain.stops[k][0] == chain.stops[k + 1][0]],
+        "laws": bool(chain.dry or chain.stops),
         "drives": drives(chain),
         "theta_offset": chain.theta_offset[:-1],
     }

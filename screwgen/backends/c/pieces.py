@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ...algorithms.functions import robot_columns
+from ...algorithms.columns import robot_columns
 from ...algorithms.schedule import COLUMNS
 from ...ir.program import Program
 from ...ir.split import KEPT, split

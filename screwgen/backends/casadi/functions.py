@@ -230,6 +230,8 @@ def unary(op: str, x: ca.SX) -> ca.SX:
     """The unary primitives in SX."""
     if op == "neg":
         return -x
+    if op == "on":
+        return x > 0
     if op in ("c4", "c5"):
         return _stumpff(int(op[1]), x)
     return getattr(ca, op)(x)

@@ -8,6 +8,7 @@ from functools import partial
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms.axis_laws import STOP, Secants, secants
 from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
@@ -53,9 +54,23 @@ class Held:
         own = slice(q.numel() - self.chain.n_given, None)
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         D, times = D + self._friction(v_there), self.chain.modal_product
-        x, rate = q[own, 0], v[v.numel() - self.chain.n_given :, 0]
+        of_rates = slice(v.numel() - self.chain.n_given, None)
+        x, rate = q[own, 0], v[of_rates, 0]
         felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
+        for i, found in self._stops(x, rate, v_there[of_rates], h):
+            stiffness, damping, rest = found
+            felt["m_eta"][i] += h * (damping + h * stiffness)
+            felt["f_eta"][i] += stiffness * (x[i] - rest + h * rate[i]) + damping * rate[i]
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+
+    def _stops(self, x: ca.SX, rate: ca.SX, there: ca.SX, h: ca.SX | float) -> list[tuple[int, Secants]]:
+        """The coordinate of every stop, and what it exerts as a linear force ``h`` after ``x`` with ``rate``."""
+        columns = [self.properties[name] for name in STOP] if self.chain.stops else []
+        out = []
+        for k, (i, side) in enumerate(self.chain.stops):
+            own = (column[k] for column in columns)
+            out.append((i, secants(side, x[i], rate[i], there[i], h, *own, lambda x: x > 0)))
+        return out
 
     def _friction(self, v: ca.SX) -> ca.SX:
         """What dry friction adds to the damping at the rates."""

@@ -42,7 +42,7 @@ class DaeDynamics:
         self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
     ):
         n, r = chain.n, chain.n_inner
-        self.forces = OwnForces(chain, *properties)
+        self.forces = OwnForces.of_columns(chain, properties)
         self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
@@ -56,7 +56,7 @@ class DaeDynamics:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         here = self.own(x)
         own, rate = here if start is None or start is x else self.own(start)
-        forces = self.forces.rubbing(here[1])
+        forces = self.forces.acting(own, rate, h, here[1])
         return self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

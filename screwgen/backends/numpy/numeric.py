@@ -33,7 +33,7 @@ from ...topology.chain import Chain
 from .python import compiled
 
 EPSILON = float(np.finfo(float).eps)
-SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear")
+SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear", "stop_K")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
 
 _COMPILED: dict[int, tuple] = {}

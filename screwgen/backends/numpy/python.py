@@ -47,6 +47,7 @@ def series(order: int, x: float) -> float:
 
 
 NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5, "c6": c6, "c7": c7}
+NAMESPACE["on"] = lambda x: float(x > 0.0)
 
 
 def compiled(program: Program) -> Callable[[Mapping[str, list]], tuple[dict[str, list], list[float]]]:

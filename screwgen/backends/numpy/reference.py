@@ -10,6 +10,7 @@ import mpmath
 import numpy as np
 
 from ...algorithms import fused
+from ...algorithms.axis_laws import STOP
 from ...algorithms.functions import Functions
 from ...errors import SingularError
 from ...ir.program import Program
@@ -104,8 +105,8 @@ def _case(chain: Chain, functions: Functions, number: int) -> Case:
 def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[float]]:
     """A state without pattern: fractional parts of multiples of irrational numbers, at sensible sizes.
 
-    A mode is deflected by what a force of 20 N bends it, so that no stiff mode drowns the rest; the case 0
-    has no external wrench.
+    A mode is deflected by what a force of 20 N bends it, so that no stiff mode drowns the rest, and every other stop is
+    pressed by as much, in the next case the others; the case 0 has no external wrench.
     """
     draw = lambda k, salt, size: [round(size * _fraction(number, salt, j), 6) for j in range(k)]  # noqa: E731
     m, n = chain.n_joints, chain.n
@@ -115,6 +116,9 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     q, v, tau, p = draw(m, 1, 1.2), draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
+    stops = zip(chain.stops, *([x for c in functions.constants for x in c.get(name, ())] for name in STOP), strict=True)
+    for (joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
+        q[joint] = float(at + side * 20 / k)
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     if chain.closures:

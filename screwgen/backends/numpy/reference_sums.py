@@ -73,18 +73,19 @@ class _Soft:
         gravity = [p.value for p in parameters(chain.robot)[:3]]
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, _apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
-        M, K, D, *dry = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
+        M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
         modes = slice(chain.n_given - chain.n_inner, chain.n_given)
         fastest = np.sqrt(max(K[modes] / M[modes], default=0.0))
         self.softness = min(1.0, float(FASTEST / (LONGEST * fastest))) if fastest else 1.0
-        self.own = OwnForces(chain, M, K * self.softness**2, D * self.softness, *dry)
+        self.columns = M, K * self.softness**2, D * self.softness, *laws
+        self.own = OwnForces.of_columns(chain, self.columns)
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
         at_q, at_v = there or (q, v)
-        own = self.own.rubbing(self.own.of(at_v))
+        own = self.own.acting(self.own.of(q), self.own.of(v), h, self.own.of(at_v))
         self.functions.given = (own.inertia(h).tolist(), own.force(own.of(q), own.of(v), h).tolist())
         return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
 
@@ -99,7 +100,7 @@ class _Soft:
 
     def dae(self) -> DaeDynamics:
         """The DAE form of the same functions."""
-        f, own = self.functions, self.own
+        f = self.functions
 
         def solve(x, tau, w_ext, inertia, force):
             f.given = (inertia.tolist(), force.tolist())
@@ -111,7 +112,7 @@ class _Soft:
         def joint_rates(x):
             return (np.array(f.joint_rates(x.tolist())),)
 
-        return DaeDynamics(self.chain, (own.M, own.K, own.D, own.coulomb, own.speed), solve, project, joint_rates)
+        return DaeDynamics(self.chain, self.columns, solve, project, joint_rates)
 
 
 def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:

@@ -126,7 +126,8 @@ class Linearised:
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
-        self.own = self.dynamics.own.rubbing(self.dynamics.own.of(self.v))
+        own = self.dynamics.own
+        self.own = own.acting(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nq), 2)
         self.gains = np.zeros((model.n_tau, 2 * model.nq)) if controller is None else self._gains()
@@ -167,7 +168,7 @@ class Linearised:
         """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
         a, own = self.slopes(h), self.own
         at_q, at_v = there or (q, v)
-        force = own.force(own.of(q), own.of(v), h)
+        force = own.slopes.force(own.of(q), own.of(v), h)
         if self.model.chain.dry:
             force = force + own.softened(own.of(self.v), own.of(self._felt(h)), own.of(at_v))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force

@@ -81,5 +81,5 @@ class Joint(Part):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
                 raise refuse(what, at=(name,))
         if self.drives is not None:
-            check(self.drives, len(self.axes), self.armature)
+            check(self.drives, self.screws, self.armature)
         return self

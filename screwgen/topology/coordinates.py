@@ -175,6 +175,11 @@ class Coordinates:
         """The coordinates, as indices in `v`, with dry friction."""
         return [self.driven[self.q_offset[i] + axis] for i, key in enumerate(self.keys) for axis in key.rubbed]
 
+    @cached_property
+    def cranked(self) -> list[int]:
+        """The joint coordinates, as their numbers, whose drives have a transmission."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.cranked]
+
     @property
     def slides(self) -> bool:
         """Whether any joint moves its link along an axis."""

@@ -179,9 +179,9 @@ def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, sec
 
 
 def linearisation(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v[, levers])`` in one program.
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
 
-    ``levers`` are an output where drives have transmissions. ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
+    ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
     """
     chain.needs_fixed_tree(*EXACT)
@@ -195,7 +195,6 @@ def linearisation(chain: Chain, constants="constants") -> Program:
         section = tracer.section if tracer else lambda _: nullcontext()
         found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
-        out = {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
-        return out | ({"levers": f.levers(x["q"])} if chain.cranked else {})
+        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
 
     return fuse(chain, "linearisation", sizes, body, constants)

@@ -11,14 +11,19 @@ A further transmission is a function like :func:`cylinder` in ``KINDS``, with it
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
+from ..errors import SingularError
 from ..ir.derivative import columns
 from ..ir.program import Array, Program, Tracer, Value
+from ..ir.replay import run
+from ..spec.parameters import coordinate_names
+from ..topology.chain import Chain
 from . import matrices as mx
 from .scope import Scope
 
@@ -149,3 +154,41 @@ def answers(s: Scope) -> tuple[Array, Array]:
     both = (columns([asked[k] if k in s.key.cranked else 0.0 for k in range(m)], x) for x in (q, qdot))
     with_q, with_qdot = (mx.array(x, (m, m)).T for x in both)
     return with_q, with_qdot
+
+
+# ------------------------------------------------------------------------------------ of a robot, in numbers
+
+
+def travels(chain: Chain, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+    """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one."""
+    out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
+    for i, key in enumerate(chain.keys):
+        for axis in key.cranked:
+            kind, place = key.drives[axis].transmission, chain.q_offset[i] + axis
+            given = [p[chain.parameter_labels[i][f"drive_{name}_{axis + 1}"]] for name in KINDS[kind].keys]
+            found, _ = run(relation(kind), {"q": [float(q[place])], "given": given}, _unary)
+            out[:, place] = found["relation"]
+    return out
+
+
+def _unary(op: str, x: float) -> float:
+    return -x if op == "neg" else getattr(math, op)(x)
+
+
+def efforts(chain: Chain, torques: np.ndarray, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+    """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces where cylinders drive joints.
+
+    Raises SingularError where a cylinder stands in a dead centre and would need an infinite force.
+    """
+    if not chain.cranked:
+        return torques
+    slope = travels(chain, q, p)[1]
+    for joint in chain.cranked:
+        if abs(slope[joint]) < DEAD and torques[joint]:
+            name = coordinate_names(chain.robot).q[chain.base_q + joint]
+            raise SingularError(f"{name}: its cylinder is in a dead centre, where no force turns the joint; leave it")
+    return torques / np.where(slope == 0, 1.0, slope)
+
+
+DEAD = 1e-9
+"""m/rad: a lever that counts as none."""

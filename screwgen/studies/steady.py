@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
+from ..algorithms.transmissions import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity
@@ -71,12 +72,15 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
+    tau = efforts(chain, force[chain.driven], q[: chain.n_joints], p)
+    if chain.cranked:
+        M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    tau, columns = force[chain.driven], K[:, :m]
-    loads = max(np.max(np.abs(x), initial=0.0) for x in (tau, columns, K[:, m:] @ q[m:]))
+    columns = K[:, :m]
+    loads = max(np.max(np.abs(x), initial=0.0) for x in (force[chain.driven], columns, K[:, m:] @ q[m:]))
     _, sizes, rows = np.linalg.svd(columns)
     rigid = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid)

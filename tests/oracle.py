@@ -104,7 +104,7 @@ class Oracle:
 
     @cached_property
     def kinetic(self) -> ca.SX:
-        rotors = ca.dot(ca.DM(self.armature) * self.v, self.v) / 2
+        rotors = ca.dot(ca.DM(self.armature) * self.v, self.v) / 2 + self.drives.kinetic(self.q, self.v)
         return sum(cloud.kinetic() for cloud in self.clouds) + rotors
 
     @cached_property
@@ -138,12 +138,13 @@ class Oracle:
         trial = self._with_rates(self._place(), self.trial)
         power = sum(map(self._virtual_power, self.clouds, trial))
         force = gradient(power, self.trial) + ca.DM(self.K) @ self.q + self._losses()
+        force += self.drives.pushed(self.q, self.v, self.a)
         force += ca.DM(self.armature) * self.a - gradient(self.external_power, self.v)
         return self._function([self.q, self.v, self.a, self.w_ext], force)
 
     def _losses(self) -> ca.SX:
         """(nv,): the forces of dampers and friction."""
-        return ca.DM(self.D) @ self.v + self.drives.friction(self.v)
+        return ca.DM(self.D) @ self.v + self.drives.friction(self.q, self.v)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
         momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
@@ -207,10 +208,10 @@ class Oracle:
     def _w(self, w_ext) -> np.ndarray:
         return np.zeros((6, self.n)) if w_ext is None else np.array(w_ext, dtype=float).reshape(self.n, 6).T
 
-    def _force(self, tau) -> np.ndarray:
+    def _force(self, tau, q) -> np.ndarray:
         out = np.zeros(self.nv)
         if tau is not None:
-            out[self.drives.driven] = tau
+            out[self.drives.driven] = self.drives.levers(q) * tau
         return out
 
     def mass_matrix(self, q) -> np.ndarray:
@@ -260,7 +261,7 @@ class Oracle:
 
     def forward_dynamics(self, q, v, tau=None, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
         """(vdot (nv,), wrench (n, 6)); one step of iterative refinement in the linear solve."""
-        vdot, force = np.zeros(self.nv), self._force(tau)
+        vdot, force = np.zeros(self.nv), self._force(tau, q)
         if self.nv:
             factors = scipy.linalg.lu_factor(self.mass_matrix(q))
             for _ in range(2):
@@ -281,7 +282,8 @@ class Oracle:
         v = np.array(v, dtype=float)
         twists = self.tip_twists(q, v)
         external = 0.0 if w_ext is None else float(np.sum(twists * np.reshape(w_ext, (self.n, 6))))
-        return float(v @ self._force(tau) - v @ (self.D @ v + self.drives.friction(ca.DM(v)).full()[:, 0])) + external
+        losses = ca.Function("f", [self.q, self.v], [self._losses()])(q, v).full()[:, 0]
+        return float(v @ self._force(tau, q) - v @ losses) + external
 
     def momentum(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Linear momentum, and angular momentum about the inertial origin, of the whole arm; no armature."""
